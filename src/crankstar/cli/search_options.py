@@ -35,3 +35,16 @@ class Form:
             "with --row .toml, .json or .xlsx.",
         ),
     ] = None
+
+
+@dataclass(frozen=True)
+class Sequenced:
+    """What is asked where star and firing sequence are searched together."""
+
+    bank: Annotated[
+        str | None, option("--bank", "One, of a V engine with two rods on each pin.")
+    ] = None
+    crank_orders: Annotated[
+        str | None, option("--orders", "Of twist. Default: 0.5,1.5,2.5; two-stroke 1,2,3.")
+    ] = None
+    why: Annotated[str | None, option("--why")] = None

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
+from crankstar.cli import sequencing
 from crankstar.cli.options import (
     FLAT,
     Estimating,
@@ -21,7 +22,7 @@ from crankstar.cli.options import (
     write_engine,
 )
 from crankstar.cli.output import complain, display, working, writable, write_result
-from crankstar.cli.search_options import Form, Work
+from crankstar.cli.search_options import Form, Sequenced, Work
 from crankstar.cli.tabulating import give, words_for
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
@@ -41,7 +42,10 @@ GREATEST_ROW = 200_000
 
 def search(
     cylinders: Annotated[
-        str, Parameter(help="Number of cylinders, or an in-line engine (name or file).")
+        str,
+        Parameter(
+            help="Number of cylinders, or an engine in line or, with twist, in V (name or file)."
+        ),
     ],
     /,
     *,
@@ -49,13 +53,20 @@ def search(
     speed: Speed = None,
     settings: Settings = None,
     estimate: Estimating = False,
+    sequenced: Annotated[Sequenced, FLAT] = Sequenced(),  # noqa: B008
     work: Annotated[Work, FLAT] = Work(),  # noqa: B008
     looks: Annotated[Looks, FLAT] = Looks(),  # noqa: B008
     form: Annotated[Form, FLAT] = Form(),  # noqa: B008
 ) -> int | None:
     """Find better cranks: all arrangements of evenly spaced throws, searched with proof."""
     from crankstar.options import search as options
+    from crankstar.options import sequences
 
+    more = sequences.SequenceWords(**asdict(sequenced))
+    if sequences.named(words, more):
+        about_engine = {"settings": settings, "speed": speed, "estimate": estimate}
+        asked = {"work": work, "looks": looks, "form": form}
+        return sequencing.searched(cylinders, words, more, **about_engine, **asked)
     kind, paper = _kind(form), None
     if kind in PICTURES:
         paper = chart_request.paper(kind, **asdict(looks))

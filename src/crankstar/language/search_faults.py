@@ -79,8 +79,64 @@ SENTENCES: dict[str, str | Plural] = {
     "two-stroke-torsion": N_("{name}: a two-stroke engine has whole orders of torsion only."),
     "half-torsion": N_(
         "{name}: where two cylinders share a direction, half orders depend on the firing order; "
-        "search for whole orders."
+        "search for whole orders, or for twist, which also chooses the firing order."
     ),
+    # stars with their firing sequences
+    "sequence-cylinders": N_(
+        "Star and firing order can be searched together for {least} to {most} cylinders, not "
+        "{given}."
+    ),
+    "bank-odd": N_("A V engine has an even number of cylinders, not {cylinders}."),
+    "bank-angle": N_("{given} deg: the bank angle can be above 0 deg, up to 180 deg."),
+    "bank-uneven": N_(
+        "With shared pins, {cylinders} cylinders fire evenly at bank angles that are multiples of "
+        "{step} deg, which {given} deg is not; `crankstar vees` finds split pins."
+    ),
+    "bank-no-star": N_(
+        "No crank of {cylinders} cylinders with shared pins fires evenly at a bank angle of "
+        "{given} deg."
+    ),
+    "throw-gap-count": N_(
+        "{given} gaps are given; the throws of {cylinders} cylinders have {wanted}."
+    ),
+    "several-shafts": N_("{engine} has not one crankshaft that turns at the speed of the engine."),
+    "not-shared": N_(
+        "The throws of {engine} do not all have one cylinder in line, or two at one bank angle."
+    ),
+    "not-even": N_("Cylinder {number} does not fire at its place in an even cycle."),
+    "pin-apart": N_(
+        "Cylinders {first} and {second} are on one pin and fire {apart} deg apart, but this bank "
+        "angle asks for {wanted} or {other} deg."
+    ),
+    "order-uneven": N_("No crank with these pins fires evenly in this order."),
+    "order-numbers": N_(
+        "{given} is no firing order of cylinders 1 to {count}; give each number once."
+    ),
+    "order-capped": N_("{given} breaks a limit, so that it cannot be on this front."),
+    "torsion-order": N_("{name}: gas torque has whole orders and halves only."),
+    "shape-throws": N_(
+        "{given} amplitudes are given; give one for each of {throws} throws or {cylinders} "
+        "cylinders."
+    ),
+    "cap-sequence": N_(
+        "{name} depends on the firing order; only what the star decides can be limited beside it."
+    ),
+    "cap-value": N_("A limit is a number from 0 up."),
+    "no-goal": N_(
+        "{given}: with the firing order, choose from couples (M1), forces (F2), torsion (T1.5) and "
+        "twist, the largest torsion of {orders}."
+    ),
+    "goal-balanced": N_("{name} is balanced between the two banks of each pin; leave it out."),
+    "sequence-orders": N_(
+        "{given}: give up to {most} orders of the gas torque, whole or halves, as in 0.5,1.5,2.5."
+    ),
+    "engine-bank": N_("The bank angle is in the engine file; leave {bank} out."),
+    "orders-unused": N_("{orders} are those of twist; add it, as in {minimise} M1,M2,twist."),
+    "sequence-bank": N_("{given}: give one bank angle, as in 90."),
+    "too-many-stars": N_(
+        "There are {stars} stars, and up to {most} can be gone through; choose another bank angle."
+    ),
+    "front-too-large": N_("The front has {most} points or more; name fewer goals."),
     "needs-engine": N_(
         "couple, the total over all orders, needs an engine, for its rod ratio; name orders, as in "
         "M1,M2."

@@ -19,5 +19,6 @@
 | `balancing` | the options of a balance, and the balanced engine |
 | `charts` | the options of a figure |
 | `search` | the values of the options of a search |
+| `sequences` | goals of a front over stars and firing sequences, as typed |
 | `sounds` | the speeds and the pipes of a sound |
 """

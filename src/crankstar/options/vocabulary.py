@@ -39,7 +39,7 @@ _MOST = {
         "text",
         'Bank angles, such as "60 deg, 90 deg" (default: the multiples of the firing interval up '
         "to 180 deg).",
-        ("--banks", "--bank-angle", "--vee-angle"),
+        ("--banks", "--bank-angle", "--vee-angle", "--vee"),
     ),
     "--bare": Option(
         "nothing",
@@ -377,6 +377,12 @@ _MOST = {
         "Places of the counterweights: pins, webs, ends (the end webs), or positions along the "
         'shaft, such as "-200 mm, 200 mm".',
         ("--planes", "--counterweights"),
+    ),
+    "--why": Option(
+        "text",
+        "A firing order, as in 1-5-3-6-2-4: whether it is on the front, else what is better, and "
+        "in what.",
+        ("--why-not", "--judge"),
     ),
     "--width": Option(
         "text", 'Width of the picture, such as "120 mm" (default: what the chart needs).'

@@ -26,7 +26,8 @@ class SearchWords(BaseModel):
             "vertical, in the horizontal plane), forces F1, ..., torsion T1.5, ..., "
             "neighbours (cylinders side by side that fire in succession), couple (rms over a turn "
             "of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the "
-            "best with weights, as in M1,2*M2.",
+            "best with weights, as in M1,2*M2. On the command line also twist, the largest "
+            "torsion of --orders, which also chooses the firing order.",
         ),
         examples=["M1,M2"],
     )

@@ -27,5 +27,10 @@
 | `run` | a search from beginning to end |
 | `answer` | stars, exact zeros, their number, proof of completeness |
 | `equivalence` | stars with the same moments |
+| `shafts` | throws with one rod or two that fire evenly: star and sequence |
+| `vector_sums` | forces, couples and torsion of a shaft with its sequence, and goals |
+| `sequence_kernels` | compiled loops over stars and the firing sequences of each |
+| `sequence_fronts` | the front over stars and sequences, and what beats an order |
+| `sequence_engines` | a star with its sequence as an Engine, and back |
 | `options` | options of a search as values, and its question |
 """

@@ -1,0 +1,113 @@
+"""The verb search where star and firing sequence are searched together."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from crankstar.cli.options import Looks, engine_with_tree, write_engine
+from crankstar.cli.output import display, progress, working, writable
+from crankstar.cli.search_options import Form, Work
+from crankstar.cli.tabulating import give, words_for
+from crankstar.language.messages import _
+from crankstar.options import search as options
+from crankstar.options import sequences
+from crankstar.options import values as request
+from crankstar.options.forms import ENGINES, TABLES, form_of
+from crankstar.options.sequences import SequenceWords
+from crankstar.options.values import RequestError, refusal
+from crankstar.options.words import SearchWords
+
+MOST_THREADS = 64
+LONG_STARS = 300_000_000
+"""Stars that take more than a few minutes."""
+
+
+def searched(
+    cylinders: str,
+    words: SearchWords,
+    more: SequenceWords,
+    *,
+    settings: list[str] | None,
+    speed: str | None,
+    estimate: bool,
+    work: Work,
+    looks: Looks,
+    form: Form,
+) -> int | None:
+    """Find the front over stars and firing sequences, and show it or write a row."""
+    _refused(work, looks, form, speed=speed, estimate=estimate)
+    kind = form_of(
+        form.output, TABLES if form.row is None else ENGINES, json=form.json, csv=form.csv
+    )
+    workers = request.within("--workers", work.workers, most=MOST_THREADS) or os.cpu_count() or 1
+    tree, about = None, options.whole_number(cylinders)
+    if about is None:
+        about, tree = engine_with_tree(cylinders, settings)
+    else:
+        request.refuse_unused({"--set": settings}, without=_("an engine"))
+    wanted = sequences.sequences_of(about, words, more)
+    if form.output is not None:
+        writable(form.output)
+    front = _front(wanted.question, workers, agreed=work.yes)
+    if form.row is not None and front.complete:
+        _write_row(front, wanted.engine, form.row, form.output, tree)
+        return None
+    from crankstar.tables.search_sequences import ROWS, search_sequences
+
+    with words_for(kind):
+        limit = ROWS if kind == "txt" else None
+        found = search_sequences(front, engine=wanted.engine, why=wanted.why, limit=limit)
+    if front.complete:
+        give(found, form.output, form=kind)
+        return None
+    display(found)
+    return 130
+
+
+def _refused(work: Work, looks: Looks, form: Form, *, speed: str | None, estimate: bool) -> None:
+    """Refuse what only the other searches have. Raises RequestError."""
+    looks.refuse(_("a table"))
+    given: dict[str, Any] = {
+        "--speed": speed,
+        "--estimate": estimate,
+        "--scheduler": work.scheduler,
+        "--checkpoint": work.checkpoint,
+        "--uneven": form.uneven,
+        "--chart": form.chart,
+    }
+    request.refuse_unused(given, beside="--minimise twist, --bank, --orders, --why")
+    if form.row is not None:
+        request.refuse_unused({"--csv": form.csv, "--json": form.json}, beside="--row")
+        request.within("--row", form.row, most=200_000)
+
+
+def _front(question: Any, workers: int, *, agreed: bool) -> Any:
+    """The front, with its progress. Raises RequestError where it takes long without consent."""
+    if question.shaft.count > LONG_STARS and not agreed:
+        raise RequestError(
+            "There are {stars} stars to go through, which takes long; to do it, add --yes.",
+            stars=f"{question.shaft.count:,}",
+        )
+    with working(_("Getting ready (the first search is compiled for about ten seconds) ...")):
+        try:
+            from crankstar.search.sequence_fronts import sequence_front
+        except ImportError as error:
+            raise RequestError(
+                "searches are compiled with numba ({error}); install it with: pip install "
+                '"crankstar[search]"',
+                error=error,
+            ) from None
+    with progress(_("searching")) as show:
+        return sequence_front(question, workers=workers, watch=lambda now, of: show(now, of, ""))
+
+
+def _write_row(front: Any, engine: Any, row: int, output: str | None, tree: Any) -> None:
+    """Write a row as an engine file. Raises RequestError where there is none."""
+    from crankstar.search.sequence_engines import engine_of, with_fired
+
+    if row > len(front.points):
+        raise refusal("--row", row, "the answer has {count} rows", count=len(front.points))
+    fired, shaft = front.points[row - 1].fired, front.question.shaft
+    built = engine_of(shaft, fired) if engine is None else with_fired(engine, shaft, fired)
+    write_engine(built, tree, output)

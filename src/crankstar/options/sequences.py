@@ -1,0 +1,215 @@
+"""The front over stars and firing sequences that the options of a search ask for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from crankstar.engine.engine import Engine
+from crankstar.options.search import amplitude, fraction, gap, limit, measure, order
+from crankstar.options.values import degrees, listed, refuse_unused
+from crankstar.options.words import SearchWords
+from crankstar.search.faults import Faults, SearchError, error
+from crankstar.search.options import GREATEST_ORDER, Measure
+from crankstar.search.sequence_engines import shaft_of_engine
+from crankstar.search.shafts import Fired, Shaft, shaft_of
+from crankstar.search.vector_sums import (
+    NOTHING,
+    Cap,
+    Goal,
+    OrderSum,
+    SequenceQuestion,
+    couple,
+    force,
+    straight,
+    torsion,
+)
+
+TWIST = "twist"
+STRAIGHT = "straight"
+MOST_ORDERS = 12
+USUAL_GOALS = ("M1", "M2", TWIST)
+
+
+@dataclass(frozen=True)
+class SequenceWords:
+    """The options of a front over stars and sequences beside those of every search, as typed."""
+
+    bank: str | None = None
+    crank_orders: str | None = None
+    why: str | None = None
+
+
+def named(words: SearchWords, more: SequenceWords) -> bool:
+    """Whether star and firing sequence are searched together: a bank, twist or an order to judge.
+
+    >>> named(SearchWords(minimise="M1,twist"), SequenceWords())
+    True
+    """
+    goals = listed(words.minimise or "")
+    return TWIST in goals or any((more.bank, more.crank_orders, more.why))
+
+
+@dataclass(frozen=True)
+class Sequences:
+    """A question over stars and sequences, the engine it is about, and the order to judge."""
+
+    question: SequenceQuestion
+    engine: Engine | None = None
+    why: Fired | None = None
+
+
+def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -> Sequences:
+    """What the words ask for. Raises SearchError with its faults, RequestError for other options.
+
+    >>> sequences_of(8, SearchWords(), SequenceWords(bank="90")).question.goals[2].name
+    'twist'
+    """
+    refuse_unused(
+        {
+            "--fix": words.fix,
+            "--symmetric": words.symmetric,
+            "--avoid-adjacent": words.avoid_adjacent,
+            "--best": words.best,
+            "--all": words.all,
+            "--all-with": words.all_with,
+        },
+        beside="--minimise twist, --bank, --orders, --why",
+    )
+    faults = Faults()
+    shaft = _shaft(about, words, more, faults)
+    if shaft is None:
+        raise SearchError(faults)
+    asked = _Asked(shaft, words, more, faults)
+    goals, caps, why = asked.goals(), asked.caps(), None
+    if more.why is not None:
+        with faults.at("why"):
+            why = shaft.fired_in(order(more.why))
+    if faults:
+        raise SearchError(faults)
+    engine = about if isinstance(about, Engine) else None
+    return Sequences(SequenceQuestion(shaft, tuple(goals), tuple(caps)), engine, why)
+
+
+def _shaft(
+    about: int | Engine, words: SearchWords, more: SequenceWords, faults: Faults
+) -> Shaft | None:
+    if isinstance(about, Engine):
+        if words.cycle not in (None, about.cycle):
+            faults.add("cycle", "engine-cycle", engine=about.name, own=about.cycle)
+        if words.gaps is not None:
+            faults.add("gaps", "engine-gaps")
+        if more.bank is not None:
+            faults.add("bank", "engine-bank")
+        with faults.at():
+            return shaft_of_engine(about)
+        return None
+    gaps: tuple[Fraction, ...] | None = None
+    bank: float | None = None
+    if words.gaps is not None:
+        with faults.at("gaps"):
+            gaps = tuple(map(gap, words.gaps.split(",")))
+    if more.bank is not None:
+        angles = degrees("--bank", more.bank)
+        if len(angles) != 1:
+            faults.add("bank", "sequence-bank", given=more.bank)
+        bank = angles[0]
+    with faults.at():
+        return shaft_of(about, bank_angle_deg=bank, cycle=words.cycle or "four-stroke", gaps=gaps)
+    return None
+
+
+class _Asked:
+    """Goals and caps that the words name, on a shaft."""
+
+    def __init__(
+        self, shaft: Shaft, words: SearchWords, more: SequenceWords, faults: Faults
+    ) -> None:
+        self.shaft, self.words, self.more, self.faults = shaft, words, more, faults
+        self.shape: Sequence[Fraction] = straight(shaft)
+        text = words.mode_shape
+        if text is not None and text.strip() != STRAIGHT:
+            with faults.at("mode_shape"):
+                self.shape = tuple(amplitude(part.strip()) for part in text.split(","))
+        if len(set(self.shape)) == 1:
+            faults.add("mode_shape", "shape-uniform")
+
+    def goals(self) -> list[Goal]:
+        """The goals, by default the first two couples that are not balanced, and the twist."""
+        out: list[Goal] = []
+        names = listed(self.words.minimise or "") or list(USUAL_GOALS)
+        for name in names:
+            with self.faults.at("minimise"):
+                if name == TWIST:
+                    out.append(self._twist())
+                    continue
+                one = self._sum(name)
+                if self.words.minimise is not None or one.scale > NOTHING:
+                    self._varies(one)
+                    out.append(Goal(one.name, (one,)))
+        for name in dict.fromkeys(names):
+            if names.count(name) > 1:
+                self.faults.add("minimise", "named-twice", name=name, count=names.count(name))
+        if TWIST not in names and self.more.crank_orders is not None:
+            self.faults.add("orders", "orders-unused")
+        torsions = any(one.kind == "T" for goal in out for one in goal.sums)
+        if self.words.mode_shape is not None and not torsions and not self.faults:
+            self.faults.add("mode_shape", "shape-unused")
+        return out
+
+    def caps(self) -> list[Cap]:
+        """The limits on what the star decides, and what must vanish."""
+        out: list[Cap] = []
+        for name in listed(self.words.zero or ""):
+            with self.faults.at("zero"):
+                out.append(Cap(self._sum(name)))
+        for text in self.words.limit:
+            with self.faults.at("limit"):
+                bound = limit(text)
+                if bound.unit:
+                    raise error("", "unit-needs-engine", name=bound.measure.name, unit="m r ω² a")
+                out.append(Cap(self._of(bound.measure), bound.greatest))
+        return out
+
+    def _twist(self) -> Goal:
+        """The largest torsion of the orders asked for."""
+        step = 2 if self.shaft.cycle == "four-stroke" else 1
+        text = self.more.crank_orders
+        usual = [Fraction(2 * n + 1, 2) if step == 2 else Fraction(n + 1) for n in range(3)]
+        orders = usual if text is None else [fraction(part) for part in listed(text)]
+        wanted = [each for each in orders if each is not None and 0 < each <= GREATEST_ORDER]
+        if not 0 < len(wanted) == len(orders) <= MOST_ORDERS:
+            raise error("orders", "sequence-orders", given=text or "", most=MOST_ORDERS)
+        sums = tuple(torsion(self.shaft, each, self.shape) for each in dict.fromkeys(wanted))
+        return Goal(TWIST, sums)
+
+    def _sum(self, name: str) -> OrderSum:
+        """The sum of a name, perhaps with a weight of one. Raises SearchError."""
+        try:
+            return self._of(measure(name))
+        except SearchError as raised:
+            if any(each.code in ("no-quantity", "roll-alike") for each in raised.faults):
+                raise error("", "no-goal", given=name) from None
+            raise
+
+    def _of(self, wanted: Measure) -> OrderSum:
+        name = wanted.name
+        if wanted.kind not in ("F", "M", "T") or wanted.side:
+            raise error("", "no-goal", given=name)
+        if not 0 < wanted.order <= GREATEST_ORDER:
+            raise error("", "order", name=name, most=GREATEST_ORDER)
+        if wanted.kind == "T":
+            return torsion(self.shaft, wanted.order, self.shape)
+        if wanted.order.denominator != 1:
+            raise error("", "half-order", name=name)
+        return (force if wanted.kind == "F" else couple)(self.shaft, int(wanted.order))
+
+    def _varies(self, one: OrderSum) -> None:
+        """Raises SearchError where a sum is the same for every star."""
+        if one.scale < NOTHING:
+            raise error("", "goal-balanced", name=one.name)
+        if one.kind != "T" and one.order % self.shaft.classes == 0:
+            raise error("", "alike-order", name=one.name)
+        if one.kind == "F" and (self.shaft.rods == 1 or self.shaft.room == 1):
+            raise error("", "alike-throws", name=one.name)

@@ -1,0 +1,292 @@
+"""A front over crank stars and firing sequences, and where an order stands beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
+from crankstar.search.sequence_engines import fired_of_engine, followed
+from crankstar.search.sequence_fronts import Point, SequenceFront, beaten
+from crankstar.search.shafts import Fired
+from crankstar.search.vector_sums import Goal, OrderSum, SequenceQuestion, couple, force, shares
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+
+FORMAT = 1
+"""Of the JSON."""
+ROWS = 60
+"""Rows that are shown; all of them go into a file."""
+BEATEN = 3
+"""Points that are named as better than an order."""
+
+
+def search_sequences(
+    front: SequenceFront,
+    *,
+    engine: Engine | None = None,
+    why: Fired | None = None,
+    limit: int | None = ROWS,
+) -> Document:
+    """The points of a front, its proof, and where the engine's own order and another stand."""
+    shown = front.points[:limit]
+    question = front.question
+    rows = tuple(_row(question, place, point) for place, point in enumerate(shown, 1))
+    table = Table("", tuple(_columns(question)), rows, key="rows")
+    judged = list(_judged(front, engine, why))
+    lines = [
+        *(_verdict(front, label, fired) for label, fired in judged),
+        *_notes(front, len(shown)),
+        certificate(front),
+    ]
+    facts = _facts(front) | {"judged": [_judgement(front, label, fired) for label, fired in judged]}
+    parts = (*remarks(census(question)), table, Remarks(tuple(lines)))
+    return Document(heading(question), parts, facts)
+
+
+def heading(question: SequenceQuestion) -> str:
+    """What was asked."""
+    shaft = question.shaft
+    kind = str(shaft.cylinders)
+    if shaft.rods == 2:
+        kind = f"V{shaft.cylinders}, {abs(float(shaft.bank_angle_deg)):g} deg"
+    limits = ", ".join(
+        f"{cap.sum.name} ≤ {number(cap.greatest)}" if cap.greatest else f"{cap.sum.name} = 0"
+        for cap in question.caps
+    )
+    asked = _(
+        "{engine}, {cycle}: Pareto front of {sums} over stars and firing orders",
+        engine=kind,
+        cycle=_(shaft.cycle),
+        sums=", ".join(goal.name for goal in question.goals),
+    )
+    return _("{question}; limits: {limits}", question=asked, limits=limits) if limits else asked
+
+
+def census(question: SequenceQuestion) -> str:
+    """How many stars there are, and how many firing orders on each."""
+    shaft = question.shaft
+    return _(
+        "{stars} stars that fire evenly, with {sequences} firing orders on each (a V engine's pins "
+        "shared); mirror images counted.",
+        stars=f"{shaft.count:,}",
+        sequences=f"{shaft.sequences:,}",
+    )
+
+
+def certificate(front: SequenceFront) -> str:
+    """What was searched, and why nothing else belongs to the front."""
+    shaft = front.question.shaft
+    values = {
+        "stars": f"{front.stars:,}",
+        "of": f"{shaft.count:,}",
+        "orders": f"{shaft.count * shaft.sequences:,}",
+    }
+    if not front.complete:
+        return _(
+            "INCOMPLETE: stopped after {stars} of {of} stars. These are the best so far; nothing is "
+            "proved.",
+            **values,
+        )
+    if not front.points:
+        return _("Proved: no star keeps these limits ({of} searched).", **values)
+    return _(
+        "Proved complete: all {of} stars were searched, {orders} firing orders; each of them is a "
+        "row, as good as a row, or worse than one.",
+        **values,
+    )
+
+
+def _extra(question: SequenceQuestion) -> list[OrderSum]:
+    """Sums beside the goals: those a goal is the largest of, and the first forces and couples."""
+    shaft = question.shaft
+    alone = {goal.sums[0] for goal in question.goals if len(goal.sums) == 1}
+    parts = [one for goal in question.goals if len(goal.sums) > 1 for one in goal.sums]
+    usual = [couple(shaft, 1), couple(shaft, 2), force(shaft, 1), force(shaft, 2)]
+    return [one for one in dict.fromkeys([*parts, *usual]) if one not in alone]
+
+
+def _columns(question: SequenceQuestion) -> list[Column]:
+    out = [
+        Column(_("row"), key="row", label=True),
+        Column(_("firing order"), kind="order", key="firing_order", label=True),
+        Column("", kind="list", key="classes", machine=True),
+        Column("", "deg", kind="list", key="throw_angles", machine=True),
+        Column("", "deg", kind="list", key="firing_angles", machine=True),
+    ]
+    out += [Column(goal.name, goal.unit, key=goal.name) for goal in question.goals]
+    for one in _extra(question):
+        out.append(Column(one.name, one.unit, key=one.name, machine=one.kind != "T"))
+    out += [
+        Column("", couple(question.shaft, 1).unit, key="M1_after_counterweights", machine=True),
+        Column(_("neighbours"), key="neighbours_in_succession"),
+        Column("", kind="list", key="neighbours", machine=True),
+        Column(_("same pin"), key="same_pin_in_succession", machine=question.shaft.rods == 1),
+        Column(_("orders"), key="orders"),
+        Column("", key="like", machine=True),
+    ]
+    return out
+
+
+def _row(question: SequenceQuestion, place: int, point: Point) -> tuple[Value, ...]:
+    shaft, fired = question.shaft, point.fired
+    order = shaft.firing_order(fired)
+    throws = tuple(-float(own * shaft.step_deg) + 0.0 for own in fired.star)
+    angles = tuple(float(angle) for angle in shaft.angles_deg(fired).values())
+    along, against = shares(shaft, 1)
+    left = couple(shaft, 1).length(shaft, fired) * against / ((along + against) or 1.0)
+    steps = followed(shaft, order)
+    return (
+        place,
+        order,
+        tuple(fired.star),
+        throws,
+        angles,
+        *point.values,
+        *(one.length(shaft, fired) for one in _extra(question)),
+        left,
+        len(steps.neighbours),
+        steps.neighbours,
+        len(steps.partners),
+        point.orders,
+        tuple(shaft.firing_order(other) for other in point.like),
+    )
+
+
+def _judged(
+    front: SequenceFront, engine: Engine | None, why: Fired | None
+) -> Iterator[tuple[str, Fired]]:
+    """The order of the engine and the one that was typed, with their names."""
+    own = None if engine is None else fired_of_engine(engine, front.question.shaft)
+    if own is not None:
+        yield "engine", own
+    if why is not None:
+        yield "why", why
+
+
+def _verdict(front: SequenceFront, label: str, fired: Fired) -> str:
+    """Whether an order is on the front, else which rows are better, and in what."""
+    question = front.question
+    order = "-".join(map(str, question.shaft.firing_order(fired)))
+    name = _("The engine as it is ({order})", order=order) if label == "engine" else order
+    if not question.within(fired):
+        return _("{name} breaks a limit.", name=name)
+    values, better = beaten(front, fired)
+    known = {"name": name, "values": _valued(question.goals, values)}
+    if not better:
+        return _("{name}: {values}.", **known)
+    first, which = better[0]
+    if not which:
+        return _("{name} is on the front, row {row}: {values}.", row=first + 1, **known)
+    ranked = sorted(better, key=lambda each: -len(each[1]))
+    beating = "; ".join(
+        _beating(front.points[place], place, goals, values, question.goals)
+        for place, goals in ranked[:BEATEN]
+    )
+    if len(better) > BEATEN:
+        more = len(better) - BEATEN
+        beating = _("{rows}; and {count} more", rows=beating, count=more)
+    return _(
+        "{name} is not on the front: {values}. No worse in anything and better: {rows}.",
+        rows=beating,
+        **known,
+    )
+
+
+def _valued(goals: tuple[Goal, ...], values: tuple[float, ...]) -> str:
+    return ", ".join(
+        f"{goal.name} {number(value)}" for goal, value in zip(goals, values, strict=True)
+    )
+
+
+def _beating(
+    point: Point,
+    place: int,
+    which: tuple[int, ...],
+    values: tuple[float, ...],
+    goals: tuple[Goal, ...],
+) -> str:
+    """A row that beats an order, and in what."""
+    what = ", ".join(
+        f"{goals[q].name} {number(point.values[q])} < {number(values[q])}" for q in which
+    )
+    return _("row {row} ({what})", row=place + 1, what=what)
+
+
+def _judgement(front: SequenceFront, label: str, fired: Fired) -> dict[str, Any]:
+    """The same for programs."""
+    question = front.question
+    out: dict[str, Any] = {
+        "of": "engine" if label == "engine" else "order",
+        "firing_order": list(question.shaft.firing_order(fired)),
+        "within_limits": question.within(fired),
+    }
+    if not out["within_limits"]:
+        return out
+    values, better = beaten(front, fired)
+    names = [goal.name for goal in question.goals]
+    out["values"] = dict(zip(names, values, strict=True))
+    out["row"] = next((place + 1 for place, which in better if not which), None)
+    out["dominated_by"] = [
+        {"row": place + 1, "in": [names[q] for q in which]} for place, which in better if which
+    ]
+    return out
+
+
+def _notes(front: SequenceFront, shown: int) -> list[str]:
+    question, out = front.question, list[str]()
+    if shown < len(front.points):
+        out.append(
+            _(
+                "{shown} of {count} are shown; -o FILE.csv writes all.",
+                shown=shown,
+                count=f"{len(front.points):,}",
+            )
+        )
+    for goal in question.goals:
+        if len(goal.sums) > 1:
+            names = ", ".join(one.name for one in goal.sums)
+            out.append(_("{name}: the largest of {sums}.", name=goal.name, sums=names))
+    if any(one.kind == "T" for goal in question.goals for one in goal.sums):
+        out.append(
+            _(
+                "T: gas torque of an order, each cylinder times the amplitude of its throw, in the "
+                "torque of one cylinder."
+            )
+        )
+    if any(goal.sums[0].kind == "M" and goal.sums[0].order == 1 for goal in question.goals):
+        along, against = shares(question.shaft, 1)
+        out.append(
+            _(
+                "Counterweights can take {share} of M1, of every star.",
+                share=f"{100 * along / (along + against):.4g} %",
+            )
+        )
+    out.append(_("--row N -o FILE writes the engine with that star and order."))
+    return out
+
+
+def _facts(front: SequenceFront) -> dict[str, Any]:
+    question, shaft = front.question, front.question.shaft
+    return {
+        "format": FORMAT,
+        "cylinders": shaft.cylinders,
+        "cycle": shaft.cycle,
+        "bank_angle_deg": abs(float(shaft.bank_angle_deg)) if shaft.rods == 2 else None,
+        "positions": [float(place) for place in shaft.places],
+        "pins": [list(pin) for pin in shaft.numbers],
+        "directions": shaft.classes,
+        "asked": heading(question),
+        "goals": [
+            {"name": goal.name, "unit": goal.unit, "largest_of": [one.name for one in goal.sums]}
+            for goal in question.goals
+        ],
+        "certificate": {
+            "complete": front.complete,
+            "stars": front.stars,
+            "of_stars": shaft.count,
+            "sequences_of_each": shaft.sequences,
+            "sentence": certificate(front),
+        },
+    }
