@@ -123,8 +123,8 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "cap-value": N_("A limit is a number from 0 up."),
     "no-goal": N_(
-        "{given}: with the firing order, choose from couples (M1), forces (F2), torsion (T1.5) and "
-        "twist, the largest torsion of {orders}."
+        "{given}: with the firing order, choose from couples (M1), forces (F2), torsion (T1.5), "
+        "twist, the largest torsion of {orders}, and neighbours."
     ),
     "goal-balanced": N_("{name} is balanced between the two banks of each pin; leave it out."),
     "sequence-orders": N_(

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 
 from crankstar.engine.engine import Engine
-from crankstar.options.search import amplitude, fraction, gap, limit, measure, order
+from crankstar.options.search import SPELLINGS, amplitude, fraction, gap, limit, measure, order
 from crankstar.options.values import degrees, listed, refuse_unused
 from crankstar.options.words import SearchWords
 from crankstar.search.faults import Faults, SearchError, error
@@ -15,6 +16,7 @@ from crankstar.search.options import GREATEST_ORDER, Measure
 from crankstar.search.sequence_engines import shaft_of_engine
 from crankstar.search.shafts import Fired, Shaft, shaft_of
 from crankstar.search.vector_sums import (
+    NEIGHBOURS,
     NOTHING,
     Cap,
     Goal,
@@ -70,7 +72,6 @@ def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -
         {
             "--fix": words.fix,
             "--symmetric": words.symmetric,
-            "--avoid-adjacent": words.avoid_adjacent,
             "--best": words.best,
             "--all": words.all,
             "--all-with": words.all_with,
@@ -83,13 +84,14 @@ def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -
         raise SearchError(faults)
     asked = _Asked(shaft, words, more, faults)
     goals, caps, why = asked.goals(), asked.caps(), None
+    few = asked.neighbours_at_most()
     if more.why is not None:
         with faults.at("why"):
             why = shaft.fired_in(order(more.why))
     if faults:
         raise SearchError(faults)
     engine = about if isinstance(about, Engine) else None
-    return Sequences(SequenceQuestion(shaft, tuple(goals), tuple(caps)), engine, why)
+    return Sequences(SequenceQuestion(shaft, tuple(goals), tuple(caps), few), engine, why)
 
 
 def _shaft(
@@ -141,8 +143,8 @@ class _Asked:
         names = listed(self.words.minimise or "") or list(USUAL_GOALS)
         for name in names:
             with self.faults.at("minimise"):
-                if name == TWIST:
-                    out.append(self._twist())
+                if name == TWIST or name in SPELLINGS:
+                    out.append(self._twist() if name == TWIST else NEIGHBOURS)
                     continue
                 one = self._sum(name)
                 if self.words.minimise is not None or one.scale > NOTHING:
@@ -167,10 +169,22 @@ class _Asked:
         for text in self.words.limit:
             with self.faults.at("limit"):
                 bound = limit(text)
+                if bound.measure.kind == "neighbours":
+                    continue
                 if bound.unit:
                     raise error("", "unit-needs-engine", name=bound.measure.name, unit="m r ω² a")
                 out.append(Cap(self._of(bound.measure), bound.greatest))
         return out
+
+    def neighbours_at_most(self) -> int | None:
+        """How many neighbours may fire in succession; None where any number may."""
+        most = [0] if self.words.avoid_adjacent else []
+        for text in self.words.limit:
+            with suppress(SearchError):  # noted as a fault among the caps
+                bound = limit(text)
+                if bound.measure.kind == "neighbours":
+                    most.append(int(bound.greatest))
+        return min(most, default=None)
 
     def _twist(self) -> Goal:
         """The largest torsion of the orders asked for."""

@@ -6,11 +6,8 @@ clockwise seen from the front, so that its pin stands at the bearing -c step fro
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
-from itertools import pairwise
 from math import pi, radians
-from typing import NamedTuple
 
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Sizes
 from crankstar.engine.copies import with_throws_turned, with_values
@@ -26,35 +23,6 @@ from crankstar.search.shafts import Fired, Shaft
 SOURCE = "a crank star with its firing sequence, found by search"
 DECIMALS = 9
 """Of degrees to which dead centres are the same."""
-
-
-class Followed(NamedTuple):
-    """Cylinders that fire in succession: side by side in a bank, and on one throw."""
-
-    neighbours: tuple[tuple[int, int], ...]
-    partners: tuple[tuple[int, int], ...]
-
-
-def followed(shaft: Shaft, order: Sequence[int]) -> Followed:
-    """Neighbours and pin partners that fire in succession, in firing order.
-
-    >>> from crankstar.search.shafts import shaft_of
-    >>> followed(shaft_of(6), (1, 5, 3, 6, 2, 4)).neighbours
-    ()
-    """
-    home = {
-        number: (throw, bank)
-        for throw, pin in enumerate(shaft.numbers)
-        for bank, number in enumerate(pin)
-    }
-    steps = list(pairwise([*order, order[0]]))
-    beside = [
-        (one, other)
-        for one, other in steps
-        if home[one][1] == home[other][1] and abs(home[one][0] - home[other][0]) == 1
-    ]
-    shared = [(one, other) for one, other in steps if home[one][0] == home[other][0]]
-    return Followed(tuple(beside), tuple(shared))
 
 
 def _firing(shaft: Shaft, fired: Fired) -> Firing:
@@ -124,10 +92,8 @@ def shaft_of_engine(engine: Engine) -> Shaft:
     centres = dead_centres(engine)
     angle = 0.0
     if len(pins[0]) == 2:
-        apart = [
-            centres[own[0].number].angle_deg - centres[own[1].number].angle_deg for own in pins
-        ]
-        angle = round(180 - (180 - apart[0]) % 360, DECIMALS)
+        one, other = (centres[each.number].angle_deg for each in pins[0])
+        angle = round(180 - (180 - one + other) % 360, DECIMALS)
     z = [sum(each.z for each in own) / len(own) for own in pins]
     pitch = (z[0] - z[-1]) / (len(z) - 1)
     places = [Fraction(each / pitch).limit_denominator(10_000) for each in z]

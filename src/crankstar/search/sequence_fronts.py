@@ -12,6 +12,7 @@ import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
+from fractions import Fraction
 from math import inf
 from typing import Any, NamedTuple
 
@@ -32,7 +33,7 @@ from crankstar.search.sequence_kernels import (
 )
 from crankstar.search.shafts import Fired, Shaft
 from crankstar.search.sums import SAME
-from crankstar.search.vector_sums import OrderSum, SequenceQuestion
+from crankstar.search.vector_sums import NEIGHBOURS, OrderSum, SequenceQuestion, straight, torsion
 
 BUFFER = 1 << 13
 """Rows that are collected before they are merged, beside those that one star can bring."""
@@ -169,13 +170,16 @@ def _tables(question: SequenceQuestion) -> tuple[ShaftTables, np.ndarray]:
     """The question as arrays, and the unit of each goal in them."""
     shaft = question.shaft
     stars, signs = question.star_sums, question.sequence_sums
+    if question.counts and shaft.room == 2 and not signs:  # so that sequences are gone through
+        signs = (torsion(shaft, Fraction(1, 2), straight(shaft)),)
     step = 2 * np.pi * np.arange(shaft.classes) / shaft.classes
     columns = [_column(shaft, one, step) for one in stars]
     turns = [part for one in signs for part in _parts(np.exp(-1j * float(one.order) * step))]
     amplitudes = np.array(signs[0].weights if signs else (0,) * shaft.cylinders, float)
     reach = [sum(map(abs, map(float, one.weights))) * one.scale for one in (*stars, *signs)]
     at = {one: place for place, one in enumerate((*stars, *signs))}
-    unit = np.array([max(reach[at[one]] for one in goal.sums) or 1.0 for goal in question.goals])
+    sizes = [max((reach[at[one]] for one in goal.sums), default=1.0) for goal in question.goals]
+    unit = np.where(np.array(sizes) > 0, sizes, 1.0)
     unit = np.maximum(unit / shaft.throws, 1e-9)
     weights = np.zeros((len(unit), len(at)))
     for row, goal, size in zip(weights, question.goals, unit, strict=True):
@@ -186,6 +190,7 @@ def _tables(question: SequenceQuestion) -> tuple[ShaftTables, np.ndarray]:
         place = at[cap.sum]
         least = cap.greatest / cap.sum.scale if cap.sum.scale > 1e-12 else inf
         caps[place] = min(caps[place], least)
+    most = question.neighbours_at_most
     tables = ShaftTables(
         star=np.ascontiguousarray(
             np.stack([part for column in columns for part in _parts(column)], axis=-1)
@@ -202,6 +207,11 @@ def _tables(question: SequenceQuestion) -> tuple[ShaftTables, np.ndarray]:
         shift=shaft.shift if shaft.rods == 2 else 0,
         room=shaft.room,
         mirrored=mirrored(question),
+        counts=question.counts,
+        counted=question.goals.index(NEIGHBOURS) if NEIGHBOURS in question.goals else -1,
+        size=float(unit[question.goals.index(NEIGHBOURS)]) if NEIGHBOURS in question.goals else 1.0,
+        at_most=shaft.cylinders if most is None else most,
+        step=2 % shaft.classes if shaft.room == 1 and shaft.cycle_deg == 720 else 1,
     )
     return tables, unit
 
@@ -300,6 +310,7 @@ def _walk(shaft: Shaft, tables: ShaftTables) -> Walk:
         bounds=np.zeros(goals),
         whole=np.zeros(goals),
         seen=np.zeros(classes, np.int64),
+        seat=np.zeros((classes, 2), np.int64),
         delta=np.zeros(classes),
         front_half=np.zeros((width, 2 ** (middle - 1) if few else 1)),
         rear_half=np.zeros((width, 2 ** (classes - middle) if few else 1)),

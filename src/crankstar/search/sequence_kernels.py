@@ -49,6 +49,16 @@ class ShaftTables(NamedTuple):
     room: int
     mirrored: bool
     """Whether of two stars that are mirror images one stands for both."""
+    counts: bool
+    """Whether neighbours in succession matter."""
+    counted: int
+    """The goal that is their number, -1 where none is."""
+    size: float
+    """By what their number is divided in it."""
+    at_most: int
+    """How many there may be."""
+    step: int
+    """From a class to the next to fire."""
 
 
 class Walk(NamedTuple):
@@ -65,6 +75,8 @@ class Walk(NamedTuple):
     """The same with a sequence [q]."""
     seen: np.ndarray
     """How many cylinders of each class were met [K]."""
+    seat: np.ndarray
+    """The cylinders of each class, twice the throw and the bank [K, 2]."""
     delta: np.ndarray
     """Difference of the two amplitudes of each class [K]."""
     front_half: np.ndarray
@@ -209,6 +221,19 @@ def goals_of(walk: Any, i: int, j: int, tables: Any) -> None:
 
 
 @compiled
+def allowed(tables: Any, walk: Any, code: int, front: Any, state: Any) -> bool:
+    """Whether neighbours in succession are few enough; writes their number where it is a goal."""
+    if not tables.counts:
+        return True
+    if dominated(walk.whole, front, state[KNOWN], 1e-11):
+        return False
+    number = succession(tables, walk, code)
+    if tables.counted >= 0:
+        walk.whole[tables.counted] = number / tables.size
+    return number <= tables.at_most
+
+
+@compiled
 def differences(tables: Any, walk: Any) -> None:
     """Write the difference of the amplitudes of each class, in the order of throws and banks."""
     classes = tables.turns.shape[0]
@@ -218,8 +243,29 @@ def differences(tables: Any, walk: Any) -> None:
         for bank in range(tables.amplitudes.shape[1]):
             own = (walk.choice[throw] + bank * tables.shift) % classes
             sign = 1.0 if walk.seen[own] == 0 else -1.0
+            walk.seat[own, walk.seen[own]] = 2 * throw + bank
             walk.seen[own] += 1
             walk.delta[own] += sign * tables.amplitudes[throw, bank]
+
+
+@compiled
+def succession(tables: Any, walk: Any, code: int) -> int:
+    """Number of neighbours in a bank that fire in succession; the seats are those of the star."""
+    classes = walk.seat.shape[0]
+    first, last, count = 0, -1, 0
+    for turn in range(tables.room):
+        for place in range(classes):
+            own = place * tables.step % classes
+            side = turn
+            if own > 0 and (code >> (own - 1)) & 1:
+                side = 1 - turn
+            now = walk.seat[own, side]
+            if last < 0:
+                first = now
+            elif abs(now - last) == 2:  # two throws side by side, in one bank
+                count += 1
+            last = now
+    return count + (1 if abs(first - last) == 2 else 0)
 
 
 @compiled
@@ -230,6 +276,8 @@ def sequences(tables: Any, walk: Any, times: int, output: Any, front: Any, state
         if tables.sequence_weights[q].max() > 0.0:
             goal = q
             many += 1
+    if tables.counted >= 0:
+        many += 2
     most = np.inf
     if many == 1:
         most = cut(walk.values, goal, front, state[KNOWN])
@@ -252,7 +300,9 @@ def sequences(tables: Any, walk: Any, times: int, output: Any, front: Any, state
             return
     weights = tables.sequence_weights[goal]
     drive = driver(weights)
-    square = (most / weights[drive]) ** 2 * (1 + 1e-11) + 1e-20
+    square = np.inf
+    if weights[drive] > 0.0:
+        square = (most / weights[drive]) ** 2 * (1 + 1e-11) + 1e-20
     for i in range(aheads):
         x, y = ahead[2 * drive, i], ahead[2 * drive + 1, i]
         if short(x, y, rear, 2 * drive, rears, square) == 0:
@@ -265,6 +315,8 @@ def sequences(tables: Any, walk: Any, times: int, output: Any, front: Any, state
                     continue
                 goals_of(walk, i, j, tables)
                 code = i + (j << (middle - 1))
+                if not allowed(tables, walk, code, front, state):
+                    continue
                 written(tables, walk, code, times, output, front, state)
 
 
@@ -291,6 +343,10 @@ def met(tables: Any, walk: Any, output: Any, front: Any, state: Any) -> None:
         sequences(tables, walk, times, output, front, state)
     else:
         walk.whole[:] = walk.values
+        if tables.counts:
+            differences(tables, walk)
+            if not allowed(tables, walk, 0, front, state):
+                return
         written(tables, walk, 0, times, output, front, state)
 
 

@@ -19,6 +19,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 from math import factorial, gcd
 from typing import NamedTuple, get_args
 
@@ -193,13 +194,12 @@ class Shaft:
             if abs(angle / float(self.step_deg) - steps[number]) > NEAR:
                 raise error("", "not-even", number=number)
         for pin in self.numbers:
-            at = [steps[number] * float(self.step_deg) for number in pin]
             if self.rods == 2 and (steps[pin[1]] - steps[pin[0]] - self.shift) % self.classes:
                 wanted = float(self.shift * self.step_deg)
-                apart, first = (at[1] - at[0]) % self.cycle_deg, wanted
+                apart = (steps[pin[1]] - steps[pin[0]]) * float(self.step_deg) % self.cycle_deg
                 values = {"first": pin[0], "second": pin[1], "apart": f"{apart:.6g}"}
-                second = f"{first + 360:.6g}"
-                raise error("why", "pin-apart", **values, wanted=f"{first:.6g}", other=second)
+                values |= {"wanted": f"{wanted:.6g}", "other": f"{wanted + 360:.6g}"}
+                raise error("why", "pin-apart", **values)
         star = tuple(steps[pin[0]] % self.classes for pin in self.numbers)
         first: tuple[bool, ...] = ()
         if self.room == 2 and self.fires(star):
@@ -223,6 +223,34 @@ class Shaft:
             raise error("why", "order-numbers", given=given, count=len(every))
         step = self.cycle_deg / self.cylinders
         return self.fired_of({number: place * step for place, number in enumerate(order)})
+
+
+class Followed(NamedTuple):
+    """Cylinders that fire in succession: side by side in a bank, and on one throw."""
+
+    neighbours: tuple[tuple[int, int], ...]
+    partners: tuple[tuple[int, int], ...]
+
+
+def followed(shaft: Shaft, order: Sequence[int]) -> Followed:
+    """Neighbours and pin partners that fire in succession, in firing order.
+
+    >>> followed(shaft_of(6), (1, 5, 3, 6, 2, 4)).neighbours
+    ()
+    """
+    home = {
+        number: (throw, bank)
+        for throw, pin in enumerate(shaft.numbers)
+        for bank, number in enumerate(pin)
+    }
+    steps = list(pairwise([*order, order[0]]))
+    beside = [
+        (one, other)
+        for one, other in steps
+        if home[one][1] == home[other][1] and abs(home[one][0] - home[other][0]) == 1
+    ]
+    shared = [(one, other) for one, other in steps if home[one][0] == home[other][0]]
+    return Followed(tuple(beside), tuple(shared))
 
 
 def _arranged(counts: Sequence[int]) -> int:
@@ -249,7 +277,7 @@ def shaft_of(
     ((1, 2), (3, 4), (5, 6), (7, 8))
     """
     rods = 1 if bank_angle_deg is None else 2
-    if rods == 2 and (cylinders % 2 or not 0 < bank_angle_deg <= 180):
+    if bank_angle_deg is not None and (cylinders % 2 or not 0 < bank_angle_deg <= 180):
         code = "bank-odd" if cylinders % 2 else "bank-angle"
         raise error("bank", code, given=f"{bank_angle_deg:g}", cylinders=cylinders)
     throws = cylinders // rods

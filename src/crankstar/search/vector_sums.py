@@ -35,7 +35,7 @@ from typing import Literal
 
 from crankstar.derive.algebra import cyclotomic
 from crankstar.search.faults import SearchError, error, fault
-from crankstar.search.shafts import Fired, Shaft
+from crankstar.search.shafts import Fired, Shaft, followed
 
 MOST_GOALS = 4
 """Goals of one front."""
@@ -139,7 +139,7 @@ def straight(shaft: Shaft) -> tuple[Fraction, ...]:
     >>> [str(each) for each in straight(shaft_of(4))]
     ['1', '1/3', '-1/3', '-1']
     """
-    middle = sum(shaft.places) / shaft.throws
+    middle = sum(shaft.places, Fraction(0)) / shaft.throws
     farthest = max(abs(place - middle) for place in shaft.places)
     return tuple((place - middle) / farthest for place in shaft.places for _ in range(shaft.rods))
 
@@ -168,19 +168,26 @@ def torsion(shaft: Shaft, order: Fraction, shape: Sequence[Fraction]) -> OrderSu
 
 @dataclass(frozen=True)
 class Goal:
-    """The largest of some sums, to be minimised."""
+    """The largest of some sums, to be minimised; or the number of neighbours in succession."""
 
     name: str
     sums: tuple[OrderSum, ...]
+    neighbours: bool = False
 
     @property
     def unit(self) -> str:
         """The unit of its sums."""
-        return self.sums[0].unit
+        return "" if self.neighbours else self.sums[0].unit
 
     def value(self, shaft: Shaft, fired: Fired) -> float:
         """The largest of its sums for a star with its sequence."""
+        if self.neighbours:
+            return float(len(followed(shaft, shaft.firing_order(fired)).neighbours))
         return max(each.length(shaft, fired) for each in self.sums)
+
+
+NEIGHBOURS = Goal("neighbours", (), neighbours=True)
+"""How many cylinders that stand side by side in a bank fire in succession."""
 
 
 @dataclass(frozen=True)
@@ -195,12 +202,14 @@ class Cap:
 class SequenceQuestion:
     """Which stars with which sequences are on the front of some goals, within some caps.
 
-    size: how many orders of each point of the front are kept.
+    neighbours_at_most: how many cylinders side by side in a bank may fire in succession; size: how
+    many orders of each point of the front are kept.
     """
 
     shaft: Shaft
     goals: tuple[Goal, ...]
     caps: tuple[Cap, ...] = ()
+    neighbours_at_most: int | None = None
     size: int = 16
 
     def __post_init__(self) -> None:
@@ -234,12 +243,20 @@ class SequenceQuestion:
         every = dict.fromkeys(one for goal in self.goals for one in goal.sums)
         return tuple(one for one in every if self.of_sequence(one))
 
+    @property
+    def counts(self) -> bool:
+        """Whether neighbours in succession matter."""
+        return NEIGHBOURS in self.goals or self.neighbours_at_most is not None
+
     def values(self, fired: Fired) -> tuple[float, ...]:
         """The values of the goals, exact zeros as zero."""
         return tuple(goal.value(self.shaft, fired) for goal in self.goals)
 
     def within(self, fired: Fired) -> bool:
         """Whether a star keeps the caps."""
+        most = self.neighbours_at_most
+        if most is not None and NEIGHBOURS.value(self.shaft, fired) > most:
+            return False
         return all(
             cap.sum.length(self.shaft, fired) <= cap.greatest * (1 + 1e-9) for cap in self.caps
         )

@@ -8,9 +8,9 @@ from typing import Any
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
-from crankstar.search.sequence_engines import fired_of_engine, followed
+from crankstar.search.sequence_engines import fired_of_engine
 from crankstar.search.sequence_fronts import Point, SequenceFront, beaten
-from crankstar.search.shafts import Fired
+from crankstar.search.shafts import Fired, followed
 from crankstar.search.vector_sums import Goal, OrderSum, SequenceQuestion, couple, force, shares
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
@@ -55,6 +55,11 @@ def heading(question: SequenceQuestion) -> str:
         f"{cap.sum.name} ≤ {number(cap.greatest)}" if cap.greatest else f"{cap.sum.name} = 0"
         for cap in question.caps
     )
+    most = question.neighbours_at_most
+    if most is not None:
+        few = _("at most {most} neighbours in succession", most=most)
+        none = _("no neighbours in succession")
+        limits = ", ".join(part for part in (limits, few if most else none) if part)
     asked = _(
         "{engine}, {cycle}: Pareto front of {sums} over stars and firing orders",
         engine=kind,
@@ -85,8 +90,8 @@ def certificate(front: SequenceFront) -> str:
     }
     if not front.complete:
         return _(
-            "INCOMPLETE: stopped after {stars} of {of} stars. These are the best so far; nothing is "
-            "proved.",
+            "INCOMPLETE: stopped after {stars} of {of} stars. These are the best so far; nothing "
+            "is proved.",
             **values,
         )
     if not front.points:
@@ -118,9 +123,10 @@ def _columns(question: SequenceQuestion) -> list[Column]:
     out += [Column(goal.name, goal.unit, key=goal.name) for goal in question.goals]
     for one in _extra(question):
         out.append(Column(one.name, one.unit, key=one.name, machine=one.kind != "T"))
+    beside = not any(goal.neighbours for goal in question.goals)
     out += [
         Column("", couple(question.shaft, 1).unit, key="M1_after_counterweights", machine=True),
-        Column(_("neighbours"), key="neighbours_in_succession"),
+        Column(_("neighbours"), key="neighbours_in_succession", machine=not beside),
         Column("", kind="list", key="neighbours", machine=True),
         Column(_("same pin"), key="same_pin_in_succession", machine=question.shaft.rods == 1),
         Column(_("orders"), key="orders"),
@@ -255,7 +261,7 @@ def _notes(front: SequenceFront, shown: int) -> list[str]:
                 "torque of one cylinder."
             )
         )
-    if any(goal.sums[0].kind == "M" and goal.sums[0].order == 1 for goal in question.goals):
+    if any(one.name == "M1" for goal in question.goals for one in goal.sums):
         along, against = shares(question.shaft, 1)
         out.append(
             _(
