@@ -322,11 +322,15 @@ def _answer(question: SequenceQuestion, found: Rows) -> tuple[Point, ...]:
     throws = question.shaft.throws
     points: list[Point] = []
     first = np.flatnonzero(found.times)
+    if not len(first):
+        return ()
     near = np.abs(found.values[:, None] - found.values[first]).max(axis=2).argmin(axis=1)
     for place, row in enumerate(first):
         lines = found.lines[near == place].tolist()
         every = [Fired(tuple(line[:throws]), tuple(map(bool, line[throws:]))) for line in lines]
         every.sort(key=question.shaft.firing_order)
+        if not all(map(question.within, every)):
+            raise error("zero", "near-zero")
         times = int(found.times[row])
         points.append(Point(question.values(every[0]), every[0], times, tuple(every[1:])))
     return tuple(sorted(points, key=lambda point: tuple(round(v, 9) for v in point.values)))

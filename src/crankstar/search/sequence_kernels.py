@@ -269,6 +269,20 @@ def succession(tables: Any, walk: Any, code: int) -> int:
 
 
 @compiled
+def calmest(tables: Any, walk: Any) -> tuple[int, int]:
+    """The sequence with the fewest neighbours in succession, and how many sequences there are."""
+    if tables.room == 1:
+        return 0, 1
+    many = 1 << (walk.seat.shape[0] - 1)
+    best, fewest = 0, 2 * walk.seat.shape[0] + 1
+    for code in range(many):
+        number = succession(tables, walk, code)
+        if number < fewest:
+            best, fewest = code, number
+    return best, many
+
+
+@compiled
 def sequences(tables: Any, walk: Any, times: int, output: Any, front: Any, state: Any) -> None:
     """Look for sequences of a star that no point of the front dominates."""
     goals, goal, many = walk.values.shape[0], 0, 0
@@ -343,11 +357,13 @@ def met(tables: Any, walk: Any, output: Any, front: Any, state: Any) -> None:
         sequences(tables, walk, times, output, front, state)
     else:
         walk.whole[:] = walk.values
-        if tables.counts:
-            differences(tables, walk)
-            if not allowed(tables, walk, 0, front, state):
-                return
-        written(tables, walk, 0, times, output, front, state)
+        if dominated(walk.whole, front, state[KNOWN], 1e-11):
+            return
+        differences(tables, walk)
+        if not allowed(tables, walk, 0, front, state):
+            return
+        code, many = calmest(tables, walk)
+        written(tables, walk, code, times * many, output, front, state)
 
 
 @compiled
