@@ -25,7 +25,6 @@ from crankstar.search.sequence_kernels import (
     FORMED,
     FOUND,
     KNOWN,
-    OPENED,
     STARS,
     SequenceOutput,
     ShaftTables,
@@ -64,14 +63,13 @@ class Point:
 class SequenceFront:
     """The points by their first value, and what was done to find them.
 
-    stars: visited; opened: of these, those whose sequences were searched; formed: sequences that
-    were looked at; complete: all parts were done, so that no point is missing.
+    stars: visited; formed: sequences that were looked at, which depends on the order of the parts;
+    complete: all parts were done, so that no point is missing.
     """
 
     question: SequenceQuestion
     points: tuple[Point, ...]
     stars: int
-    opened: int
     formed: int
     complete: bool = True
 
@@ -100,7 +98,7 @@ def sequence_front(
         raise error("", "too-many-stars", stars=f"{shaft.count:,}", most=f"{MOST_STARS:,}")
     parts = list(_prefixes(question))
     tables, unit = _tables(question)
-    found, counts, done = Rows.nothing(len(unit), shaft), np.zeros(6, np.int64), 0
+    found, counts, done = Rows.nothing(len(unit), shaft), np.zeros(5, np.int64), 0
     with signals_noted() as stop, ThreadPoolExecutor(workers) as pool:
         todo, under_way = iter(parts), set[Future[Any]]()
         halt = threading.Event()
@@ -127,7 +125,6 @@ def sequence_front(
         question,
         _answer(question, found),
         int(counts[STARS]),
-        int(counts[OPENED]),
         int(counts[FORMED]),
         done == len(parts),
     )
@@ -191,6 +188,8 @@ def _tables(question: SequenceQuestion) -> tuple[ShaftTables, np.ndarray]:
         least = cap.greatest / cap.sum.scale if cap.sum.scale > 1e-12 else inf
         caps[place] = min(caps[place], least)
     most = question.neighbours_at_most
+    alone = np.flatnonzero(weights[:, len(stars) :].any(axis=1))
+    counted = question.goals.index(NEIGHBOURS) if NEIGHBOURS in question.goals else -1
     tables = ShaftTables(
         star=np.ascontiguousarray(
             np.stack([part for column in columns for part in _parts(column)], axis=-1)
@@ -207,9 +206,10 @@ def _tables(question: SequenceQuestion) -> tuple[ShaftTables, np.ndarray]:
         shift=shaft.shift if shaft.rods == 2 else 0,
         room=shaft.room,
         mirrored=mirrored(question),
+        goal=int(alone[0]) if len(alone) == 1 and counted < 0 else -1,
         counts=question.counts,
-        counted=question.goals.index(NEIGHBOURS) if NEIGHBOURS in question.goals else -1,
-        size=float(unit[question.goals.index(NEIGHBOURS)]) if NEIGHBOURS in question.goals else 1.0,
+        counted=counted,
+        size=float(unit[counted]),
         at_most=shaft.cylinders if most is None else most,
         step=2 % shaft.classes if shaft.room == 1 and shaft.cycle_deg == 720 else 1,
     )
@@ -284,7 +284,7 @@ def _of_part(
         np.empty((rows, goals)), np.empty((rows, _width(shaft)), np.int8), np.empty(rows, np.int64)
     )
     front = np.empty((GREATEST_FRONT, goals))
-    state = np.zeros(6, np.int64)
+    state = np.zeros(5, np.int64)
     state[KNOWN] = min(len(known), GREATEST_FRONT)
     front[: state[KNOWN]] = known[: state[KNOWN]]
     found, ended = Rows.nothing(goals, shaft), False

@@ -25,9 +25,12 @@ from crankstar.search.compiling import compiled
 from crankstar.search.kernels import dominated, entered
 from crankstar.search.sums import SAME
 
-DEPTH, FOUND, KNOWN, STARS, OPENED, FORMED = range(6)
-"""Places in the state: throw to go on with, rows in the output, points of the front, stars visited,
-stars whose sequences were searched, sequences that were looked at (all by what they stand for)."""
+DEPTH, FOUND, KNOWN, STARS, FORMED = range(5)
+"""Places in the state.
+
+Throw to go on with, rows in the output, points of the front, stars visited and sequences looked at
+(both by what they stand for).
+"""
 
 
 class ShaftTables(NamedTuple):
@@ -49,6 +52,8 @@ class ShaftTables(NamedTuple):
     room: int
     mirrored: bool
     """Whether of two stars that are mirror images one stands for both."""
+    goal: int
+    """The goal that depends on the sequence; -1 where there are several, or neighbours are one."""
     counts: bool
     """Whether neighbours in succession matter."""
     counted: int
@@ -103,21 +108,22 @@ def twin(choice: Any, classes: int) -> int:
 
 
 @compiled
-def signed(delta: Any, turns: Any, first: int, last: int, fixed: bool, out: Any) -> int:
+def signed(
+    delta: Any, turns: Any, first: int, last: int, fixed: bool, out: Any, low: int, high: int
+) -> int:
     """Number of sums over the classes from first to last with all signs; writes them [2 m, rows].
 
     fixed: the sign of the first class is +. Bit b of a row is set where class first + b (after the
-    fixed one) has the sign -.
+    fixed one) has the sign -. Of the sums only the columns from low to high.
     """
-    width = out.shape[0]
-    for c in range(width):
+    for c in range(low, high):
         total = 0.0
         for own in range(first, last):
             total += delta[own] * turns[own, c]
         out[c, 0] = total
     rows = 1
     for own in range(first + (1 if fixed else 0), last):
-        for c in range(width):
+        for c in range(low, high):
             twice = 2.0 * delta[own] * turns[own, c]
             for row in range(rows):
                 out[c, rows + row] = out[c, row] - twice
@@ -283,55 +289,98 @@ def calmest(tables: Any, walk: Any) -> tuple[int, int]:
 
 
 @compiled
-def sequences(tables: Any, walk: Any, times: int, output: Any, front: Any, state: Any) -> None:
-    """Look for sequences of a star that no point of the front dominates."""
-    goals, goal, many = walk.values.shape[0], 0, 0
-    for q in range(goals):
-        if tables.sequence_weights[q].max() > 0.0:
-            goal = q
-            many += 1
-    if tables.counted >= 0:
-        many += 2
-    most = np.inf
-    if many == 1:
-        most = cut(walk.values, goal, front, state[KNOWN])
-        if most < walk.values[goal] or most < 0.0:
-            return
-    state[OPENED] += times
-    differences(tables, walk)
-    classes = tables.turns.shape[0]
-    middle = (classes + 1) // 2
+def beyond(tables: Any, walk: Any, code: int, drive: int, weights: Any, square: float) -> float:
+    """Square of the largest weighted sum but the driver with some signs; -1 where it is greater.
+
+    Greater than `square`, at once.
+    """
+    classes, most = tables.turns.shape[0], 0.0
+    for o in range(weights.shape[0]):
+        if o == drive or weights[o] == 0.0:
+            continue
+        x, y = 0.0, 0.0
+        for own in range(classes):
+            size = walk.delta[own]
+            if own > 0 and (code >> (own - 1)) & 1:
+                size = -size
+            x += size * tables.turns[own, 2 * o]
+            y += size * tables.turns[own, 2 * o + 1]
+        own_square = weights[o] * weights[o] * (x * x + y * y)
+        if own_square > square:
+            return -1.0
+        most = max(most, own_square)
+    return most
+
+
+@compiled
+def below(
+    tables: Any, walk: Any, most: float, times: int, output: Any, front: Any, state: Any
+) -> None:
+    """Write the sequences of a star whose one goal is at most so great: those of a short driver."""
+    goal, classes = tables.goal, tables.turns.shape[0]
+    weights, delta, turns = tables.sequence_weights[goal], walk.delta, tables.turns
     ahead, rear = walk.front_half, walk.rear_half
-    aheads = signed(walk.delta, tables.turns, 0, middle, True, ahead)
-    rears = signed(walk.delta, tables.turns, middle, classes, False, rear)
-    if many > 1:
-        for q in range(goals):
-            walk.bounds[q] = walk.values[q]
-            if tables.sequence_weights[q].max() > 0.0:
-                own = least(ahead, aheads, rear, rears, tables.sequence_weights[q])
-                walk.bounds[q] = max(walk.bounds[q], own)
-        if dominated(walk.bounds, front, state[KNOWN], 1e-11):
-            return
-    weights = tables.sequence_weights[goal]
-    drive = driver(weights)
-    square = np.inf
-    if weights[drive] > 0.0:
-        square = (most / weights[drive]) ** 2 * (1 + 1e-11) + 1e-20
+    drive, middle = driver(weights), (classes + 1) // 2
+    c = 2 * drive
+    aheads = signed(delta, turns, 0, middle, True, ahead, c, c + 2)
+    rears = signed(delta, turns, middle, classes, False, rear, c, c + 2)
+    greatest = (most + SAME) ** 2
+    square = greatest / weights[drive] ** 2
     for i in range(aheads):
-        x, y = ahead[2 * drive, i], ahead[2 * drive + 1, i]
-        if short(x, y, rear, 2 * drive, rears, square) == 0:
+        x, y = ahead[c, i], ahead[c + 1, i]
+        if short(x, y, rear, c, rears, square) == 0:
             continue
         for j in range(rears):
-            dx, dy = x + rear[2 * drive, j], y + rear[2 * drive + 1, j]
-            if dx * dx + dy * dy <= square:
+            dx, dy = x + rear[c, j], y + rear[c + 1, j]
+            own = dx * dx + dy * dy
+            if own <= square:
                 state[FORMED] += times
-                if many == 1 and largest(ahead, i, rear, j, weights) > most + SAME:
-                    continue
-                goals_of(walk, i, j, tables)
                 code = i + (j << (middle - 1))
-                if not allowed(tables, walk, code, front, state):
+                others = beyond(tables, walk, code, drive, weights, greatest)
+                if others < 0.0:
                     continue
+                value = np.sqrt(max(others, own * weights[drive] ** 2))
+                walk.whole[:] = walk.values
+                walk.whole[goal] = max(walk.values[goal], value)
+                if allowed(tables, walk, code, front, state):
+                    written(tables, walk, code, times, output, front, state)
+
+
+@compiled
+def each(tables: Any, walk: Any, times: int, output: Any, front: Any, state: Any) -> None:
+    """Write the sequences of a star by several goals, unless none of them can be on the front."""
+    classes, width = tables.turns.shape
+    ahead, rear, middle = walk.front_half, walk.rear_half, (classes + 1) // 2
+    aheads = signed(walk.delta, tables.turns, 0, middle, True, ahead, 0, width)
+    rears = signed(walk.delta, tables.turns, middle, classes, False, rear, 0, width)
+    for q in range(walk.values.shape[0]):
+        walk.bounds[q] = walk.values[q]
+        if tables.sequence_weights[q].max() > 0.0:
+            own = least(ahead, aheads, rear, rears, tables.sequence_weights[q])
+            walk.bounds[q] = max(walk.bounds[q], own)
+    if dominated(walk.bounds, front, state[KNOWN], 1e-11):
+        return
+    for i in range(aheads):
+        for j in range(rears):
+            state[FORMED] += times
+            goals_of(walk, i, j, tables)
+            code = i + (j << (middle - 1))
+            if allowed(tables, walk, code, front, state):
                 written(tables, walk, code, times, output, front, state)
+
+
+@compiled
+def sequences(tables: Any, walk: Any, times: int, output: Any, front: Any, state: Any) -> None:
+    """Look for sequences of a star that no point of the front dominates."""
+    if tables.goal < 0:
+        if not dominated(walk.values, front, state[KNOWN], 1e-11):
+            differences(tables, walk)
+            each(tables, walk, times, output, front, state)
+        return
+    most = cut(walk.values, tables.goal, front, state[KNOWN])
+    if most >= walk.values[tables.goal] and most >= 0.0:
+        differences(tables, walk)
+        below(tables, walk, most, times, output, front, state)
 
 
 @compiled

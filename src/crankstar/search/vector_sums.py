@@ -41,6 +41,8 @@ MOST_GOALS = 4
 """Goals of one front."""
 SMALL = 1e-9
 """Share of the sum of all weights below which a sum is looked at exactly."""
+SLACK = 1e-8
+"""By which a sum may be longer than its limit; zero is exact."""
 NOTHING = 1e-12
 """A scale below which an order is balanced between the two banks of each pin."""
 
@@ -258,5 +260,6 @@ class SequenceQuestion:
         if most is not None and NEIGHBOURS.value(self.shaft, fired) > most:
             return False
         return all(
-            cap.sum.length(self.shaft, fired) <= cap.greatest * (1 + 1e-9) for cap in self.caps
+            cap.sum.length(self.shaft, fired) <= (cap.greatest and cap.greatest + SLACK)
+            for cap in self.caps
         )
