@@ -8,15 +8,34 @@ from functools import lru_cache
 from crankstar.derive.algebra import radicals as radical
 from crankstar.derive.algebra.typeset import text
 from crankstar.engine.quantities import Cycle
+from crankstar.files.catalog import load
+from crankstar.options.sequences import SequenceWords, sequences_of
+from crankstar.options.words import SearchWords
 from crankstar.search.answer import Answer, AnswerRow, answer_to
 from crankstar.search.engines import firing_order
 from crankstar.search.question import All, Question
+from crankstar.search.sequence_engines import fired_of_engine
+from crankstar.search.sequence_fronts import SequenceFront, beaten, sequence_front
+from crankstar.search.shafts import Fired
 from crankstar.search.stars import Stars
 from crankstar.search.sums import Limit, VectorSum, couple, of
 
 NO_BREAK = "\u2060-\u2060"
 SPACE = "\u00a0"
 SHOWN = 12
+MAKERS = (
+    "toyota-2jz",
+    "bmw-m52b28",
+    "gm-l76",
+    "ford-coyote",
+    "ford-46-sohc",
+    "toyota-1uz-fe",
+    "bmw-s65",
+    "porsche-cayenne-48",
+    "ferrari-f136",
+    "merlin",
+)
+"""Engines of the catalog whose orders are placed on their fronts."""
 MOST = 14
 """Greatest number of cylinders whose front is searched whenever the page is built."""
 
@@ -43,8 +62,40 @@ def eight() -> Answer:
 
 
 def page(what: str) -> str:
-    """The table of a marker: `fronts` or `eight`."""
-    return {"fronts": fronts, "eight": without_second}[what]()
+    """The table of a marker: `fronts`, `eight` or `makers`."""
+    return {"fronts": fronts, "eight": without_second, "makers": makers}[what]()
+
+
+@lru_cache
+def judged(name: str) -> tuple[SequenceFront, Fired]:
+    """The front of an engine of the catalog, and its own star and firing order."""
+    engine = load(name)
+    goals = SearchWords(minimise="M1,M2,twist,neighbours")
+    front = sequence_front(sequences_of(engine, goals, SequenceWords()).question)
+    own = fired_of_engine(engine, front.question.shaft)
+    if own is None:
+        raise ValueError(f"{name} does not fire evenly")
+    return front, own
+
+
+def makers() -> str:
+    """Where orders of engines in the catalog stand on their fronts."""
+    lines = ["| engine | firing order | M1 | M2 | twist | neighbours | on the front |"]
+    lines.append("|---|---|---|---|---|---|---|")
+    for name in MAKERS:
+        front, own = judged(name)
+        values, better = beaten(front, own)
+        order = NO_BREAK.join(map(str, front.question.shaft.firing_order(own)))
+        where = "yes"
+        if not any(not which for _, which in better):
+            place, which = better[0]
+            point = front.points[place].values
+            goals = front.question.goals
+            less = ", ".join(f"{goals[q].name} {_number(point[q])}" for q in which)
+            where = f"no: {less} is possible, the rest no worse"
+        cells = [f"`{name}`", order, *map(_number, values[:3]), f"{values[3]:g}", where]
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
 
 
 def fronts() -> str:

@@ -255,6 +255,21 @@ def test_an_engine_keeps_its_star_and_order_through_its_shaft(name: str) -> None
     assert fired_of_engine(turned_engine, shaft) == other
 
 
+@pytest.mark.parametrize("name", ["ferrari-f136", "bmw-s65", "porsche-cayenne-48"])
+def test_how_an_engine_is_numbered_does_not_change_its_front(name: str) -> None:
+    """Bank after bank, or from side to side; and its own sums are those of its gas torque."""
+    engine = load(name)
+    ours = sequence_front(asked(engine, "M1,M2,twist")).points
+    plainly = sequence_front(asked(8, "M1,M2,twist", bank="90")).points
+    assert [point.orders for point in ours] == [point.orders for point in plainly]
+    assert np.allclose([p.values for p in ours], [p.values for p in plainly], atol=1e-9)
+    about = asked(engine, "T0.5,T1.5,T2.5")
+    fired = fired_of_engine(engine, about.shaft)
+    assert fired is not None
+    sums = weighing.sums_of(firing(engine), weighing.twist_shape(engine), (0.5, 1.5, 2.5))
+    assert about.values(fired) == pytest.approx(sums)
+
+
 def test_threads_and_a_narrow_buffer_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     from crankstar.search import sequence_fronts
 

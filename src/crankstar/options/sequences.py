@@ -24,6 +24,7 @@ from crankstar.search.vector_sums import (
     SequenceQuestion,
     couple,
     force,
+    shape_of,
     straight,
     torsion,
 )
@@ -133,7 +134,8 @@ class _Asked:
         text = words.mode_shape
         if text is not None and text.strip() != STRAIGHT:
             with faults.at("mode_shape"):
-                self.shape = tuple(amplitude(part.strip()) for part in text.split(","))
+                given = tuple(amplitude(part.strip()) for part in text.split(","))
+                self.shape = shape_of(shaft, given)
         if len(set(self.shape)) == 1:
             faults.add("mode_shape", "shape-uniform")
 

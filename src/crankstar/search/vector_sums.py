@@ -146,26 +146,41 @@ def straight(shaft: Shaft) -> tuple[Fraction, ...]:
     return tuple((place - middle) / farthest for place in shaft.places for _ in range(shaft.rods))
 
 
-def torsion(shaft: Shaft, order: Fraction, shape: Sequence[Fraction]) -> OrderSum:
-    """T_k of a shaft in a shape: an amplitude for each throw, or for each cylinder by its number.
+def shape_of(shaft: Shaft, amplitudes: Sequence[Fraction]) -> tuple[Fraction, ...]:
+    """A shape by throw and rod, of an amplitude for each cylinder by its number, or each throw.
 
-    Raises SearchError where the shape is of another length or the order does not exist.
+    Raises SearchError where there are others.
+
+    >>> from crankstar.search.shafts import shaft_of
+    >>> vee = shaft_of(4, bank_angle_deg=180)
+    >>> shape_of(vee, (Fraction(1), Fraction(-1))) == straight(vee)
+    True
+    """
+    if len(amplitudes) == shaft.cylinders:
+        numbers = sorted(number for pin in shaft.numbers for number in pin)
+        own = dict(zip(numbers, amplitudes, strict=True))
+        return tuple(own[number] for pin in shaft.numbers for number in pin)
+    if len(amplitudes) == shaft.throws:
+        return tuple(each for each in amplitudes for _ in range(shaft.rods))
+    counts = {"given": len(amplitudes), "throws": shaft.throws, "cylinders": shaft.cylinders}
+    raise error("mode_shape", "shape-throws", **counts)
+
+
+def torsion(shaft: Shaft, order: Fraction, shape: Sequence[Fraction]) -> OrderSum:
+    """T_k of a shaft in a shape, amplitudes by throw and rod. Raises SearchError.
+
+    >>> from crankstar.search.shafts import shaft_of
+    >>> six = shaft_of(6)
+    >>> usual = six.fired_in((1, 5, 3, 6, 2, 4))
+    >>> round(torsion(six, Fraction(3, 2), straight(six)).length(six, usual), 9)  # 2 (1 + 3 + 5)/5
+    3.6
     """
     name = f"T{float(order):g}"
     if order.denominator > 2:
         raise error("orders", "torsion-order", name=name)
     if shaft.cycle == "two-stroke" and order.denominator != 1:
         raise error("", "two-stroke-torsion", name=name)
-    if len(shape) == shaft.throws:
-        weights = tuple(each for each in shape for _ in range(shaft.rods))
-    elif len(shape) == shaft.cylinders:
-        numbers = sorted(number for pin in shaft.numbers for number in pin)
-        own = dict(zip(numbers, shape, strict=True))
-        weights = tuple(own[number] for pin in shaft.numbers for number in pin)
-    else:
-        counts = {"given": len(shape), "throws": shaft.throws, "cylinders": shaft.cylinders}
-        raise error("mode_shape", "shape-throws", **counts)
-    return OrderSum("T", order, weights)
+    return OrderSum("T", order, tuple(shape))
 
 
 @dataclass(frozen=True)

@@ -72,11 +72,17 @@ def heading(question: SequenceQuestion) -> str:
 def census(question: SequenceQuestion) -> str:
     """How many stars there are, and how many firing orders on each."""
     shaft = question.shaft
+    counts = {"stars": f"{shaft.count:,}", "sequences": f"{shaft.sequences:,}"}
+    if shaft.rods == 2:
+        return _(
+            "Two rods on each pin: {stars} stars fire evenly, with {sequences} firing orders on "
+            "each; mirror images are counted.",
+            **counts,
+        )
     return _(
-        "{stars} stars that fire evenly, with {sequences} firing orders on each (a V engine's pins "
-        "shared); mirror images counted.",
-        stars=f"{shaft.count:,}",
-        sequences=f"{shaft.sequences:,}",
+        "{stars} stars fire evenly, with {sequences} firing orders on each; mirror images are "
+        "counted.",
+        **counts,
     )
 
 
