@@ -17,6 +17,7 @@
 | `firing` | orders, vees |
 | `search_options` | the options of search |
 | `search_job` | a search run, reported and kept in a file |
+| `sequencing` | search, where star and firing order are searched together |
 | `searching` | search |
 | `balancing` | balance |
 | `workshop` | bobweight, drill, grade |

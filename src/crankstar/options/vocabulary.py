@@ -380,9 +380,8 @@ _MOST = {
     ),
     "--why": Option(
         "text",
-        "A firing order, as in 1-5-3-6-2-4: whether it is on the front, else what is better, and "
-        "in what.",
-        ("--why-not", "--judge"),
+        "A firing order to judge, as in 1-5-3-6-2-4: what beats it, and in what.",
+        ("--judge",),
     ),
     "--width": Option(
         "text", 'Width of the picture, such as "120 mm" (default: what the chart needs).'

@@ -29,6 +29,8 @@
 | `equivalence` | stars with the same moments |
 | `shafts` | throws with one rod or two that fire evenly: star and sequence |
 | `vector_sums` | forces, couples and torsion of a shaft with its sequence, and goals |
+| `sequence_arrays` | records of the loops over stars and sequences |
+| `sign_kernels` | compiled loops over signs, by halves |
 | `sequence_kernels` | compiled loops over stars and the firing sequences of each |
 | `sequence_fronts` | the front over stars and sequences, and what beats an order |
 | `sequence_engines` | a star with its sequence as an Engine, and back |

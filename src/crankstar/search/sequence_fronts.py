@@ -18,10 +18,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from crankstar.search import sequence_kernels
+from crankstar.search import sequence_kernels, sign_kernels
 from crankstar.search.faults import error
 from crankstar.search.interrupts import signals_noted
-from crankstar.search.sequence_kernels import (
+from crankstar.search.sequence_arrays import (
     FORMED,
     FOUND,
     KNOWN,
@@ -258,14 +258,14 @@ class Rows(NamedTuple):
         values, lines, times = map(np.concatenate, zip(self[:3], other[:3], strict=True))
         points = np.empty((GREATEST_FRONT, values.shape[1]))
         points[: len(self.points)] = self.points
-        known = sequence_kernels.joined(points, len(self.points), other.points)
+        known = sign_kernels.joined(points, len(self.points), other.points)
         if known >= GREATEST_FRONT:
             raise error("minimise", "front-too-large", most=f"{GREATEST_FRONT:,}")
         points = points[:known][np.argsort(points[:known].sum(axis=1), kind="stable")]
         order = np.lexsort(lines.T[::-1])
         values, lines, times = values[order], lines[order], times[order]
         home = np.empty(len(values), np.int64)
-        sequence_kernels.sifted(values, times, points, size, home)
+        sign_kernels.sifted(values, times, points, size, home)
         kept = home >= 0
         return Rows(values[kept], lines[kept], times[kept], points)
 

@@ -1,15 +1,10 @@
-"""Compiled loops over all stars of a shaft, and over the firing sequences of each by halves.
+"""Compiled loops over all stars of a shaft and the firing sequences of each.
 
 Stars are visited depth first, their sums carried along. A star whose values can be bettered
-whatever its sequence is left at once. For the others the half orders of torsion are sums over the
-classes c of +-v_c: the classes are divided into two halves, all signs of one meet all of the other,
-and only pairs whose sum is short enough not to be dominated are looked at. With one goal that
-depends on the sequence that length is known before: the least value of that goal in the points of
-the front that are as good in all others. With several goals their least values over all signs, each
-by itself, are a bound: no sequence of the star is better than that in any of them.
-
-Source: E. Horowitz and S. Sahni, Computing partitions with applications to the knapsack problem,
-Journal of the ACM 21 (1974) 277 (sums of signs by halves).
+whatever its sequence is left at once. With one goal that depends on the sequence it is known how
+great that may be: as the least of the points of the front that are as good in all others. Only
+signs whose first sum is short enough are looked at (`sign_kernels`). With several such goals their
+least values over all signs, each by itself, are a bound: no sequence of the star is better in any.
 
 Letters of the shapes: n throws; K classes; w sums of the star and m of the sequence, each two
 numbers; q goals; f rows found.
@@ -17,84 +12,15 @@ numbers; q goals; f rows found.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from crankstar.search.compiling import compiled
 from crankstar.search.kernels import dominated, entered
+from crankstar.search.sequence_arrays import DEPTH, FORMED, FOUND, KNOWN, STARS
+from crankstar.search.sign_kernels import beyond, driver, largest, least, short, signed
 from crankstar.search.sums import SAME
-
-DEPTH, FOUND, KNOWN, STARS, FORMED = range(5)
-"""Places in the state.
-
-Throw to go on with, rows in the output, points of the front, stars visited and sequences looked at
-(both by what they stand for).
-"""
-
-
-class ShaftTables(NamedTuple):
-    """A question as arrays."""
-
-    star: np.ndarray
-    """What each throw adds to each sum of the star in each class [n, K, 2 w]."""
-    amplitudes: np.ndarray
-    """Amplitude of each rod [n, rods]."""
-    turns: np.ndarray
-    """What an amplitude of one adds to each sum of the sequence, by class [K, 2 m]."""
-    star_weights: np.ndarray
-    """Scale of each sum of the star in each goal, 0 where it is not in it [q, w]."""
-    sequence_weights: np.ndarray
-    """The same of the sums of the sequence [q, m]."""
-    caps: np.ndarray
-    """Greatest length of each sum of the star [w]."""
-    shift: int
-    room: int
-    mirrored: bool
-    """Whether of two stars that are mirror images one stands for both."""
-    goal: int
-    """The goal that depends on the sequence; -1 where there are several, or neighbours are one."""
-    counts: bool
-    """Whether neighbours in succession matter."""
-    counted: int
-    """The goal that is their number, -1 where none is."""
-    size: float
-    """By what their number is divided in it."""
-    at_most: int
-    """How many there may be."""
-    step: int
-    """From a class to the next to fire."""
-
-
-class Walk(NamedTuple):
-    """Where the loops are: choices by throw, sums and fillings so far; buffers for one star."""
-
-    choice: np.ndarray
-    sums: np.ndarray
-    hits: np.ndarray
-    values: np.ndarray
-    """Those of the goals, star sums only [q]."""
-    bounds: np.ndarray
-    """The same with the least that the sequence can add [q]."""
-    whole: np.ndarray
-    """The same with a sequence [q]."""
-    seen: np.ndarray
-    """How many cylinders of each class were met [K]."""
-    seat: np.ndarray
-    """The cylinders of each class, twice the throw and the bank [K, 2]."""
-    delta: np.ndarray
-    """Difference of the two amplitudes of each class [K]."""
-    front_half: np.ndarray
-    """Sums over the first classes with all signs [2 m, rows]."""
-    rear_half: np.ndarray
-
-
-class SequenceOutput(NamedTuple):
-    """Rows found: values [f, q], classes and signs [f, n + K], how many each stands for [f]."""
-
-    values: np.ndarray
-    rows: np.ndarray
-    times: np.ndarray
 
 
 @compiled
@@ -105,76 +31,6 @@ def twin(choice: Any, classes: int) -> int:
         if choice[throw] != other:
             return 1 if choice[throw] < other else -1
     return 0
-
-
-@compiled
-def signed(
-    delta: Any, turns: Any, first: int, last: int, fixed: bool, out: Any, low: int, high: int
-) -> int:
-    """Number of sums over the classes from first to last with all signs; writes them [2 m, rows].
-
-    fixed: the sign of the first class is +. Bit b of a row is set where class first + b (after the
-    fixed one) has the sign -. Of the sums only the columns from low to high.
-    """
-    for c in range(low, high):
-        total = 0.0
-        for own in range(first, last):
-            total += delta[own] * turns[own, c]
-        out[c, 0] = total
-    rows = 1
-    for own in range(first + (1 if fixed else 0), last):
-        for c in range(low, high):
-            twice = 2.0 * delta[own] * turns[own, c]
-            for row in range(rows):
-                out[c, rows + row] = out[c, row] - twice
-        rows *= 2
-    return rows
-
-
-@compiled
-def short(x: float, y: float, rear: Any, c: int, rows: int, square: float) -> int:
-    """How many of the rear half make a sum with x + iy whose square is at most so great."""
-    count = 0
-    for row in range(rows):
-        dx = x + rear[c, row]
-        dy = y + rear[c + 1, row]
-        count += dx * dx + dy * dy <= square
-    return count
-
-
-@compiled
-def largest(front: Any, i: int, rear: Any, j: int, weights: Any) -> float:
-    """The largest of the weighted lengths of the sums of two rows."""
-    most = 0.0
-    for o in range(weights.shape[0]):
-        if weights[o] > 0.0:
-            x = front[2 * o, i] + rear[2 * o, j]
-            y = front[2 * o + 1, i] + rear[2 * o + 1, j]
-            most = max(most, weights[o] * weights[o] * (x * x + y * y))
-    return np.sqrt(most)
-
-
-@compiled
-def driver(weights: Any) -> int:
-    """The sum with the greatest weight."""
-    best = 0
-    for o in range(weights.shape[0]):
-        if weights[o] > weights[best]:
-            best = o
-    return best
-
-
-@compiled
-def least(front: Any, fronts: int, rear: Any, rears: int, weights: Any) -> float:
-    """The least value of a goal over all signs."""
-    drive = driver(weights)
-    best = np.inf
-    for i in range(fronts):
-        square = (best / weights[drive]) ** 2
-        if short(front[2 * drive, i], front[2 * drive + 1, i], rear, 2 * drive, rears, square):
-            for j in range(rears):
-                best = min(best, largest(front, i, rear, j, weights))
-    return best
 
 
 @compiled
@@ -286,30 +142,6 @@ def calmest(tables: Any, walk: Any) -> tuple[int, int]:
         if number < fewest:
             best, fewest = code, number
     return best, many
-
-
-@compiled
-def beyond(tables: Any, walk: Any, code: int, drive: int, weights: Any, square: float) -> float:
-    """Square of the largest weighted sum but the driver with some signs; -1 where it is greater.
-
-    Greater than `square`, at once.
-    """
-    classes, most = tables.turns.shape[0], 0.0
-    for o in range(weights.shape[0]):
-        if o == drive or weights[o] == 0.0:
-            continue
-        x, y = 0.0, 0.0
-        for own in range(classes):
-            size = walk.delta[own]
-            if own > 0 and (code >> (own - 1)) & 1:
-                size = -size
-            x += size * tables.turns[own, 2 * o]
-            y += size * tables.turns[own, 2 * o + 1]
-        own_square = weights[o] * weights[o] * (x * x + y * y)
-        if own_square > square:
-            return -1.0
-        most = max(most, own_square)
-    return most
 
 
 @compiled
@@ -491,51 +323,3 @@ def visited(
             state[DEPTH] = depth
             return False
     return True
-
-
-@compiled
-def sifted(values: Any, times: Any, points: Any, size: int, home: Any) -> None:
-    """Find the point of each row, and keep so many rows of each: home is -1 for the others.
-
-    times: how many orders a row stands for; the first row of a point gets them all. A row whose
-    values are no point's is dominated.
-    """
-    seen = np.zeros(points.shape[0], np.int64)
-    first = np.zeros(points.shape[0], np.int64)
-    for row in range(values.shape[0]):
-        home[row] = -1
-        for f in range(points.shape[0]):
-            same = True
-            for q in range(values.shape[1]):
-                if abs(values[row, q] - points[f, q]) > 2 * SAME:
-                    same = False
-                    break
-            if same:
-                if seen[f] == 0:
-                    first[f] = row
-                else:
-                    times[first[f]] += times[row]
-                    times[row] = 0
-                if seen[f] < size:
-                    home[row] = f
-                seen[f] += 1
-                break
-
-
-@compiled
-def joined(points: Any, known: int, others: Any) -> int:
-    """Number of points of a front that others have joined, where no known one is as good."""
-    for row in range(others.shape[0]):
-        needed = True
-        for f in range(known):
-            worse = False
-            for q in range(others.shape[1]):
-                if points[f, q] > others[row, q] + SAME:
-                    worse = True
-                    break
-            if not worse:
-                needed = False
-                break
-        if needed:
-            known = entered(others[row], points, known)
-    return known

@@ -135,7 +135,7 @@ def _columns(question: SequenceQuestion) -> list[Column]:
         Column(_("neighbours"), key="neighbours_in_succession", machine=not beside),
         Column("", kind="list", key="neighbours", machine=True),
         Column(_("same pin"), key="same_pin_in_succession", machine=question.shaft.rods == 1),
-        Column(_("orders"), key="orders"),
+        Column(_("ways"), key="orders"),
         Column("", key="like", machine=True),
     ]
     return out
@@ -256,6 +256,7 @@ def _notes(front: SequenceFront, shown: int) -> list[str]:
                 count=f"{len(front.points):,}",
             )
         )
+    out.append(_("ways: firing orders with these values, mirror images among them."))
     for goal in question.goals:
         if len(goal.sums) > 1:
             names = ", ".join(one.name for one in goal.sums)
