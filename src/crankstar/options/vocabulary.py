@@ -379,9 +379,7 @@ _MOST = {
         ("--planes", "--counterweights"),
     ),
     "--why": Option(
-        "text",
-        "A firing order to judge, as in 1-5-3-6-2-4: what beats it, and in what.",
-        ("--judge",),
+        "text", "A firing order to judge, as in 1-5-3-6-2-4: what beats it, and in what."
     ),
     "--width": Option(
         "text", 'Width of the picture, such as "120 mm" (default: what the chart needs).'
