@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
+import os
+import signal
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -19,6 +22,7 @@ from crankstar.language.search_faults import SENTENCES
 from crankstar.mechanics.balance import balance, total
 from crankstar.options.sequences import SequenceWords, sequences_of
 from crankstar.options.words import SearchWords
+from crankstar.search import sequence_fronts
 from crankstar.search.faults import SearchError, said
 from crankstar.search.sequence_engines import (
     engine_of,
@@ -271,11 +275,10 @@ def test_how_an_engine_is_numbered_does_not_change_its_front(name: str) -> None:
 
 
 def test_threads_and_a_narrow_buffer_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    from crankstar.search import sequence_fronts
-
     about = asked(8, "M1,M2,twist")
     plainly = sequence_front(about)
     monkeypatch.setattr(sequence_fronts, "BUFFER", 0)
+    monkeypatch.setattr(sequence_fronts, "OF_A_PART", 1)
     assert sequence_front(about, workers=3).points == plainly.points
 
 
@@ -414,3 +417,36 @@ def test_a_sum_is_zero_only_where_it_is_exactly() -> None:
     values, kept = plain_values(about)
     assert [point.values for point in sequence_front(about).points] == [(pytest.approx(10**0.5),)]
     assert values[kept].min() == pytest.approx(10**0.5)
+
+
+def test_an_interrupt_ends_the_search_with_the_best_so_far(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nothing is proved then, and the command says so."""
+    about = asked(8, "M1,M2,twist")
+    monkeypatch.setattr(sequence_fronts, "OF_A_PART", 1)
+    told: list[int] = []
+
+    def watch(done: int, _of: int) -> None:
+        told.append(done)
+        if len(told) == 20:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    front = sequence_front(about, watch=watch)
+    assert not front.complete
+    assert 0 < front.stars < about.shaft.count
+    monkeypatch.setattr(sequence_fronts, "sequence_front", lambda *_, **__: front)
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["search", "8", "--minimise", "M1,M2,twist"])
+    assert ended.value.code == 130
+    assert "INCOMPLETE" in capsys.readouterr().out
+
+
+def test_a_bound_that_is_too_tight_would_be_found_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The front of all orders differs as soon as a point is missing."""
+    about = asked(6, "M1,M2,twist")
+    whole = sequence_front(about)
+    cut = dataclasses.replace(whole, points=whole.points[1:])
+    monkeypatch.setattr(f"{__name__}.sequence_front", lambda _: cut)
+    with pytest.raises(AssertionError):
+        agrees(about)

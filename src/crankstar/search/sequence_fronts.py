@@ -11,6 +11,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
@@ -40,6 +41,8 @@ GREATEST_FRONT = 1 << 15
 """Points of a front."""
 PARTS = 64
 """Parts into which the stars are divided, at least, where there are so many."""
+OF_A_PART = 10_000
+"""Stars that a part has at least; to begin one takes as long as to visit a thousand."""
 MOST_STARS = 4_000_000_000
 """Stars that are visited; more take hours."""
 WAIT_SECONDS = 0.5
@@ -100,9 +103,8 @@ def sequence_front(
     parts = list(_prefixes(question))
     tables, unit = _tables(question)
     found, counts, done = Rows.nothing(len(unit), shaft), np.zeros(5, np.int64), 0
-    with signals_noted() as stop, ThreadPoolExecutor(workers) as pool:
+    with signals_noted() as stop, _threads(workers) as (pool, halt):
         todo, under_way = iter(parts), set[Future[Any]]()
-        halt = threading.Event()
         while True:
             while len(under_way) < 2 * workers and not stop.is_set():
                 part = next(todo, None)
@@ -131,6 +133,17 @@ def sequence_front(
     )
 
 
+@contextmanager
+def _threads(workers: int) -> Iterator[tuple[ThreadPoolExecutor, threading.Event]]:
+    """Threads, and what halts them between two calls of the loops, as any fault does."""
+    halt = threading.Event()
+    with ThreadPoolExecutor(workers) as pool:
+        try:
+            yield pool, halt
+        finally:
+            halt.set()
+
+
 def _width(shaft: Shaft) -> int:
     return shaft.throws + (shaft.classes if shaft.room == 2 else 0)
 
@@ -151,7 +164,8 @@ def _prefixes(question: SequenceQuestion) -> Iterator[np.ndarray]:
     """The classes of the first throws, enough to make so many parts; of mirror images the first."""
     shaft, once = question.shaft, mirrored(question)
     listed: list[tuple[int, ...]] = [(0,)]
-    while len(listed) < PARTS and len(listed[0]) < shaft.throws:
+    wanted = min(PARTS, shaft.count // OF_A_PART + 1)
+    while len(listed) < wanted and len(listed[0]) < shaft.throws:
         listed = [(*row, own) for row in listed for own in range(shaft.classes)]
         if once:
             listed = [row for row in listed if _first(row, shaft.classes)]

@@ -22,6 +22,9 @@ from crankstar.search.sequence_arrays import DEPTH, FORMED, FOUND, KNOWN, STARS
 from crankstar.search.sign_kernels import beyond, driver, largest, least, short, signed
 from crankstar.search.sums import SAME
 
+AT_ONCE = 200_000
+"""Stars after which the loops come up, so that they can be halted."""
+
 
 @compiled
 def twin(choice: Any, classes: int) -> int:
@@ -282,7 +285,8 @@ def visited(
 ) -> bool:
     """Whether all stars that begin with a prefix were visited.
 
-    Else `output` is full: empty it and call again, as it was. most: rows that one star can bring.
+    Else `output` is full, or AT_ONCE stars were visited: empty it and call again, all else as it
+    was. most: rows that one star can bring.
     state: see DEPTH; DEPTH is 0 at the first call.
     """
     throws, classes = walk.choice.shape[0], tables.star.shape[1]
@@ -299,7 +303,7 @@ def visited(
             return True
         choice[free:] = -1
         state[DEPTH] = free
-    depth = state[DEPTH]
+    depth, stars = state[DEPTH], 0
     while depth >= free:
         own = choice[depth]
         if own >= 0:
@@ -319,7 +323,8 @@ def visited(
             depth += 1
             continue
         met(tables, walk, output, front, state)
-        if state[FOUND] + most > output.times.shape[0]:
+        stars += 1
+        if state[FOUND] + most > output.times.shape[0] or stars == AT_ONCE:
             state[DEPTH] = depth
             return False
     return True
