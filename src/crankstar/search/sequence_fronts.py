@@ -339,7 +339,8 @@ def _answer(question: SequenceQuestion, found: Rows) -> tuple[Point, ...]:
     first = np.flatnonzero(found.times)
     if not len(first):
         return ()
-    near = np.abs(found.values[:, None] - found.values[first]).max(axis=2).argmin(axis=1)
+    apart = (np.abs(found.values[first] - own).max(axis=1) for own in found.values)
+    near = np.array([gaps.argmin() for gaps in apart])
     for place, row in enumerate(first):
         lines = found.lines[near == place].tolist()
         every = [Fired(tuple(line[:throws]), tuple(map(bool, line[throws:]))) for line in lines]
