@@ -20,7 +20,7 @@ from crankstar.search.vector_sums import Goal, SequenceQuestion, couple, straigh
 
 BUDGETS = {(16, 45): 10, (16, 90): 10, (20, 108): 180, (20, 72): 180}
 """Cylinders and bank angle of a V engine, and the seconds that its front may take."""
-OTHERS = ((12, None), (13, None), (14, None), (24, 30))
+OTHERS = ((12, None), (14, None), (24, 30))
 """Cylinders and bank angle, None in line, of fronts that are only timed."""
 SAME = 1e-9
 
