@@ -19,7 +19,7 @@ import {
   stateText,
   storeOf,
 } from './state'
-import { settingOf, withGasRoll } from './torque'
+import { settingOf, withGasRoll, withoutPower } from './torque'
 import { InUnits, keepUnits, keptUnits } from './units'
 import { visits } from './visits'
 
@@ -62,6 +62,8 @@ export interface App {
   readonly trouble: Signal<string>
   /** What is wrong with the file that the server watches; null if nothing. */
   readonly mistakes: Signal<Mistaken | null>
+  /** How many mistakes the engine has that is edited; it is not the one that is shown then. */
+  readonly slips: Signal<number>
   /** Whether the page is dark, by choice or by the system. */
   readonly dark: ReadonlySignal<boolean>
   readonly calm: ReadonlySignal<boolean>
@@ -95,6 +97,7 @@ export function createApp(host: Host): App {
   const calm = matching('(prefers-reduced-motion: reduce)', endings)
   const trouble = signal('')
   const mistakes = signal<Mistaken | null>(null)
+  const slips = signal(0)
   let given: Exhibit = host.exhibition.engines[0]
   const own = signal<Exhibit>(given)
   const other = signal<Exhibit | null>(null)
@@ -117,8 +120,12 @@ export function createApp(host: Host): App {
   )
   const staged = computed(() => {
     const { choices } = store
-    if (choices.value['forces.gas'] !== 'on') return shown.value
-    return shown.value.map((exhibit) => withGasRoll(exhibit, settingOf(choices.value)))
+    const setting = settingOf(choices.value)
+    const gas = choices.value['forces.gas'] === 'on'
+    if (!gas && !setting.off.length) return shown.value
+    return shown.value.map((exhibit) =>
+      withoutPower(gas ? withGasRoll(exhibit, setting) : exhibit, setting.off),
+    )
   })
   const subjects = computed(() => {
     const places = engines.value.map((_, place) => place)
@@ -319,6 +326,9 @@ export function createApp(host: Host): App {
   endings.push(
     host.onState((text) => {
       const state = stateOf(text)
+      // what was changed just before does not lead back
+      if (later) window.clearTimeout(later)
+      later = 0
       if (stateText(state) === stateText(snapshot(store))) return
       visited.seen(state)
       restore(store, state)
@@ -348,6 +358,7 @@ export function createApp(host: Host): App {
     dialog,
     trouble,
     mistakes,
+    slips,
     dark,
     calm,
     put,

@@ -426,6 +426,8 @@ export interface Load {
   inertia: number | null
   /** what is assumed, as sentences */
   notes: string[]
+  /** what is hardly so, as sentences */
+  doubts: string[]
   /** side thrust, and gears between crankshafts, with every chamber burning */
   tables: Table[]
 }
@@ -443,9 +445,10 @@ export interface Exhaust {
   reflected: number
   pipes: Pipe[]
 }
-/** What shares an exhaust: its name, and the crank angles at which its chambers fire. */
+/** What shares an exhaust: its name, its chambers, and the crank angles at which they fire. */
 export interface Pipe {
   name: string
+  chambers: number[]
   fires: number[]
 }
 /** A figure of an engine: the `key` that it is requested by, and the properties to choose by. */
@@ -670,7 +673,7 @@ export interface SearchQuestion {
    */
   cycle?: ('two-stroke' | 'four-stroke') | null
   /**
-   * Quantity to minimise. Several with commas: couples M1, M2, ... (M1V, M1H: the external moment in the vertical, in the horizontal plane), forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over a turn of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.
+   * Quantity to minimise. Several with commas: couples M1, M2, ... (M1V, M1H: the external moment in the vertical, in the horizontal plane), forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over a turn of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2. On the command line also twist, the largest torsion of --orders, which also chooses the firing order.
    */
   minimise?: string | null
   /** Quantities that must vanish, as in M2. */

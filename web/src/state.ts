@@ -142,7 +142,7 @@ const orders: Field<readonly number[] | null> = {
 
 /** What a choice within a panel is called in an address, and what it may be. */
 const CHOICE = /^[a-z]{1,20}\.[a-z]{1,20}$/
-const CHOSEN = /^[\w-]{1,120}$/
+const CHOSEN = /^[^\p{C}<>]{1,200}$/u
 const MOST_CHOICES = 32
 
 type Single = Omit<State, 'choices'>

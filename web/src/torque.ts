@@ -9,8 +9,8 @@ export type Gas = 'burning' | 'still' | 'none'
 
 /** What is chosen of the torque of an engine. */
 export interface Setting {
-  /** Which of the loads that are sent. */
-  readonly load: number
+  /** The name of the load that is shown; the first one of an engine that has none of that name. */
+  readonly load: string
   readonly gas: Gas
   /** Numbers of the cylinders that do not burn. */
   readonly off: readonly number[]
@@ -49,9 +49,8 @@ const GAS: readonly Gas[] = ['burning', 'still', 'none']
 /** What is chosen, as links have it. */
 export function settingOf(choices: Choices): Setting {
   const gas = GAS.find((each) => each === choices['torque.gas'])
-  const load = choices['torque.load'] ?? ''
   return {
-    load: /^[1-9]\d?$/.test(load) ? Number(load) - 1 : 0,
+    load: choices['torque.load'] ?? '',
     gas: gas ?? 'burning',
     off: offOf(choices['torque.off'] ?? ''),
     driveline: choices['torque.mount'] !== 'together',
@@ -109,9 +108,13 @@ export function torquesOf(exhibit: Exhibit, setting: Setting): Torques {
   return torque ? withGas(exhibit, torque, setting) : ofParts(exhibit, setting)
 }
 
+/** The load that is shown of an engine. */
+export const loadOf = ({ loads }: Torque, { load }: Pick<Setting, 'load'>): Load | undefined =>
+  loads.find(({ name }) => name === load) ?? loads[0]
+
 function withGas(exhibit: Exhibit, torque: Torque, setting: Setting): Torques {
   const { orders } = torque
-  const load = (torque.loads[setting.load] ?? torque.loads[0]) as Load
+  const load = loadOf(torque, setting) as Load
   const squared = (load.speed ?? 0) ** 2
   const moving = torque.moving && load.speed !== null ? torque.moving : null
   const inertia = moving && times(signalOf(moving), squared)
@@ -237,14 +240,23 @@ export function noted(
 const PER_RPM = Math.PI / 30
 
 /** Whether gas can be added to the rolling moment of an engine: both are in N m at one speed. */
-export function takesGas({ torque, units, speed_rpm }: Exhibit, { load }: Setting): boolean {
-  const speed = (torque?.loads[load] ?? torque?.loads[0])?.speed
+export function takesGas({ torque, units, speed_rpm }: Exhibit, setting: Setting): boolean {
+  const speed = torque && loadOf(torque, setting)?.speed
   return (
     torque?.moving != null &&
     units.counted[0] === 'N' &&
     speed != null &&
     Math.abs(speed - (speed_rpm ?? 0) * PER_RPM) < 1e-6 * speed
   )
+}
+
+/** The engine as the stage shows it where chambers do not burn: without their power strokes. */
+export function withoutPower(exhibit: Exhibit, off: readonly number[]): Exhibit {
+  if (!off.length) return exhibit
+  const stroke_windows = exhibit.stroke_windows.filter(
+    ({ chamber, stroke }) => stroke !== 'power' || !off.includes(chamber),
+  )
+  return { ...exhibit, stroke_windows }
 }
 
 /** The engine with gas in its rolling moment, for the stage; as it is where that cannot be. */

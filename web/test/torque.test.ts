@@ -39,6 +39,7 @@ const load = (changes: Partial<Load> = {}): Load => ({
   irregularity: null,
   inertia: null,
   notes: [],
+  doubts: [],
   tables: [],
   ...changes,
 })
@@ -69,7 +70,7 @@ const torque = (changes: Partial<Torque> = {}): Torque => ({
 })
 
 const twin = (changes: Partial<Torque> = {}): Exhibit => exhibit({ torque: torque(changes) })
-const BOTH: Setting = { load: 0, gas: 'burning', off: [], driveline: true }
+const BOTH: Setting = { load: '', gas: 'burning', off: [], driveline: true }
 
 test('a wave that begins later is the same wave, later', () => {
   const wave = Float64Array.from(WAVE.flat())
@@ -102,8 +103,10 @@ test('even firing leaves no half order, and a cylinder without combustion brings
 })
 
 test('the inertia torque grows with the square of the speed of the load', () => {
-  const loads = [load(), load({ speed: 200 })]
-  const [slow, fast] = [0, 1].map((place) => torquesOf(twin({ loads }), { ...BOTH, load: place }))
+  const loads = [load(), load({ name: 'fast', speed: 200 })]
+  const [slow, fast] = ['', 'fast'].map((name) =>
+    torquesOf(twin({ loads }), { ...BOTH, load: name }),
+  )
   expect(sizeAt(slow?.inertia ?? null, 3)).toBeCloseTo(2, 12)
   expect(sizeAt(fast?.inertia ?? null, 3)).toBeCloseTo(8, 12)
 })
@@ -174,6 +177,6 @@ test('what is chosen goes into links and comes back', () => {
   expect(offOf('2-10-x-2')).toEqual([2, 10])
   expect(
     settingOf({ 'torque.gas': 'still', 'torque.off': '3', 'torque.mount': 'together' }),
-  ).toEqual({ load: 0, gas: 'still', off: [3], driveline: false })
-  expect(settingOf({ 'torque.gas': '<b>', 'torque.load': '0' })).toEqual(BOTH)
+  ).toEqual({ load: '', gas: 'still', off: [3], driveline: false })
+  expect(settingOf({ 'torque.gas': '<b>' })).toEqual(BOTH)
 })

@@ -105,7 +105,7 @@ def bearing_numbers(
 
 def _numbers(document: Document, *, about: tuple[str, ...] = ()) -> BearingNumbers:
     """The numbers of a document whose first tables are those of bearings and pins."""
-    on_bearings, on_pins = (in_units(table.readable) for table in document.tables[:2])
+    on_bearings, on_pins, *_more = (in_units(table.readable) for table in document.tables)
     cells = [cell for table in (on_bearings, on_pins) for cell in _greatest(table)]
     return BearingNumbers(
         bearing_unit=_unit(on_bearings),

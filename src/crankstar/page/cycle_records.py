@@ -57,6 +57,7 @@ class Load(Shown):
     irregularity: float | None = Field(description="degree of, with every chamber burning")
     inertia: float | None = Field(description="of all that turns, kg m^2; null if not known")
     notes: tuple[str, ...] = Field(description="what is assumed, as sentences")
+    doubts: tuple[str, ...] = Field(description="what is hardly so, as sentences")
     tables: tuple[Table, ...] = Field(
         description="side thrust, and gears between crankshafts, with every chamber burning"
     )
@@ -77,9 +78,10 @@ class Torque(Shown):
 
 
 class Pipe(Shown):
-    """What shares an exhaust: its name, and the crank angles at which its chambers fire."""
+    """What shares an exhaust: its name, its chambers, and the crank angles at which they fire."""
 
     name: str
+    chambers: tuple[int, ...]
     fires: tuple[float, ...]
 
 

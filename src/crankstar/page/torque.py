@@ -21,6 +21,7 @@ from crankstar.language.messages import MessageError, _
 from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.excitation import Totals
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import added, chamber_torque, gas_torque
@@ -152,7 +153,11 @@ def exhaust(engine: Engine) -> Exhaust | None:
         back=sound.echo(sound.PIPE) / sound.RATE,
         reflected=sound.REFLECTED,
         pipes=tuple(
-            Pipe(name=group.name, fires=tuple(radians(angle[n]) for n in group.chambers))
+            Pipe(
+                name=group.name,
+                chambers=tuple(group.chambers),
+                fires=tuple(radians(angle[n]) for n in group.chambers),
+            )
             for group in exhaust_groups(engine)
         ),
     )
@@ -205,6 +210,7 @@ def _loads(
             irregularity=None if running is None else running.irregularity,
             inertia=None if running is None else running.inertia,
             notes=tuple(lines),
+            doubts=tuple(fault.sentence for fault in point_doubts(engine, burning)),
             tables=printed(_tables(engine, burning, running)),
         )
 

@@ -91,7 +91,7 @@ def torque_document(
         "point": cycle.name or None,
         "speed_rpm": None if turning is None else float(f"{turning * 30 / pi:.12g}"),
         "mean_torque": float(found.mean.sum()),
-        "brake_torque": mean,
+        "brake_torque": None if turning is None else mean,
         "power": None if turning is None else float(found.mean.sum()) * turning,
         "brake_power": None if turning is None else mean * turning,
         "imep": cycle.imep,

@@ -15,6 +15,8 @@ const WORDS = [
   message('mass'),
   message('pitch'),
   message('radius'),
+  message('true'),
+  message('false'),
   message('published'),
   message('computed'),
   message('unverified'),

@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact'
 import { useRef, useState } from 'preact/hooks'
+import { Coded } from '../coded'
 import { t } from '../language/messages'
 import { choiceText } from './choices'
 import { idOf, useSentences, useSession, useValue } from './context'
@@ -53,7 +54,7 @@ export function Labelled({
       <div class="taking">{children}</div>
       {field.help && (
         <p class={quiet ? 'unseen' : 'help'} id={`${id}-help`}>
-          {field.help}
+          <Coded text={field.help} />
         </p>
       )}
       <Sentences path={path} below={below} />
@@ -200,16 +201,24 @@ export function ChoiceField(props: FieldProps & { kind: Of<'choice'> }) {
   const session = useSession()
   const value = useValue(path) ?? field.initial
   const known = kind.among.includes(String(value))
+  const absent = value === undefined || value === null
   return (
     <Labelled {...props}>
       <select
         id={idOf(path)}
         aria-describedby={`${idOf(path)}-help`}
-        value={String(value)}
-        onChange={(event) => session.set(path, event.currentTarget.value)}
+        value={absent ? '' : String(value)}
+        onChange={({ currentTarget: { value: chosen } }) =>
+          session.set(path, kind.logical && chosen ? chosen === 'true' : chosen || undefined)
+        }
       >
-        {!known && (
-          <option value={String(value)}>{value === undefined ? t('choose') : String(value)}</option>
+        {absent ? (
+          <option value="">{field.required ? t('choose') : t('not given')}</option>
+        ) : (
+          <>
+            {!known && <option value={String(value)}>{String(value)}</option>}
+            {!field.required && field.initial == null && <option value="">{t('not given')}</option>}
+          </>
         )}
         {kind.among.map((each) => (
           <option key={each} value={each}>
@@ -244,7 +253,9 @@ export function MarksField(props: FieldProps & { kind: Of<'marks'> }) {
           {choiceText(each)}
         </label>
       ))}
-      <p class="help">{field.help}</p>
+      <p class="help">
+        <Coded text={field.help} />
+      </p>
       <Sentences path={path} below />
     </fieldset>
   )

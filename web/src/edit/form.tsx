@@ -1,3 +1,4 @@
+import { Coded } from '../coded'
 import { message, t } from '../language/messages'
 import { choiceText } from './choices'
 import { idOf, useSession } from './context'
@@ -29,6 +30,8 @@ const GROUPS: readonly Group[] = [
   { title: message('Individual cylinders'), keys: ['cylinders'], open: false },
   { title: message('Block'), keys: ['block'], open: false },
   { title: message('Valves or ports'), keys: ['valves'], open: false },
+  { title: message('Gas and load'), keys: ['gas', 'drive'], open: false },
+  { title: message('Torsional vibration'), keys: ['torsion'], open: false },
 ]
 const REST = message('Sources and notes')
 
@@ -78,7 +81,9 @@ function GroupOf({ title, open, fields }: Omit<Group, 'keys'> & { fields: readon
             )
               return (
                 <div key={key} class="within" id={idOf([key])} tabIndex={-1}>
-                  <p class="help">{key === 'layout' ? session.form.value?.help : field.help}</p>
+                  <p class="help">
+                    <Coded text={(key === 'layout' && session.form.value?.help) || field.help} />
+                  </p>
                   <Fields fields={kind.fields} path={[key]} />
                 </div>
               )

@@ -80,9 +80,17 @@ export function Editor({ service, engine, units = '', beside, shown }: Props) {
   )
 }
 
-/** Undo keys and dropped files on every tab; `opens` is called when a file is dropped. */
-export function EditAnywhere({ service, engine, shown, opens }: Props & { opens: () => void }) {
+interface Anywhere extends Props {
+  /** Called when a file is dropped. */
+  readonly opens: () => void
+  /** Called with the number of mistakes. */
+  readonly slips: (count: number) => void
+}
+
+/** Undo keys, dropped files and mistakes on every tab. */
+export function EditAnywhere({ service, engine, shown, opens, slips }: Anywhere) {
   const session = sessionOf(service, engine, shown)
+  useEffect(() => effect(() => slips(session.problems.value.length)), [session, slips])
   useEffect(() => session.adopt(engine), [session, engine])
   useEffect(() => undoKeys(session), [session])
   useEffect(() => keepingLast(session), [session])

@@ -1,5 +1,6 @@
 import type { ComponentChildren, JSX } from 'preact'
 import { useState } from 'preact/hooks'
+import { Coded } from '../coded'
 import { plural, t } from '../language/messages'
 import { idOf, useSession, useValue } from './context'
 import {
@@ -173,7 +174,9 @@ function Frame({
   return (
     <fieldset class={`field ${kind}`} id={idOf(path)} tabIndex={-1}>
       <legend>{field.label}</legend>
-      <p class="help">{field.help}</p>
+      <p class="help">
+        <Coded text={field.help} />
+      </p>
       {children}
       <Sentences path={path} below={below} />
     </fieldset>

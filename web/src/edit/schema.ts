@@ -6,7 +6,7 @@ import { at } from './tree'
 /** What a field of an engine file takes, read from the JSON Schema of the files. */
 export type Kind =
   | { readonly is: 'fixed'; readonly value: unknown }
-  | { readonly is: 'choice'; readonly among: readonly string[] }
+  | { readonly is: 'choice'; readonly among: readonly string[]; readonly logical?: boolean }
   | { readonly is: 'text'; readonly long: boolean }
   | { readonly is: 'number'; readonly whole: boolean; readonly low: number; readonly high: number }
   | { readonly is: 'ratio' }
@@ -89,6 +89,7 @@ function kindOf(schema: Tree, node: Node): Kind {
   const first = given[0] ?? {}
   if ('const' in first) return { is: 'fixed', value: first.const }
   if (first.enum) return { is: 'choice', among: strings(first.enum) }
+  if (first.type === 'boolean') return { is: 'choice', among: ['false', 'true'], logical: true }
   const measured = given.find((way) => 'x-dimension' in way)
   if (measured && first.type !== 'array') {
     const dimension = DIMENSIONS[text(measured['x-dimension'])] ?? 'other'

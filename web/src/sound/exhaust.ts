@@ -32,6 +32,20 @@ export function pulses({ fires }: Pipe, cycle: number, harmonic: number): [numbe
   return [Math.abs(real) <= rounding ? 0 : real, Math.abs(imaginary) <= rounding ? 0 : imaginary]
 }
 
+/** The exhaust without the pulses of some chambers. */
+export function silenced(exhaust: Exhaust, off: readonly number[]): Exhaust {
+  if (!off.length) return exhaust
+  const pipes = exhaust.pipes.map((pipe) => {
+    const kept = pipe.chambers.flatMap((chamber, place) => (off.includes(chamber) ? [] : [place]))
+    return {
+      ...pipe,
+      chambers: kept.map((place) => pipe.chambers[place] as number),
+      fires: kept.map((place) => pipe.fires[place] as number),
+    }
+  })
+  return { ...exhaust, pipes }
+}
+
 /** What pipes give together, each with its share. */
 export function heard({ cycle, pulse, pipes }: Exhaust, shares: readonly number[]): Heard {
   const real = new Float32Array(pulse.length + 1)

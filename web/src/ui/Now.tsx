@@ -29,7 +29,7 @@ export function Now() {
           key={index}
           exhibit={exhibit}
           name={other ? exhibit.name : ''}
-          gas={exhibit !== shown.value[index]}
+          gas={exhibit.orders !== shown.value[index]?.orders}
         />
       ))}
       {one && other && alike(one, other) && (
@@ -85,7 +85,7 @@ function Numbers({ exhibit, from, name, gas }: Props) {
           <div key={quantity}>
             <dt>
               <Term word={TERMS[quantity]}>{quantityName(quantity)}</Term>
-              {gas && quantity === 'roll' && <> {t('(with gas)')}</>}
+              {quantity === 'roll' && <> {gasText(exhibit, gas)}</>}
             </dt>
             <dd>
               {components.map(([sign, title]) => (
@@ -108,6 +108,14 @@ function Numbers({ exhibit, from, name, gas }: Props) {
       </dl>
     </div>
   )
+}
+
+/** Whether gas is in a rolling moment, where the file says what the gas does. */
+function gasText({ torque, speed_rpm: rpm }: Exhibit, gas = false): string {
+  if (gas) return t('(with gas)')
+  if (!torque || torque.loads.every(({ assumed }) => assumed)) return ''
+  if (!rpm) return t('(without gas)')
+  return t('(without gas, {rpm} rpm)', { rpm: Number(rpm.toPrecision(6)) })
 }
 
 /** By how much the numbers of the second engine are greater, in its units. */

@@ -67,6 +67,11 @@ export function Tabs() {
               onClick={() => choose(key)}
             >
               {t(label)}
+              {key === 'edit' && app.slips.value > 0 && (
+                <span class="badge" title={t('mistakes')}>
+                  {app.slips.value}
+                </span>
+              )}
             </button>
           ))}
         </div>
@@ -81,6 +86,11 @@ export function Tabs() {
         data-panel={panel.key}
       >
         <h2 class="unseen">{t(panel.label)}</h2>
+        {panel.key !== 'edit' && app.slips.value > 0 && (
+          <p class="doubt" role="status">
+            {t('The engine that is edited has mistakes: this is the last one without.')}
+          </p>
+        )}
         {panel.of !== 'all' && <EngineChoice />}
         {panel.of === 'each' ? (
           <Each key={panel.key} Part={Content} />

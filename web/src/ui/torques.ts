@@ -31,12 +31,12 @@ export function useOff(): readonly [readonly number[], (number: number) => void]
   return [off, toggle]
 }
 
-/** What chooses a load of an engine, from 0. */
-export function useLoad(): (load: number) => void {
+/** What chooses a load by its name, of every engine that has one of that name. */
+export function useLoad(): (load: string) => void {
   const { store } = useApp()
   return (load) => {
     const { 'torque.load': _, ...others } = store.choices.value
-    store.choices.value = load ? { ...others, 'torque.load': String(load + 1) } : others
+    store.choices.value = load ? { ...others, 'torque.load': load } : others
   }
 }
 

@@ -9,13 +9,19 @@ import {
   heardAt,
   peakOf,
   pulses,
+  silenced,
 } from '../../src/sound/exhaust'
 
 const DEG = Math.PI / 180
 const CYCLE = 720 * DEG
 const WIDTH = 60
 
-const pipe = (...degrees: number[]): Pipe => ({ name: '', fires: degrees.map((at) => at * DEG) })
+const pipe = (...degrees: number[]): Pipe => ({
+  name: '',
+  chambers: degrees.map((_, place) => place + 1),
+  fires: degrees.map((at) => at * DEG),
+})
+
 const CROSS = pipe(0, 180, 450, 630)
 const FLAT = pipe(0, 180, 360, 540)
 
@@ -92,4 +98,12 @@ test('echoes are each upside down to the one before and end where they are faint
 test('an engine is heard at its speed, which the slider of the page sets', () => {
   expect(heardAt(0.4)).toBe(1200)
   expect(cyclesAt(1200, exhaust())).toBeCloseTo(10, 12)
+})
+
+test('a chamber without combustion sends no pulse, the others as before', () => {
+  const exhaust = { cycle: CYCLE, pulse: [1, 1], back: 0, reflected: 0, pipes: [FLAT] }
+  const [left] = silenced(exhaust, [2]).pipes
+  expect(left?.chambers).toEqual([1, 3, 4])
+  expect(left && pulses(left, CYCLE, 1)).toEqual([expect.closeTo(0, 12), expect.closeTo(1, 12)])
+  expect(silenced(exhaust, [])).toBe(exhaust)
 })

@@ -2,7 +2,7 @@ import { useEffect, useMemo } from 'preact/hooks'
 import type { Exhaust } from '../../exhibit'
 import { message, t } from '../../language/messages'
 import { reasonOf } from '../../reason'
-import { FASTER, heardAt, pulses } from '../../sound/exhaust'
+import { FASTER, heardAt, pulses, silenced } from '../../sound/exhaust'
 import { createPlayer } from '../../sound/player'
 import { Bars } from '../Bars'
 import { Choice } from '../Choice'
@@ -11,6 +11,7 @@ import { Each } from '../Each'
 import { Icon } from '../icons'
 import type { Panel } from '../panel'
 import { Term } from '../Term'
+import { useOff } from '../torques'
 
 export const sound: Panel = {
   key: 'sound',
@@ -27,9 +28,10 @@ function Sound() {
   const { shown, subjects, store, trouble } = useApp()
   const [speed, choose] = useChoice<'page' | 'engine'>('sound.speed', ['page', 'engine'])
   const player = useMemo(createPlayer, [])
+  const [off] = useOff()
   const engines = subjects.value.flatMap((place) => {
     const exhibit = shown.value[place]
-    return exhibit?.exhaust ? [{ place, exhibit, exhaust: exhibit.exhaust }] : []
+    return exhibit?.exhaust ? [{ place, exhibit, exhaust: silenced(exhibit.exhaust, off) }] : []
   })
   const slow = heardAt(store.pace.value)
   const own = engines.some(({ exhibit }) => exhibit.speed_rpm)
@@ -49,7 +51,7 @@ function Sound() {
   useEffect(() => {
     // another engine has come on the stage
     player.stop()
-  }, [...engines.map(({ exhibit }) => JSON.stringify(exhibit.exhaust))])
+  }, [...engines.map(({ exhaust }) => JSON.stringify(exhaust))])
   useEffect(() => () => player.dispose(), [])
   return (
     <>
@@ -107,6 +109,13 @@ function Sound() {
           chosen={choose}
         />
       </div>
+      {off.length > 0 && (
+        <p>
+          {t('Without combustion, and silent here: cylinders {numbers}.', {
+            numbers: off.join(', '),
+          })}
+        </p>
+      )}
       <Each Part={ExhaustOrders} />
       <p class="soft small">
         {t(
@@ -124,7 +133,9 @@ const ownOf = (rpm: number | null | undefined): string =>
 function ExhaustOrders() {
   const exhibit = useExhibit()
   const { exhaust } = exhibit
-  const shown = useMemo(() => exhaust && ordersOf(exhaust), [exhaust])
+  const [off] = useOff()
+  const key = off.join()
+  const shown = useMemo(() => exhaust && ordersOf(silenced(exhaust, off)), [exhaust, key])
   if (!shown) return <p>{t('This engine has no firing order: give firing_order in its file.')}</p>
   return (
     <>

@@ -1,4 +1,5 @@
 import { useMemo } from 'preact/hooks'
+import { Coded } from '../../coded'
 import type { Exhibit, Table } from '../../exhibit'
 import { message, t } from '../../language/messages'
 import { curvesOf, noted, sizeAt, type Torques, torquesOf, unevenness } from '../../torque'
@@ -155,12 +156,16 @@ function OfEngine() {
       {drawn === 'apart' && <Apart torques={torques} />}
       <ByOrder torques={torques} />
       <Curves
-        label={t('Rolling moment on the block, clockwise')}
+        label={
+          setting.driveline
+            ? t('Rolling moment on the block, clockwise, without its mean')
+            : t('Rolling moment on the block, clockwise')
+        }
         series={shown.rolls}
         extent={shown.rolled}
         {...common}
       />
-      {setting.gas === 'burning' && torques.load?.tables.map(Beside)}
+      {setting.gas === 'burning' && !setting.off.length && torques.load?.tables.map(Beside)}
     </div>
   )
 }
@@ -196,27 +201,36 @@ function Basis({ exhibit, torques }: { exhibit: Exhibit; torques: Torques }) {
       {loads.length > 1 && (
         <Choice
           label={t('Operating point')}
-          value={String(loads.indexOf(load))}
-          choices={loads.map(({ name }, index) => ({
-            value: String(index),
+          value={load.name}
+          choices={loads.map(({ name }) => ({
+            value: name,
             label: name || t('of the table [gas]'),
           }))}
-          chosen={(value) => choose(Number(value))}
+          chosen={choose}
         />
       )}
       {!inertia && (
         <p>
-          {t('Without a speed or without masses there is no inertia torque: this is gas alone.')}
+          {load.speed === null
+            ? t('Without a speed there is no inertia torque: this is gas alone.')
+            : t('Without masses there is no inertia torque: this is gas alone.')}
         </p>
       )}
-      <details class="torque-basis">
+      {load.doubts.map((doubt) => (
+        <p key={doubt} class="doubt">
+          {doubt}
+        </p>
+      ))}
+      <details class="torque-basis" hidden={!torques.gas}>
         <summary>
           {t('What the gas torque rests on')}
           {load.assumed && <span class="badge">{t('the load is assumed')}</span>}
         </summary>
         <ul>
           {load.notes.map((note) => (
-            <li key={note}>{note}</li>
+            <li key={note}>
+              <Coded text={note} />
+            </li>
           ))}
         </ul>
       </details>
@@ -352,7 +366,10 @@ function ByOrder({ torques }: { torques: Torques }) {
       <Bars label={t('Torque by order')} {...{ unit, series, orders: shownOrders }} />
       {gas && orders.some((order) => !Number.isInteger(order)) && (
         <p>
-          <Halves orders={orders} wave={gas} />
+          <Halves orders={orders} wave={gas} />{' '}
+          {torques.chambers.some(({ burns }) => !burns) && (
+            <Slow count={torques.chambers.length} turns={torques.turns} />
+          )}
         </p>
       )}
       <details class="amplitudes">
@@ -372,6 +389,16 @@ function ByOrder({ torques }: { torques: Torques }) {
     </>
   )
 }
+
+/** What a chamber without combustion brings. */
+const Slow = ({ count, turns }: { count: number; turns: number }) => (
+  <>
+    {t(
+      'A cylinder without combustion brings orders below {order}, the firings of a turn: slow ones, which are felt as shaking.',
+      { order: count / turns },
+    )}
+  </>
+)
 
 /** Which half orders there are: the greatest of them. */
 function Halves({ orders, wave }: { orders: readonly number[]; wave: Torques['roll'] }) {
