@@ -18,6 +18,7 @@ from crankstar import spectra
 from crankstar.dynamics.bearings import bearing_loads
 from crankstar.files.catalog import load
 from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.gas import cycle
 from crankstar.page import exhibition
 from crankstar.page.library import held
 from crankstar.page.standalone import INCOMPLETE, document
@@ -153,6 +154,24 @@ def test_loads_on_bearings_are_those_of_python_at_every_angle(
         for place, top in zip(peaks, spectra.peaks(spectrum).tolist(), strict=True):
             if top > 1e-9 * largest:
                 assert math.hypot(*place) == pytest.approx(top / largest, abs=1e-3)
+
+
+@pytest.mark.long
+def test_loads_with_gas_are_those_of_the_first_operating_point(
+    built_page: Build, page: Page
+) -> None:
+    engine = load("audi-25-tfsi")
+    opened(page, built_page("audi-25-tfsi"), "a=0&tab=bearings&bearings.gas=with")
+    spectrum = bearing_loads(engine, cycle=cycle(engine)).load
+    largest = float(spectra.peaks(spectrum).max())
+    expect(page.get_by_text("operating point full, 6500 rpm")).to_be_visible()
+    heads = page.locator(".polar-loads .now circle")
+    for angle in (16.0, 160.0, 594.0):
+        turned(page, angle)
+        for row, (right, up) in enumerate(heads.evaluate_all(CENTRES)):
+            vector = complex(spectra.value(spectrum[row], math.radians(angle)))
+            assert complex(-up, right) == pytest.approx(vector / largest, abs=2e-3)
+    expect(page.get_by_role("heading", name="Wear of journals and pins")).to_be_visible()
 
 
 def test_figures_follow_the_crank_angle(built_page: Build, page: Page) -> None:

@@ -179,7 +179,7 @@ def test_an_operating_point_and_its_irregularity_are_those_of_python(
         compared(page, answer)
         uneven = facts(page)["degree of irregularity"]
         assert uneven == pytest.approx(answer["irregularity"], rel=6e-4)
-    page.wait_for_function("() => location.hash.includes('torque.load=2')")
+    page.wait_for_function("() => location.hash.includes('torque.load=full')")
     expect(page.locator(".torque-basis .badge")).to_have_count(0)
     page.get_by_role("checkbox", name="4", exact=True).check()
     linear = facts(page)["degree of irregularity, linear estimate"]

@@ -142,7 +142,9 @@ const orders: Field<readonly number[] | null> = {
 
 /** What a choice within a panel is called in an address, and what it may be. */
 const CHOICE = /^[a-z]{1,20}\.[a-z]{1,20}$/
-const CHOSEN = /^[^\p{C}<>]{1,200}$/u
+const CHOSEN = /^[\w-]{1,120}$/
+/** Choices by a name that a file gives: any text. */
+const NAMED: Readonly<Record<string, RegExp>> = { 'torque.load': /^[^\p{C}]{1,200}$/u }
 const MOST_CHOICES = 32
 
 type Single = Omit<State, 'choices'>
@@ -197,7 +199,9 @@ export function stateOf(text: string): State {
     if (value !== undefined) Object.assign(state, { [name]: value })
   }
   for (const name of SINGLE) take(name)
-  const choices = [...given].filter(([name, value]) => CHOICE.test(name) && CHOSEN.test(value))
+  const choices = [...given].filter(
+    ([name, value]) => CHOICE.test(name) && (NAMED[name] ?? CHOSEN).test(value),
+  )
   return { ...state, choices: Object.fromEntries(choices.slice(0, MOST_CHOICES)) }
 }
 

@@ -4,6 +4,7 @@ import { phaseOf, signalAt, turn } from '../src/phasor'
 import {
   curvesOf,
   delayed,
+  loadOf,
   noted,
   offOf,
   offText,
@@ -15,6 +16,7 @@ import {
   torquesOf,
   unevenness,
   withGasRoll,
+  withoutPower,
 } from '../src/torque'
 import { exhibit } from './stage/engine'
 
@@ -179,4 +181,23 @@ test('what is chosen goes into links and comes back', () => {
     settingOf({ 'torque.gas': 'still', 'torque.off': '3', 'torque.mount': 'together' }),
   ).toEqual({ load: '', gas: 'still', off: [3], driveline: false })
   expect(settingOf({ 'torque.gas': '<b>' })).toEqual(BOTH)
+})
+
+test('a load is found by its name, and the first stands for one that is not there', () => {
+  const one = torque({ loads: [load({ name: 'full' }), load({ name: 'idle' })] })
+  expect(loadOf(one, { load: 'idle' })?.name).toBe('idle')
+  expect(loadOf(one, { load: 'half' })?.name).toBe('full')
+  expect(loadOf(one, { load: '' })?.name).toBe('full')
+})
+
+test('a chamber that is off has no power stroke on the stage, the others have theirs', () => {
+  const window = (chamber: number, stroke: 'power' | 'exhaust') =>
+    ({ chamber, stroke, from_deg: 0, to_deg: 180 }) as const
+  const stroke_windows = [window(1, 'power'), window(2, 'power'), window(2, 'exhaust')]
+  const whole = exhibit({ stroke_windows })
+  expect(withoutPower(whole, [])).toBe(whole)
+  expect(withoutPower(whole, [2]).stroke_windows).toEqual([
+    window(1, 'power'),
+    window(2, 'exhaust'),
+  ])
 })
