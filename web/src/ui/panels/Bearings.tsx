@@ -1,4 +1,5 @@
 import { useMemo, useRef } from 'preact/hooks'
+import { Coded } from '../../coded'
 import type { BearingNumbers, Exhibit, LoadShown, Bearings as Loads } from '../../exhibit'
 import { message, t } from '../../language/messages'
 import { Choice } from '../Choice'
@@ -113,7 +114,7 @@ function Diagrams() {
                 unit: unitOf(numbers, on),
               },
             )}{' '}
-        {numbers.about.join(' ')} {on === 'bearing' && bearings.model}{' '}
+        <Coded text={numbers.about.join(' ')} /> {on === 'bearing' && bearings.model}{' '}
         {numbers.estimated && <span class="badge">{t('estimated, with ranges')}</span>}
       </p>
       <div class="polar-loads" data-on={on} data-frame={frame}>
