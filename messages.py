@@ -89,6 +89,7 @@ MESSAGE_ERRORS = [
     "ErrataError",
     "GasError",
     "NoSuchKeyError",
+    "OilFilmError",
     "OutputError",
     "PageError",
     "PrintingError",

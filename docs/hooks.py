@@ -22,7 +22,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from crankstar.engine import engine, gas, layouts, records, torsion
+from crankstar.engine import engine, gas, layouts, oil, records, torsion
 from crankstar.engine.basis import BalanceShaft, Crankshaft, CrankWeight, Override, Sizes
 from crankstar.engine.records import Record
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
@@ -53,6 +53,8 @@ TABLES: dict[str, type[Record]] = {
     "operating point": gas.OperatingPoint,
     "trace": gas.Trace,
     "drive": records.Drive,
+    "oil": records.Oil,
+    "plain bearing": oil.PlainBearing,
     "torsion": records.Torsion,
     "crank dimensions": torsion.CrankDimensions,
     "disc": torsion.Disc,
@@ -81,6 +83,8 @@ SECTIONS: dict[type[Record], str] = {
     records.Valves: "[valves](#valves)",
     records.Gas: "[gas](#gas)",
     records.Drive: "[drive](#drive)",
+    records.Oil: "[oil](#oil)",
+    oil.PlainBearing: "[bearings](#oil)",
     records.Torsion: "[torsion](#torsion)",
     torsion.CrankDimensions: "[dimensions](#torsion)",
     torsion.Disc: "[discs](#torsion)",
@@ -190,6 +194,7 @@ def _value(info: FieldInfo) -> str:
     if quantity is not None:
         kind = "a length" if quantity.dimension == "length" else quantity.dimension
         kind = kind.removeprefix("a ") + ("s" if many and not kind.endswith("crankshaft") else "")
+        kind = kind.replace("stiffnesss", "stiffnesses")
         kind = kind.replace("length along", "lengths along") if many else kind
         return (
             f'{many}{kind}, `["{quantity.example}", ...]`'

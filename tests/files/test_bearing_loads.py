@@ -73,3 +73,35 @@ def test_an_unknown_model_is_refused(run: Run) -> None:
     refused = run("bearings", "i4", "--model", "elastic")
     assert refused.code == 2
     assert "determinate, continuous" in refused.err
+
+
+SETTINGS = (
+    "oil.viscosity=8 mPa*s",
+    "oil.main.diameter=58 mm",
+    "oil.main.length=20 mm",
+    "oil.main.clearance=25 um",
+    "oil.pin.diameter=47.8 mm",
+    "oil.pin.length=20 mm",
+)
+
+
+def test_the_printed_pressures_are_loads_over_diameter_times_length(run: Run) -> None:
+    settings = [word for each in SETTINGS for word in ("--set", each)]
+    tree = json.loads(run("bearings", "audi-25-tfsi", "--gas", *settings, "--json").out)
+    engine = load("audi-25-tfsi")
+    loads = bearing_loads(engine, cycle=cycle(engine))
+    rows = {row["journal"]: row for row in tree["films"]}
+    peaks = spectra.peaks(loads.load).tolist()
+    assert rows["main 2"]["pressure"] == pytest.approx(peaks[1] / (0.058 * 0.020), rel=1e-4)
+    pin = float(spectra.peaks(loads.pin)[0]) / (0.0478 * 0.020)
+    assert rows["pin 1"]["pressure"] == pytest.approx(pin, rel=1e-4)
+    assert rows["pin 1"]["film"] is None  # without a clearance
+    assert 1 < rows["main 2"]["film"] < 25
+    text = run("bearings", "audi-25-tfsi", "--gas", *settings).out
+    assert "least film" in text
+    assert "give clearance and oil.viscosity" in text
+
+
+def test_a_unit_of_another_kind_is_one_sentence(refused: Callable[..., str]) -> None:
+    told = refused("bearings", "audi-25-tfsi", "--set", "oil.viscosity=8 mm")
+    assert 'viscosity is needed, such as "8 mPa*s"' in told

@@ -46,6 +46,7 @@ LINES = [
     "strokes i4",
     "sweep single --over balance_factor=0..1/3",
     "torque audi-25-tfsi",
+    "torsion audi-25-tfsi --set torsion.inertia='10 g*m^2' --set torsion.stiffness='500 kN*m/rad'",
     "vees 4 --row 1",
     "vees 4",
     "verdict single",

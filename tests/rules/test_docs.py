@@ -303,6 +303,8 @@ NO_TERMS = {
     *("forces that the uneven speed changes", "torque of gas and inertia", "exhaust pulses"),
     *("torque by order, gas at {pressure}", "rolling moment on the block"),
     *("diameter", "inertia", "masses", "response", "at speed", "where", "from", "to", "heat"),
+    *("journal", "mean load", "pressed most at", "pressed least at"),
+    *("greatest pressure", "mean pressure", "least film", "eccentricity"),
     *("free end", "torque in {shaft}", "sum of amplitudes", "by order at this speed"),
 }
 """Headings that are plain words."""

@@ -7,6 +7,7 @@
 | `provenance` | where a value comes from, and its range if it is estimated |
 | `gas` | the gas in the cylinders: a cycle by few numbers or a measured trace, and loads |
 | `drive` | flywheel and load |
+| `oil` | sizes of main bearings and crank pins, and their oil |
 | `torsion` | the crankshaft as it twists: inertias, stiffnesses, discs, dampers, pendulums |
 | `records` | the frozen records: shafts, throws, weights, cylinders, rods, valves, block |
 | `assembly` | shafts and cylinders put together, and what follows without motion |

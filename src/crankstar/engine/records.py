@@ -19,6 +19,7 @@ from crankstar.engine.cylinder_parts import Rod as Rod
 from crankstar.engine.cylinder_parts import required_without_parts
 from crankstar.engine.drive import Drive as Drive
 from crankstar.engine.gas import Gas as Gas
+from crankstar.engine.oil import Oil as Oil
 from crankstar.engine.provenance import Provenance as Provenance
 from crankstar.engine.quantities import (
     Angle,
@@ -375,6 +376,9 @@ class Identity(Record):
         default=None, description="gas in the cylinders: cycle or measured pressure, and loads"
     )
     drive: Drive | None = Field(default=None, description="flywheel, and what the engine drives")
+    oil: Oil | None = Field(
+        default=None, description="sizes of main bearings and crank pins, and their oil"
+    )
     torsion: Torsion | None = Field(
         default=None, description="the crankshaft as it twists, and what turns with it"
     )

@@ -189,9 +189,10 @@ def _unknown_key(path: Path, model: type[Record]) -> Fault:
 
 
 def _home(key: str, model: type[Record]) -> str | None:
-    """The table of a file that has this key."""
+    """The table of a file that has this key; of several the cylinder's."""
     tables = {name: record_in(info.annotation) for name, info in by_key(model).items()}
-    return next((name for name, held in tables.items() if held and key in by_key(held)), None)
+    homes = [name for name, held in tables.items() if held and key in by_key(held)]
+    return "cylinder" if "cylinder" in homes else next(iter(homes), None)
 
 
 def unknown_sources(tree: Tree, forms: Iterable[type[Record]]) -> Iterator[Fault]:

@@ -256,6 +256,7 @@ _OPTIONAL = {
     "block",
     "gas",
     "drive",
+    "oil",
     "torsion",
     "firing_order",
     "firing_angles",

@@ -19,6 +19,7 @@ _DIMENSIONS = {
     "torsional stiffness": N_("a torsional stiffness"),
     "torsional damping": N_("a torsional damping"),
     "elastic modulus": N_("an elastic modulus"),
+    "viscosity": N_("a viscosity"),
     "pressure": N_("a pressure"),
     "temperature": N_("a temperature"),
     "area": N_("an area"),

@@ -45,6 +45,7 @@ hectopascal = 100 * pascal = hPa
 kilopascal = 1000 * pascal = kPa
 megapascal = 1e6 * pascal = MPa
 gigapascal = 1e9 * pascal = GPa
+millipascal = 1e-3 * pascal = mPa
 bar = 1e5 * pascal = bars
 millibar = 100 * pascal = mbar
 atmosphere = 101325 * pascal = atm

@@ -1,4 +1,4 @@
-"""The part of the vocabulary of options that is about how much the engine does."""
+"""The part of the vocabulary of options about loads and twist."""
 
 from __future__ import annotations
 
@@ -31,6 +31,7 @@ LOADS = {
         ("--mean-pressure",),
     ),
     "--gas": Option("nothing", "With the gas pressure of an operating point.", ("--gas-pressure",)),
+    "--modes": Option("whole number", "How many modes are shown.", ("--number-of-modes",)),
     "--motored": Option("nothing", "The engine is turned and burns nothing.", ("--cold",)),
     "--off": Option(
         "text", "Cylinders that do not fire, as in 2,3; the others burn as much.", ("--misfire",)

@@ -202,7 +202,6 @@ _MOST = {
         "Crankshaft on its main bearings: determinate (hinged at each) or continuous (one beam).",
         ("--beam",),
     ),
-    "--modes": Option("whole number", "How many modes are shown.", ("--number-of-modes",)),
     "--notation": Option(
         "text",
         "Symbols: crankstar (r, l, λ = r/l), stroke (S, L = l/S) or sinitsyn (P_R, C_I, C_II, l0).",

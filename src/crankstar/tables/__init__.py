@@ -36,6 +36,7 @@
 | `pair_sweeps` | a sweep of two numbers, its best pairs and its front |
 | `over_speeds` | amplitudes over the speed |
 | `wear` | where journals and pins are pressed most and least |
+| `oil_films` | specific pressures of main bearings and crank pins, and their least oil film |
 | `bearings` | loads on main bearings and crank pins, guide forces |
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |

@@ -21,6 +21,7 @@ from crankstar.mechanics.gas import Cycle
 from crankstar.spectra import Spectrum
 from crankstar.tables.conditions import unit_sentence, unit_sizes
 from crankstar.tables.headings import heading
+from crankstar.tables.oil_films import film_table
 from crankstar.tables.paths import shape
 from crankstar.tables.scales import scales
 from crankstar.tables.table import Column, Document, Table, Value, remarks
@@ -69,6 +70,7 @@ def bearing_document(
         unit_sentence(engine, result),
         unit_sizes(engine, result),
     )
+    films = film_table(engine, loads)
     facts = {
         "engine": engine.name,
         "model": model,
@@ -85,6 +87,7 @@ def bearing_document(
             pins(loads),
             walls(loads),
             wear_table(engine, loads),
+            *(() if films is None else (films,)),
             bending(engine, speed=turning, model=model, cycle=cycle),
         ),
         facts,
