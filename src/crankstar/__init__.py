@@ -25,7 +25,7 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `derive/` | exact closed forms step by step; their `algebra/`; `errata/` of published formulas |
 | `remedy/` | what is sized and added so that it shakes less: weights, shafts; gives an Engine |
 | `files/` | outside data to Engine and back: TOML, JSON, units; schema, starters, the catalog |
-| `dynamics/` | what the excitation does: the free block, uneven running, loads on main bearings |
+| `dynamics/` | what the excitation does: free block, uneven running, bearings and oil, twist |
 | `mechanics/` | excitation by cause: inertia, gas; what counts as zero, which orders are shown |
 | `firing/` | firing orders and intervals, given or found; strokes, exhaust; V engines |
 | `engine/` | records, what makes them valid, quantities, layouts, motion, changed copies |
