@@ -105,3 +105,18 @@ def test_the_printed_pressures_are_loads_over_diameter_times_length(run: Run) ->
 def test_a_unit_of_another_kind_is_one_sentence(refused: Callable[..., str]) -> None:
     told = refused("bearings", "audi-25-tfsi", "--set", "oil.viscosity=8 mm")
     assert 'viscosity is needed, such as "8 mPa*s"' in told
+
+
+def test_bearings_out_of_all_proportion_are_refused_together(refused: Callable[..., str]) -> None:
+    slips = ("oil.main.diameter=58 mm", "oil.main.length=200 mm", "oil.main.clearance=40 mm")
+    told = refused("bearings", "audi-25-tfsi", *(w for each in slips for w in ("--set", each)))
+    assert "oil.main.clearance is 40000 um" in told
+    assert "oil.main.length is 200 mm" in told
+
+
+@pytest.mark.parametrize("verb", ["bearings", "torque"])
+def test_cylinders_that_are_off_are_named(run: Run, verb: str) -> None:
+    words = [verb, "audi-25-tfsi", "--point", "idle", "--off", "2"]
+    out = run(*words).out
+    assert "ithout combustion" in out
+    assert json.loads(run(*words, "--json").out)["off"] == [2]

@@ -31,7 +31,7 @@ SLOWEST, FASTEST = 0.25, 1.1
 SAME_ORDER = 1e-9
 GREATEST_UNKNOWNS = 4000
 """Of the model with the inertia of each angle: beyond, its matrix is too large."""
-HIGHEST_CRITICAL = 12.0
+HIGHEST_CRITICAL = 24.0
 """The highest order of critical speeds where none is asked for."""
 
 

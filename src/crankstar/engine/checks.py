@@ -14,7 +14,7 @@ from typing import Any
 from crankstar.engine import gas_checks, main_bearings, torsion_checks, valves
 from crankstar.engine.assembly import Assembly
 from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE
-from crankstar.engine.records import Block, Cylinder, Shaft
+from crankstar.engine.records import Block, Cylinder, Oil, Shaft
 from crankstar.language.faults import Fault
 from crankstar.language.quoting import seen
 
@@ -25,6 +25,8 @@ Nearer to locking forces grow without limit; no real engine is there.
 """
 ROUNDED = 1e-3
 """Share by which moments of inertia given to a few figures may miss what they must be."""
+GREATEST_CLEARANCE, GREATEST_LENGTH_RATIO = 0.01, 2.0
+"""Greatest radial clearance and length of a plain bearing, in diameters."""
 GREATEST_CHAIN = 8
 """Greatest number of rods in a chain; real engines have one slave rod on a master."""
 GREATEST_TURNS = 2000
@@ -46,9 +48,28 @@ def faults(engine: Assembly) -> Iterator[Fault]:
     )
     yield from torsion_checks.faults(engine)
     yield from main_bearings.faults(engine)
+    yield from _oil_faults(engine.oil)
     yield from _block_faults(engine.block)
     if len(set(engine.relative)) != len(engine.relative):
         yield Fault(("relative",), "relative.repeated")
+
+
+def _oil_faults(oil: Oil | None) -> Iterator[Fault]:
+    """Bearings that no engine has: a clearance, a length out of all proportion."""
+    for kind in ("main", "pin"):
+        bearing = None if oil is None else getattr(oil, kind)
+        if bearing is None:
+            continue
+        values = {"diameter": bearing.diameter * 1e3}
+        if (
+            bearing.clearance is not None
+            and bearing.clearance > GREATEST_CLEARANCE * bearing.diameter
+        ):
+            more = {"value": bearing.clearance * 1e6, "usual": bearing.diameter * 500}
+            yield Fault(("oil", kind, "clearance"), "oil.clearance", values | more)
+        if bearing.length > GREATEST_LENGTH_RATIO * bearing.diameter:
+            more = {"value": bearing.length * 1e3}
+            yield Fault(("oil", kind, "length"), "oil.length", values | more)
 
 
 def _block_faults(block: Block | None) -> Iterator[Fault]:

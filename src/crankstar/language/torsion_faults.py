@@ -1,10 +1,17 @@
-"""The sentences of mistakes in the table [torsion] of an engine, and in a chain."""
+"""The sentences of mistakes in the tables [torsion] and [oil] of an engine, and in a chain."""
 
 from __future__ import annotations
 
 from crankstar.language.messages import N_, Plural
 
 SENTENCES: dict[str, str | Plural] = {
+    "oil.clearance": N_(
+        "{where} is {value} um for a diameter of {diameter} mm; radial clearances are about "
+        "{usual} um: um, mm?"
+    ),
+    "oil.length": N_(
+        "{where} is {value} mm for a diameter of {diameter} mm; give the length of one bearing"
+    ),
     "torsion.crankshafts": N_(
         "{where} is given for an engine with {count} crankshafts; torsion of several geared "
         "crankshafts is not computed yet: leave it out"

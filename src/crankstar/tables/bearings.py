@@ -12,7 +12,7 @@ from crankstar.dynamics.bearings import BearingLoads, Model, bearing_loads, bend
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.language.numbers import NEGLIGIBLE, number, numbers_text
 from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import balance
@@ -66,6 +66,9 @@ def bearing_document(
     result = balance(engine, speed=turning)
     notes = (
         *(() if cycle is None else gas_sentences(cycle)),
+        _("By order those with a fifth of the greatest are listed; --orders all has them all.")
+        if cycle is not None and not machine
+        else "",
         _(MODELS[model]),
         unit_sentence(engine, result),
         unit_sizes(engine, result),
@@ -76,7 +79,11 @@ def bearing_document(
         "model": model,
         "speed_rpm": None if loads.speed is None else float(f"{loads.speed * 30 / pi:.12g}"),
         "unit": loads.unit,
-        **({} if cycle is None else {"point": cycle.name or None, "imep": cycle.imep}),
+        **(
+            {}
+            if cycle is None
+            else {"point": cycle.name or None, "imep": cycle.imep, "off": list(cycle.off)}
+        ),
     }
     return Document(
         engine.name,
@@ -151,6 +158,8 @@ def gas_sentences(cycle: Cycle) -> tuple[str, ...]:
         ]
     if cycle.assumed:
         lines.append(_("Part of the cycle is assumed: `crankstar torque` names what."))
+    if cycle.off:
+        lines.append(_("Without combustion: cylinders {numbers}.", numbers=numbers_text(cycle.off)))
     return tuple(lines)
 
 

@@ -13,7 +13,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, numbers_text
 from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.doubts import point_doubts
@@ -201,6 +201,9 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
     if cycle.name:
         named = one_line(cycle.name, longest=60)
         title = _("{title}, operating point {point}", title=title, point=named)
+    if cycle.off:
+        off = numbers_text(cycle.off)
+        title = _("{title}, without combustion in {numbers}", title=title, numbers=off)
     return _pairs(title, rows)
 
 

@@ -106,10 +106,16 @@ def _facts(source: Engine | Chain, found: TorsionAnalysis) -> dict[str, Any]:
 
 
 def _of_note(criticals: Sequence[Critical]) -> list[Critical]:
-    """The critical speeds that readers are told: those that do something, by speed."""
+    """The critical speeds that readers are told: those that do something, by speed.
+
+    By the work of the excitation at its equilibrium amplitude, which does not depend on the mass
+    at which a shape is 1.
+    """
 
     def strength(each: Critical) -> float:
-        return each.equilibrium if each.equilibrium is not None else each.vector_sum or 1.0
+        if each.equilibrium is None or each.torque is None:
+            return each.vector_sum or 1.0
+        return (each.torque * each.equilibrium) ** 0.5
 
     top = max(map(strength, criticals), default=0.0)
     kept = [each for each in criticals if strength(each) >= OF_NOTE * top]
