@@ -45,6 +45,11 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `contours` | lines along which a result has one value, with their labels |
 | `pair_sweeps` | results over two numbers of the engine, and the front of two results |
 | `amplitudes` | amplitudes over the speed |
+| `torsion_words` | what figures of torsion say, and why there are none |
+| `mode_shapes` | the shapes of torsional modes along the chain |
+| `campbell` | natural frequencies and orders over the speed |
+| `torsion_responses` | torsional vibration over the speed |
+| `torsion_stars` | the vectors of the cylinders of an order in a mode |
 | `errata` | a printed formula beside the true one |
 | `front_axes` | the axes of a front, straight or logarithmic |
 | `search_values` | the values and firing orders of found stars as text |
@@ -67,6 +72,7 @@ from typing import TYPE_CHECKING, Any
 from crankstar.charts.amplitudes import amplitudes
 from crankstar.charts.balance_shafts import balance_shaft_chart
 from crankstar.charts.bending import bending_chart
+from crankstar.charts.campbell import campbell
 from crankstar.charts.canvas import Canvas, drawn_on
 from crankstar.charts.crank_stars import crank_star
 from crankstar.charts.curve_names import names_of
@@ -79,6 +85,7 @@ from crankstar.charts.estimates import over_ranges
 from crankstar.charts.exhaust_orders import exhaust_order_chart
 from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.hodographs import hodograph
+from crankstar.charts.mode_shapes import mode_shapes
 from crankstar.charts.pair_sweeps import contours
 from crankstar.charts.paper import Paper, Print, printed
 from crankstar.charts.polar_loads import polar_loads
@@ -90,6 +97,8 @@ from crankstar.charts.spectra import spectrum
 from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sweeps import swept
 from crankstar.charts.torque import torque_chart
+from crankstar.charts.torsion_responses import torsion_response_chart
+from crankstar.charts.torsion_stars import torsion_star
 from crankstar.charts.vector_stars import polygon, vector_star
 from crankstar.engine.arguments import of_engines
 
@@ -110,6 +119,7 @@ __all__ = [
     "balance_shaft_chart",
     "bending_chart",
     "best_stars",
+    "campbell",
     "contours",
     "crank_star",
     "drawn_on",
@@ -118,6 +128,7 @@ __all__ = [
     "force_arrows",
     "hodograph",
     "judged",
+    "mode_shapes",
     "names_of",
     "over_ranges",
     "over_rods",
@@ -137,6 +148,8 @@ __all__ = [
     "svg",
     "swept",
     "torque_chart",
+    "torsion_response_chart",
+    "torsion_star",
     "vector_star",
 ]
 

@@ -127,8 +127,12 @@ def said_pressure(pressure: float) -> str:
 
 def without(engine: Engine, *, title: str, reason: str) -> Chart:
     """A figure that says why there is no curve."""
+    return figure([[nothing(reason)]], title=title, subtitle=heading(engine))
+
+
+def nothing(reason: str) -> Panel:
+    """A panel with a sentence instead of a curve."""
     lines = folded(reason, width=panel_width())
     words = of_rows([{"x": 0}]).mark("text", fontSize=13, color=GREY)
     only = words.encode(x=constant(panel_width() / 2), text=constant(lines))
-    panel = layered([only], width=panel_width(), height=60)
-    return figure([[panel]], title=title, subtitle=heading(engine))
+    return layered([only], width=panel_width(), height=60)

@@ -9,6 +9,7 @@ from typing import Any, get_args
 from crankstar.charts.amplitudes import amplitudes
 from crankstar.charts.balance_shafts import balance_shaft_chart
 from crankstar.charts.bending import bending_chart
+from crankstar.charts.campbell import campbell
 from crankstar.charts.crank_stars import crank_star
 from crankstar.charts.curves import over_turn
 from crankstar.charts.cylinder_forces import force_arrows
@@ -18,6 +19,7 @@ from crankstar.charts.exhaust_orders import exhaust_order_chart
 from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.grammar import Chart
 from crankstar.charts.hodographs import hodograph
+from crankstar.charts.mode_shapes import mode_shapes
 from crankstar.charts.polar_loads import Loaded, polar_loads
 from crankstar.charts.pressures import PressureView, pressure_chart
 from crankstar.charts.side_thrusts import side_thrust_chart
@@ -25,6 +27,8 @@ from crankstar.charts.spectra import spectrum
 from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sums import Quantity, Signal
 from crankstar.charts.torque import TorqueView, torque_chart
+from crankstar.charts.torsion_responses import TorsionView, torsion_response_chart
+from crankstar.charts.torsion_stars import TorsionMode, torsion_star
 from crankstar.charts.vector_stars import polygon, vector_star
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
@@ -47,7 +51,12 @@ class Figure:
     @property
     def compares(self) -> bool:
         """Whether several engines can be drawn side by side."""
-        return self.draw.__annotations__["engine"] == "Engines"
+        return self.draw.__annotations__.get("engine") == "Engines"
+
+    @property
+    def of_chains(self) -> bool:
+        """Whether it also draws a drive line without cylinders."""
+        return "source" in self.draw.__annotations__
 
 
 _FIGURES = (
@@ -128,6 +137,28 @@ _FIGURES = (
         "balance-shafts",
         balance_shaft_chart,
         N_("the balance shafts in their places, with ratio, sense and unbalance"),
+    ),
+    Figure(
+        "torsion-modes",
+        mode_shapes,
+        N_("how far each mass turns in the first torsional modes, with their nodes"),
+    ),
+    Figure(
+        "campbell",
+        campbell,
+        N_("torsional frequencies and orders over the speed, and where they meet"),
+    ),
+    Figure(
+        "torsion-response",
+        torsion_response_chart,
+        N_("torsional vibration over the speed, by order and of all: free end, stress or torque"),
+        get_args(TorsionView),
+    ),
+    Figure(
+        "torsion-star",
+        torsion_star,
+        N_("the vectors of the cylinders of orders in a torsional mode, with their sum"),
+        get_args(TorsionMode),
     ),
 )
 CHARTS = {figure.name: figure for figure in _FIGURES}

@@ -15,6 +15,7 @@ from typing import Annotated, Any, NamedTuple
 from cyclopts import Parameter, Token
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.torsion import Chain
 from crankstar.files import EngineFileError, changed, engine_of
 from crankstar.files.box import Spread, spread
 from crankstar.files.catalog import load, tree_of
@@ -133,6 +134,19 @@ def over_ranges_of(
     ends = spread(tree, name=shown, changes=turned)
     engine = engine_of(tree, name=shown, changes=turned) if ends is None else ends.engine
     return Loaded(engine, ends), changed(tree, turned, name=shown) if turned else tree
+
+
+def engine_or_chain(
+    name: str, settings: Sequence[str] | None, *, estimate: bool
+) -> Loaded | tuple[Chain, None]:
+    """The engine of a name or file with its ranges, or the drive line of a file."""
+    from crankstar.files.chains import chain_of, is_chain
+
+    shown, tree = tree_of(name)
+    if is_chain(tree):
+        changes = request.settings(settings)
+        return chain_of(changed(tree, changes, name=shown) if changes else tree, name=shown), None
+    return over_ranges_of(*completed_tree(shown, tree, settings, estimate=estimate))[0]
 
 
 def estimated_tree(

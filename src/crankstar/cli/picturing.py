@@ -16,6 +16,7 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
+    engine_or_chain,
     loaded_values,
     option,
     together,
@@ -35,7 +36,8 @@ def plot(
         Parameter(
             help="crank-star, vector-star, polygon, hodograph, over-turn, amplitudes, spectrum, "
             "shaft, stroke-chart, firing-ring, exhaust-orders, torque, pressure, side-thrust, "
-            "forces, bearing-loads, bending or balance-shafts."
+            "forces, bearing-loads, bending, balance-shafts, torsion-modes, campbell, "
+            "torsion-response or torsion-star."
         ),
     ],
     /,
@@ -51,7 +53,9 @@ def plot(
             "--quantity",
             "For over-turn also roll or torque; for bearing-loads main-bearing, main-journal, "
             "crank-pin or crank-pin-journal (journals turn with the crankshaft); for torque "
-            "together, cylinders, loads or orders; for pressure volume or angle.",
+            "together, cylinders, loads or orders; for pressure volume or angle; for "
+            "torsion-response amplitude, stress or torque; for torsion-star mode-1, mode-2 or "
+            "mode-3.",
         ),
     ] = None,
     model: Annotated[str | None, option("--model")] = None,
@@ -59,10 +63,14 @@ def plot(
         str | None, option("--theta", "For the drawing; several for the chart forces.")
     ] = None,
     speed: Speed = None,
-    speeds: Annotated[str | None, option("--speeds", "For the chart amplitudes.")] = None,
+    speeds: Annotated[
+        str | None, option("--speeds", "For amplitudes, campbell, torsion-response.")
+    ] = None,
     reference: ReferencePoint = None,
     gas: Annotated[bool, option("--gas", "For bearing-loads.")] = False,
-    point: Annotated[str | None, option("--point", "For charts of gas, and amplitudes.")] = None,
+    point: Annotated[
+        str | None, option("--point", "For charts of gas, torsion, and amplitudes.")
+    ] = None,
     off: Annotated[str | None, option("--off", "For charts of gas.")] = None,
     settings: Settings = None,
     estimate: Estimating = False,
@@ -76,17 +84,18 @@ def plot(
         ),
     ] = None,
 ) -> None:
-    """Draw a chart of an engine: stars, paths, curves, spectra, strokes, gas, bearing loads."""
+    """Draw a chart of an engine: stars, paths, curves, spectra, strokes, gas, loads, torsion."""
     drawing = chart_request.charts()
     figure = drawing.CHARTS[request.choice("chart", chart, drawing.CHARTS)]
     suffix = chart_request.suffix(output, drawing.SUFFIXES)
     paper = chart_request.paper(suffix, **asdict(looks))
+    first = engine_or_chain if figure.of_chains else loaded_values
     _turning, *each = together(
         partial(request.speed, speed),
-        partial(loaded_values, engine, settings, estimate=estimate),
+        partial(first, engine, settings, estimate=estimate),
         *(partial(loaded_values, name, None, estimate=estimate) for name in beside or ()),
     )
-    loaded, *others = [one.engine for one in each]
+    loaded, *others = [source for source, _spread in each]
     if others and not figure.compares:
         raise RequestError(
             "--beside: {chart} shows one engine; charts of several are {charts}",
@@ -119,7 +128,7 @@ def plot(
             else partial(figure.draw, loaded, **options)
         )
         title = _("{engine}: {chart}", engine=loaded.name, chart=_(figure.about))
-        with drawing.over_ranges(one.spread for one in each):
+        with drawing.over_ranges(spread for _source, spread in each):
             made = drawing.printed(draw, paper, title=title)
         content = drawing.saved_print(made, suffix, title=title)
     write_result(content, output, usual_place(engine, chart, kind=suffix))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
@@ -14,25 +14,19 @@ from crankstar.cli.options import (
     Output,
     Settings,
     Speed,
-    completed_tree,
+    engine_or_chain,
     option,
-    over_ranges_of,
     together,
 )
 from crankstar.cli.output import working
 from crankstar.cli.tabulating import give, words_for
 from crankstar.engine.torsion import Chain
-from crankstar.files import changed
-from crankstar.files.catalog import tree_of
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
 from crankstar.options.refusals import refusal
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from crankstar.cli.options import Loaded
     from crankstar.engine.engine import Engine
     from crankstar.tables.table import Document
 
@@ -69,7 +63,7 @@ def torsion(
     if speed is not None and ".." in speed and speeds is None:
         speed, speeds = None, speed
     (source, spread), turning, over, wanted, most, table = together(
-        partial(_loaded, engine, settings, estimate=estimate),
+        partial(engine_or_chain, engine, settings, estimate=estimate),
         partial(request.speed, speed),
         partial(_speeds, speeds),
         partial(_orders, orders),
@@ -93,19 +87,6 @@ def torsion(
     with working(_("Computing torsional vibration ...")), words_for(form):
         document = sheet(source) if isinstance(source, Chain) else ranged(sheet, spread, source)
     give(document, output, form=form)
-
-
-def _loaded(
-    name: str, settings: Sequence[str] | None, *, estimate: bool
-) -> Loaded | tuple[Chain, None]:
-    """The engine of a name or file with its ranges, or the chain of a file."""
-    from crankstar.files.chains import chain_of, is_chain
-
-    shown, tree = tree_of(name)
-    if is_chain(tree):
-        changes: dict[str, Any] = request.settings(settings)
-        return chain_of(changed(tree, changes, name=shown) if changes else tree, name=shown), None
-    return over_ranges_of(*completed_tree(shown, tree, settings, estimate=estimate))[0]
 
 
 def _speeds(text: str | None) -> list[float]:

@@ -22,6 +22,9 @@ from crankstar.dynamics.torsion_modes import Mode, torsion_modes
 from crankstar.dynamics.torsion_response import Response
 from crankstar.spectra import Real
 
+OF_NOTE = 0.05
+"""Share of the greatest equilibrium amplitude, or vector sum, from which readers are told."""
+
 
 class Critical(NamedTuple):
     """An order that meets a mode at a crank speed (rad/s).
@@ -96,6 +99,29 @@ def _critical(
         torque = float(abs(mode.shape @ driven))
         equilibrium = torque / (mode.speed**2 * abs(modal_inertia(chain, mode, order)))
     return Critical(mode.number, order, speed, summed, torque, equilibrium)
+
+
+def strength(each: Critical) -> float:
+    """By how much a critical speed counts beside others, whatever the mass at which a shape is 1.
+
+    The root of the work of the excitation at its equilibrium amplitude, J; without an excitation
+    its vector sum, without firing angles 1.
+    """
+    if each.equilibrium is not None and each.torque is not None:
+        return (each.torque * each.equilibrium) ** 0.5
+    return 1.0 if each.vector_sum is None else each.vector_sum
+
+
+def of_note(found: Sequence[Critical], *, share: float = OF_NOTE) -> list[Critical]:
+    """Those that have at least this share of the greatest strength, the strongest first.
+
+    >>> weak, strong = (Critical(1, k, 9 / k, size, None, None) for k, size in ((1, 0.1), (3, 4.0)))
+    >>> [each.order for each in of_note([weak, strong])]
+    [3]
+    """
+    least = share * max(map(strength, found), default=0.0)
+    kept = [each for each in found if strength(each) >= least]
+    return sorted(kept, key=lambda each: (-strength(each), each.mode, each.order))
 
 
 def modal_inertia(chain: TorsionChain, mode: Mode, order: float = 0.0) -> float:

@@ -9,6 +9,7 @@ from typing import Any, get_args
 from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Quantity
+from crankstar.engine.torsion import Chain
 from crankstar.files import units
 from crankstar.language.messages import N_, _
 from crankstar.options import values as request
@@ -35,7 +36,7 @@ def suffix(place: str | None, possible: tuple[str, ...] = PICTURES) -> str:
 
 def options(
     figure: Any,
-    engine: Engine,
+    engine: Engine | Chain,
     *,
     orders: str | None,
     quantity: str | None,
@@ -104,7 +105,7 @@ def options(
         out["speed"] = own if speed is None else request.speed(speed)
     if speeds is not None:
         out["speeds"] = request.speeds(speeds)
-    if reference is not None:
+    if reference is not None and isinstance(engine, Engine):
         out["reference"] = request.reference(reference, engine)
     if "gas" in takes and (gas or point is not None or off is not None):
         out["gas"] = True

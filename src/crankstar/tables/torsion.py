@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis
-from crankstar.dynamics.torsion_criticals import Critical, stresses
+from crankstar.dynamics.torsion_criticals import of_note, stresses
 from crankstar.dynamics.torsion_modes import holzer
 from crankstar.dynamics.torsion_response import Response
 from crankstar.engine.engine import Engine
@@ -33,8 +33,6 @@ from crankstar.tables.torsion_chain import (
 
 MODES = 4
 """How many are shown to readers, unless they ask."""
-OF_NOTE = 0.05
-"""Share of the greatest equilibrium amplitude, or vector sum, from which readers are told."""
 RPM = 30 / pi
 MPA = 1e-6
 
@@ -105,23 +103,6 @@ def _facts(source: Engine | Chain, found: TorsionAnalysis) -> dict[str, Any]:
     }
 
 
-def _of_note(criticals: Sequence[Critical]) -> list[Critical]:
-    """The critical speeds that readers are told: those that do something, by speed.
-
-    By the work of the excitation at its equilibrium amplitude, which does not depend on the mass
-    at which a shape is 1.
-    """
-
-    def strength(each: Critical) -> float:
-        if each.equilibrium is None or each.torque is None:
-            return each.vector_sum or 1.0
-        return (each.torque * each.equilibrium) ** 0.5
-
-    top = max(map(strength, criticals), default=0.0)
-    kept = [each for each in criticals if strength(each) >= OF_NOTE * top]
-    return sorted(kept, key=lambda each: (each.mode, -each.speed))
-
-
 def _critical_table(found: TorsionAnalysis, *, machine: bool) -> Table:
     """Where orders meet modes."""
     columns = (
@@ -132,7 +113,9 @@ def _critical_table(found: TorsionAnalysis, *, machine: bool) -> Table:
         Column(_("torque of excitation"), "N*m", key="torque"),
         Column(_("equilibrium amplitude"), "deg", key="equilibrium_deg"),
     )
-    listed = list(found.criticals) if machine else _of_note(found.criticals)
+    listed = list(found.criticals)
+    if not machine:
+        listed = sorted(of_note(found.criticals), key=lambda each: (each.mode, -each.speed))
     rows: list[tuple[Value, ...]] = [
         (
             each.mode,

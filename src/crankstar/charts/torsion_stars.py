@@ -1,0 +1,186 @@
+"""The star of an order in a mode: how far the torques of the cylinders join to drive it.
+
+The vector of cylinder j is a_j, the turn of its throw in the mode, at the angle k phi_j, with phi_j
+the crank angle at which it fires; their sum is the vector sum of the order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from crankstar.charts.canvas import half_width, panel_width
+from crankstar.charts.drawing import BLUE, ORANGE, Panel, brief, checked_order, figure
+from crankstar.charts.grammar import Chart
+from crankstar.charts.labels import Label, gathered
+from crankstar.charts.plane import (
+    BAR,
+    Arrow,
+    Frame,
+    Plane,
+    Stroke,
+    label_margin,
+    picture,
+    round_frame,
+    scale_bar,
+)
+from crankstar.charts.sums import checked_quantity
+from crankstar.charts.torsion_words import hertz, named_lines, refused, rpm_text
+from crankstar.dynamics.torsion_analysis import torsion
+from crankstar.dynamics.torsion_chain import TorsionChain, TorsionError, torsion_chain
+from crankstar.dynamics.torsion_criticals import of_note
+from crankstar.dynamics.torsion_excitation import ROUNDING, firing_phases, vector_sums
+from crankstar.dynamics.torsion_modes import Mode, torsion_modes
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import numbers_text, order_text
+from crankstar.spectra import Complex, Real
+
+TorsionMode = Literal["mode-1", "mode-2", "mode-3"]
+TITLE = N_("Vectors of the cylinders in mode {number}, {size} Hz")
+MOST = 4
+HIGHEST = 12.0
+NEAR = 0.03
+"""Share of the longest vector within which heads share a label."""
+
+
+class _Star(NamedTuple):
+    """An order: the vector of each cylinder and the critical speed, rad/s."""
+
+    order: float
+    vectors: Complex
+    speed: float
+
+    @property
+    def sum(self) -> complex:
+        """Nought where it is but rounding."""
+        whole = complex(self.vectors.sum())
+        return whole if abs(whole) > ROUNDING * float(np.abs(self.vectors).sum()) else 0j
+
+
+def torsion_star(
+    engine: Engine, *, quantity: TorsionMode | None = None, orders: Sequence[float] | None = None
+) -> Chart:
+    """The vectors of the cylinders of orders in a mode, clockwise from up, and their sum.
+
+    The orders are those named, else the four whose critical speeds count for most in this mode, or
+    without a speed whose sums are greatest; of orders with one star, or its mirror image, one. An
+    engine without a table [torsion] or a firing order has a figure that says so. Raises ChartError.
+    """
+    mode_name: TorsionMode = (
+        "mode-1" if quantity is None else checked_quantity(quantity, TorsionMode)
+    )
+    number = int(mode_name.removeprefix("mode-"))
+    asked = None if orders is None else [checked_order(order) for order in orders]
+    plain = _("Vectors of the cylinders in a mode")
+    try:
+        chain = torsion_chain(engine)
+    except TorsionError as error:
+        return refused(engine, title=plain, reason=str(error))
+    phases = firing_phases(engine)
+    if phases is None:
+        reason = _("The vectors of an order need the firing order: give firing_order.")
+        return refused(engine, title=plain, reason=reason)
+    modes = torsion_modes(chain)
+    if len(modes) < number:
+        reason = _("There is no mode {number}.", number=number)
+        return refused(engine, title=plain, reason=reason)
+    mode = modes[number - 1]
+    stars = _stars(engine, chain, mode, phases, asked)
+    width = panel_width() if len(stars) == 1 else half_width()
+    numbers = [each.number for each in engine.cylinders]
+    panels = [_panel(star, numbers, width) for star in stars]
+    across = 1 if len(stars) == 1 else 2
+    rows = [panels[at : at + across] for at in range(0, len(panels), across)]
+    subtitle = [
+        *named_lines(engine),
+        _("each as long as its throw turns in the mode, at order times firing angle"),
+        _("orange: their sum, the turn of the first mass being 1"),
+    ]
+    title = _(TITLE, number=mode.number, size=hertz(mode.speed))
+    return figure(rows, title=title, subtitle=subtitle)
+
+
+def _stars(
+    engine: Engine, chain: TorsionChain, mode: Mode, phases: Real, asked: Sequence[float] | None
+) -> list[_Star]:
+    shape = mode.shape[list(chain.cylinders)]
+
+    def star(order: float) -> _Star:
+        return _Star(order, shape * np.exp(1j * order * phases), mode.speed / order)
+
+    if asked is not None:
+        return [star(order) for order in asked]
+    chosen: list[_Star] = []
+    for tried in map(star, _by_strength(engine, mode, shape, phases)):
+        if len(chosen) < MOST and not any(_alike(tried, other) for other in chosen):
+            chosen.append(tried)
+    return sorted(chosen, key=lambda each: each.order)
+
+
+def _by_strength(engine: Engine, mode: Mode, shape: Real, phases: Real) -> list[float]:
+    """Orders, the strongest first: of the critical speeds, else by their vector sums."""
+    met = [each for each in torsion(engine).criticals if each.mode == mode.number]
+    if met:
+        return [each.order for each in of_note(met)]
+    lowest = 1.0 if engine.cycle == "two-stroke" else 0.5
+    tried = lowest * np.arange(1, round(HIGHEST / lowest) + 1)
+    found = np.round(vector_sums(shape, phases, tried), 9)
+    return tried[np.lexsort((tried, -found))].tolist()
+
+
+def _alike(one: _Star, other: _Star) -> bool:
+    """Whether two orders have the same star, or one that is its mirror image."""
+    return bool(
+        np.allclose(one.vectors, other.vectors) or np.allclose(one.vectors, other.vectors.conj())
+    )
+
+
+def _groups(star: _Star) -> list[list[int]]:
+    """Cylinders whose vectors end at one place; those without length are left out."""
+    longest = float(np.abs(star.vectors).max())
+    groups = gathered(star.vectors.tolist(), NEAR * longest)
+    return [group for group in groups if abs(star.vectors[group[0]]) > NEAR * longest]
+
+
+def _frame(star: _Star, width: float, margin: float) -> Frame:
+    """A square picture with all heads and the head of the sum in it."""
+    ends = np.array([0j, *star.vectors, star.sum])
+    ups, rights = np.real(ends), np.imag(ends)
+    middle = complex(ups.max() + ups.min(), rights.max() + rights.min()) / 2
+    reach = max(np.ptp(ups), np.ptp(rights)) / 2 or 1.0
+    own = round_frame(float(reach), width=width, margin=margin, below=BAR)
+    return Frame(
+        own.left + middle.imag,
+        own.right + middle.imag,
+        own.bottom + middle.real,
+        own.top + middle.real,
+        own.scale,
+    )
+
+
+def _panel(star: _Star, numbers: Sequence[int], width: float) -> Panel:
+    words = [numbers_text([numbers[n] for n in group]) for group in _groups(star)]
+    frame = _frame(star, width, max(0.6 * label_margin(words), 24.0))
+    cross = [
+        Stroke((complex(frame.bottom, 0), complex(frame.top, 0)), width=0.6),
+        Stroke((1j * frame.left, 1j * frame.right), width=0.6),
+    ]
+    bar, text = scale_bar(frame, "")
+    arrows = [Arrow(v, colour=BLUE) for v in sorted(star.vectors.tolist(), key=lambda v: -abs(v))]
+    labels: list[Label] = []
+    for group, said in zip(_groups(star), words, strict=True):
+        tip = complex(star.vectors[group[0]])
+        labels.append(Label(said, tip, tip / abs(tip), colour=BLUE))
+    if star.sum:
+        arrows.insert(0, Arrow(star.sum, colour=ORANGE, width=4))
+    title = _(
+        "order {order}: sum {size}\nat {rpm} rpm",
+        order=order_text(star.order),
+        size=brief(abs(star.sum)) if star.sum else "0",
+        rpm=rpm_text(star.speed),
+    )
+    plane = Plane(tuple(arrows), (*cross, bar), labels=tuple(labels), notes=(text,))
+    return picture(plane, frame, title=title)

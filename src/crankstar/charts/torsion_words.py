@@ -1,0 +1,75 @@
+"""The common parts of the figures of torsion: what they say, and why there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+from crankstar.charts.canvas import names_engine
+from crankstar.charts.drawing import figure, heading
+from crankstar.charts.gas_curves import nothing, without
+from crankstar.charts.grammar import Chart
+from crankstar.dynamics.torsion_analysis import TorsionAnalysis
+from crankstar.dynamics.torsion_criticals import Critical, of_note
+from crankstar.engine.engine import Engine
+from crankstar.engine.torsion import Chain
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number, order_text
+
+RPM = 30 / pi
+NO_SPEED = N_("Without a speed nothing is driven: give --speeds, or speed in the file.")
+
+
+def refused(source: Engine | Chain, *, title: str, reason: str) -> Chart:
+    """A figure that says why nothing is drawn of an engine or a drive line."""
+    if isinstance(source, Engine):
+        return without(source, title=title, reason=reason)
+    return figure([[nothing(reason)]], title=title, subtitle=named_lines(source))
+
+
+def named_lines(source: Engine | Chain) -> list[str]:
+    """The name of what is drawn, unless the canvas leaves it."""
+    if isinstance(source, Engine):
+        return heading(source)
+    return [source.name] if names_engine() else []
+
+
+def load_lines(found: TorsionAnalysis) -> list[str]:
+    """Of which operating point the gas is, or why there is none; where the range comes from."""
+    lines: list[str] = []
+    if found.cycle is not None and found.cycle.name:
+        lines.append(_("gas of the operating point {point}", point=found.cycle.name))
+    if found.without_gas:
+        lines.append(_("Without gas: {reason}.", reason=found.without_gas.rstrip(".")))
+    if found.range_assumed:
+        lines.append(_("The range of speeds is taken about the one that is known; see --speeds."))
+    return lines
+
+
+def hertz(speed: float) -> str:
+    """A circular frequency (rad/s) in Hz, as text to four figures."""
+    return number(float(f"{speed / (2 * pi):.4g}"))
+
+
+def rpm_text(speed: float) -> str:
+    """A speed (rad/s) in whole rpm, as text.
+
+    >>> rpm_text(585.0)
+    '5586'
+    """
+    return number(round(speed * RPM))
+
+
+def strongest_line(criticals: Sequence[Critical]) -> list[str]:
+    """A line about the critical speed that counts for most; none without one."""
+    if not criticals:
+        return [_("No order meets a mode in this range of speeds.")]
+    top = of_note(criticals)[0]
+    return [
+        _(
+            "Strongest critical speed: order {order} at {rpm} rpm, mode {mode}.",
+            order=order_text(top.order),
+            rpm=rpm_text(top.speed),
+            mode=top.mode,
+        )
+    ]
