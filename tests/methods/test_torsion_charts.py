@@ -11,7 +11,7 @@ from tests.files.test_gas_views import curve, rows_of
 import crankstar
 from crankstar import charts
 from crankstar.dynamics.torsion_analysis import torsion
-from crankstar.dynamics.torsion_criticals import stresses
+from crankstar.dynamics.torsion_criticals import strength, stresses
 from crankstar.dynamics.torsion_excitation import firing_phases
 from crankstar.engine.torsion import Chain, Disc
 from crankstar.files import engine_of
@@ -139,13 +139,13 @@ def test_marks_of_the_campbell_diagram_are_the_critical_speeds(six: Any) -> None
         assert row["y"] == pytest.approx(row["order"] * row["x"] / 60)
         assert row["y"] == pytest.approx(torsion(six).modes[row["mode"] - 1].frequency)
     sizes = [row["size"] for row in marks]
-    strengths = [each.equilibrium for each in found]
+    strengths = [strength(each) for each in found]
     assert np.argsort(sizes).tolist() == np.argsort(strengths).tolist()
 
 
 def test_the_campbell_diagram_names_the_strongest_critical_speed(six: Any) -> None:
     found = torsion(six).criticals
-    top = max(found, key=lambda each: each.equilibrium)
+    top = max(found, key=strength)
     said = f"order {top.order:g} at {round(top.speed * RPM)} rpm, mode {top.mode}"
     assert said in text_of(charts.campbell(six))
 
