@@ -28,6 +28,9 @@ NAMES = {
     "mean_torque": N_("mean gas torque"),
     "peak_pressure": N_("peak pressure"),
     "irregularity": N_("degree of irregularity"),
+    "torsion_frequency": N_("first torsional frequency"),
+    "torsion_stress": N_("greatest shear stress of torsional vibration"),
+    "torsion_amplitude": N_("torsional vibration of the free end"),
 }
 """By what is watched."""
 

@@ -50,7 +50,8 @@ def sweep(
         option(
             "--quantity",
             "Also roll, torque, couple.pitch, couple.yaw, force.forward, ...; of gas "
-            "torque_with_gas, roll_with_gas, mean_torque, peak_pressure, irregularity.",
+            "torque_with_gas, roll_with_gas, mean_torque, peak_pressure, irregularity; "
+            "of torsion torsion_frequency, torsion_stress, torsion_amplitude.",
         ),
     ] = "force",
     orders: Annotated[str | None, option("--orders", "Default: the sum of all orders.")] = None,

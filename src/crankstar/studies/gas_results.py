@@ -89,6 +89,24 @@ def gas_values(
     cases: Callable[[], Sequence[Case]], what: str, *, order: float | None, shape: tuple[int, ...]
 ) -> tuple[Real, str]:
     """One of GAS_WATCHABLE for every case, and its unit. Raises SweepError."""
+    if order is not None and what in _NUMBERS:
+        raise SweepError("{what} has no orders; leave --orders out", what=what)
+
+    def value(engine: Engine, speed: float | None) -> float:
+        return _value(engine, cycle(engine, speed=speed), what, order)
+
+    unit = _NUMBERS[what][1] if what in _NUMBERS else "N*m"
+    return one_by_one(cases, value, what, shape=shape), unit
+
+
+def one_by_one(
+    cases: Callable[[], Sequence[Case]],
+    value: Callable[[Engine, float | None], float],
+    what: str,
+    *,
+    shape: tuple[int, ...],
+) -> Real:
+    """The value of every case, engine by engine. Raises SweepError, which names the case."""
     if prod(shape) > MOST_CASES:
         raise SweepError(
             "{count} values are too many for {what}, which is computed engine by engine; give at "
@@ -97,12 +115,10 @@ def gas_values(
             what=what,
             most=MOST_CASES,
         )
-    if order is not None and what in _NUMBERS:
-        raise SweepError("{what} has no orders; leave --orders out", what=what)
     out: list[float] = []
     for place, (engine, speed) in enumerate(cases(), 1):
         try:
-            out.append(_value(engine, cycle(engine, speed=speed), what, order))
+            out.append(value(engine, speed))
         except (GasError, SweepError, UnevenError) as error:
             raise SweepError(
                 "value {place} of {count}: {reason}",
@@ -110,5 +126,4 @@ def gas_values(
                 count=prod(shape),
                 reason=str(error),
             ) from None
-    unit = _NUMBERS[what][1] if what in _NUMBERS else "N*m"
-    return np.array(out).reshape(shape), unit
+    return np.array(out).reshape(shape)

@@ -36,6 +36,7 @@ from crankstar.studies.gas_results import GAS_WATCHABLE, Case, gas_values
 from crankstar.studies.ranges import over_requests
 from crankstar.studies.study import Study, check_apart, study
 from crankstar.studies.sums import GREATEST_ORDER, Group, joined
+from crankstar.studies.torsion_results import TORSION_WATCHABLE, torsion_values
 from crankstar.studies.variants import SweepError, Tell
 
 if TYPE_CHECKING:
@@ -50,6 +51,9 @@ WATCHABLE = (
     "axis_moment",
     "torque",
 )
+
+EVERYTHING = (*WATCHABLE, *GAS_WATCHABLE, *TORSION_WATCHABLE)
+"""All that a sweep can watch."""
 
 
 class Axis(NamedTuple):
@@ -313,11 +317,11 @@ def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool
 def check_watchable(*names: str) -> None:
     """Refuse names that are not in WATCHABLE. Raises SweepError."""
     for name in names:
-        if name not in (*WATCHABLE, *GAS_WATCHABLE):
+        if name not in EVERYTHING:
             raise SweepError(
                 "{quantity} cannot be computed in a sweep; choose from {quantities}",
                 quantity=one_line(name, longest=60),
-                quantities=", ".join((*WATCHABLE, *GAS_WATCHABLE)),
+                quantities=", ".join(EVERYTHING),
             )
 
 
@@ -328,7 +332,8 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
     axis_moment (of the forces, about the crank axis), torque; .up, .right, the component that way;
     .forward, .backward, the vectors that turn with and against the crankshaft; couple.pitch and
     couple.yaw, the moments about the right and the up axis, as large as couple.up and couple.right.
-    Or one of GAS_WATCHABLE: what gas does at the load of each engine's file.
+    Or one of GAS_WATCHABLE: what gas does at the load of each engine's file; or one of
+    TORSION_WATCHABLE: how its crankshaft vibrates.
     All orders together over their period, or one `order`. Raises SweepError.
 
     >>> sweep = swept("single", over="balance_factor", values=[0, 0.5, 1])
@@ -351,6 +356,12 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
     label = what if order is None else f"{what} of order {order:g}"
     if what in GAS_WATCHABLE:
         values, unit = gas_values(sweep.cases, what, order=order, shape=sweep.shape)
+        return Curve(what, order, values, unit, label)
+    if what in TORSION_WATCHABLE:
+        swept_speed = sweep.highest_speed is not None
+        values, unit = torsion_values(
+            sweep.cases, what, order=order, shape=sweep.shape, speed_swept=swept_speed
+        )
         return Curve(what, order, values, unit, label)
     peaks = np.zeros(int(np.prod(sweep.shape)))
     for group in sweep.groups:

@@ -18,6 +18,7 @@ from crankstar.spectra import Real
 from crankstar.studies.best_value import Best
 from crankstar.studies.gas_results import GAS_WATCHABLE
 from crankstar.studies.sweep import Curve, Sweep
+from crankstar.studies.torsion_results import TORSION_WATCHABLE
 from crankstar.tables import ranges
 from crankstar.tables.conditions import missing_sentence, unit_sentence
 from crankstar.tables.sweep_ranges import Band, estimate_remarks, ranged_text
@@ -79,7 +80,8 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
         "them."
     )
     more = (_estimates_note(sweep), added if sweep.adds else "")
-    gas = bool(curves) and all(curve.what in GAS_WATCHABLE for curve in curves)
+    own = (*GAS_WATCHABLE, *TORSION_WATCHABLE)
+    gas = bool(curves) and all(curve.what in own for curve in curves)
     return remarks(counted, "" if gas else speed_note(sweep), *more, kind="note")
 
 
