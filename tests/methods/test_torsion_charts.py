@@ -223,14 +223,14 @@ def test_shaded_speeds_are_those_at_which_the_stress_passes_the_limit(six: Any) 
 
 @pytest.mark.parametrize("mode", [1, 2])
 def test_the_star_has_the_vectors_of_the_cylinders_and_their_sum(six: Any, mode: int) -> None:
-    drawn = charts.torsion_star(six, quantity=f"mode-{mode}", orders=[4.5])  # type: ignore[arg-type]
+    drawn = charts.torsion_star(six, quantity=f"mode-{mode}", orders=[5.5])  # type: ignore[arg-type]
     arrows = [row for row in rows_of(drawn.to_dict()) if "endUp" in row and "head" in row]
     ends = [complex(row["endUp"], row["endRight"]) for row in arrows if row["width"] < 3]
     [whole] = {complex(row["endUp"], row["endRight"]) for row in arrows if row["width"] > 3}
     own = torsion(six).modes[mode - 1]
     fires = np.radians([0, 480, 240, 600, 120, 360])  # 1-5-3-6-2-4 every 120 degrees
     assert firing_phases(six) == pytest.approx(fires)
-    wanted = own.shape[1:7] * np.exp(4.5j * fires)
+    wanted = own.shape[1:7] * np.exp(5.5j * fires)
     for vector in wanted:
         assert min(abs(end - vector) for end in ends) < 1e-9
     assert whole == pytest.approx(complex(wanted.sum()))

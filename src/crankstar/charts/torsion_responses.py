@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import cycle, islice
 from typing import Any, Literal, NamedTuple
 
@@ -24,7 +23,7 @@ from crankstar.charts.gas_curves import ROOM
 from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, own, span
 from crankstar.charts.sums import checked_quantity
 from crankstar.charts.torsion_words import NO_SPEED, RPM, load_lines, named_lines, refused, rpm_text
-from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
+from crankstar.dynamics.torsion_analysis import TorsionAnalysis, resolved, torsion
 from crankstar.dynamics.torsion_chain import TorsionError
 from crankstar.dynamics.torsion_criticals import stresses
 from crankstar.dynamics.torsion_response import Response
@@ -94,7 +93,8 @@ def torsion_response_chart(
     asked = None if orders is None else [checked_order(order) for order in orders]
     title = _(TITLES[wanted])
     try:
-        found = _found(engine, speeds, point)
+        rough = torsion(engine, point=point or "", speeds=[*(speeds or ())])
+        found = resolved(engine, rough, point=point or "")
     except TorsionError as error:
         return refused(engine, title=title, reason=str(error))
     own_response = found.response
@@ -110,16 +110,6 @@ def torsion_response_chart(
     panel = _panel(found, own_response, courses, asked)
     subtitle = [*named_lines(engine), courses.where, *_words(found, courses)]
     return figure([[panel]], title=title, subtitle=[*subtitle, *load_lines(found)])
-
-
-def _found(engine: Engine, speeds: Sequence[float] | None, point: str | None) -> TorsionAnalysis:
-    """The analysis over the speeds and at the critical ones between them, where peaks are."""
-    first = torsion(engine, point=point or "", speeds=[*(speeds or ())])
-    more = [each.speed for each in first.criticals]
-    if not more:
-        return first
-    finer = torsion(engine, point=point or "", speeds=np.union1d(first.speeds, more))
-    return replace(finer, range_assumed=first.range_assumed)
 
 
 def _courses(found: TorsionAnalysis, response: Response, view: str) -> _Courses | None:

@@ -8,7 +8,7 @@ cylinders has modes only, and critical speeds of the orders that are asked for.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -124,6 +124,25 @@ def torsion(
         range_assumed=assumed,
         exact=_exact(source, chain, push, speed) if driven and speed else None,
     )
+
+
+def resolved(engine: Engine, found: TorsionAnalysis, *, point: str = "") -> TorsionAnalysis:
+    """The same over a range of speeds that has the critical speeds in it, where the peaks are.
+
+    >>> from crankstar.files.catalog import load
+    >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
+    >>> own = {"inertia": "0.02 kg*m^2", "stiffness": "0.6 MN*m/rad", "disc": [disc]}
+    >>> five = load("audi-25-tfsi", changes={"torsion": own})
+    >>> rough = torsion(five, speeds=[100, 700])
+    >>> fine = resolved(five, rough)
+    >>> {each.speed for each in rough.criticals} <= {*fine.speeds.tolist()}
+    True
+    """
+    more = [each.speed for each in found.criticals]
+    if not more or found.response is None:
+        return found
+    finer = torsion(engine, point=point, speeds=np.union1d(found.speeds, more))
+    return replace(finer, range_assumed=found.range_assumed)
 
 
 def _exact(engine: Engine, chain: TorsionChain, push: Excitation, speed: float) -> Response | None:

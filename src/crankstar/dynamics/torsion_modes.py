@@ -27,7 +27,6 @@ from math import pi
 from typing import NamedTuple
 
 import numpy as np
-from scipy.linalg import eigh, null_space
 
 from crankstar.dynamics.torsion_chain import TorsionChain, TorsionError
 from crankstar.spectra import Real
@@ -80,6 +79,8 @@ def torsion_modes(chain: TorsionChain, *, order: float = 0.0) -> tuple[Mode, ...
 
     At order 0 they are masses that turn with what they hang on.
     """
+    from scipy.linalg import eigh  # late: it takes longer to load than all figures
+
     inertia, stiffness, _damping = chain.matrices(order)
     rigid = 1 + sum(1 for each in chain.sections if each.stiffness == 0)
     if chain.freedoms == rigid:
@@ -97,6 +98,8 @@ def torsion_modes(chain: TorsionChain, *, order: float = 0.0) -> tuple[Mode, ...
 
 def _indefinite(inertia: Real, stiffness: Real) -> tuple[Real, Real]:
     """Squared speeds and shapes where some inertias are negative: of the shapes without a turn."""
+    from scipy.linalg import eigh, null_space
+
     still = null_space(stiffness)
     base = null_space(still.T @ inertia)
     inverse, shapes = eigh(base.T @ inertia @ base, base.T @ stiffness @ base)

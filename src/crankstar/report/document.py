@@ -19,6 +19,7 @@ from crankstar.report import (
     remedies,
     sources,
     title,
+    torsion,
     whirling,
 )
 from crankstar.report.gallery import Gallery
@@ -33,6 +34,7 @@ PAGES: tuple[tuple[str, pages.Page], ...] = (
     (N_("Writing the vector stars and polygons ..."), pages.vectors),
     (N_("Writing the forces over the crank angle ..."), pages.over_the_turn),
     (N_("Writing gas and torque ..."), gas.gas),
+    (N_("Writing torsional vibration ..."), torsion.torsion),
     (N_("Writing the loads on bearings ..."), bearings.bearings),
     (N_("Writing the free response ..."), whirling.free_response),
     (N_("Writing the remedies ..."), remedies.remedies),

@@ -47,6 +47,7 @@
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `torsion_chain` | a chain that twists: masses, shafts, modes, Holzer's table |
 | `torsion` | critical speeds, torsional vibration over the speeds, stress and heat |
+| `torsion_facts` | torsion in a verdict and a comparison |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
 | `placings` | the places of balance shafts, and what they leave of the roll |
 | `remedies` | the balancing sheet |

@@ -84,7 +84,7 @@ def comparison(shown: Sequence[Analysis], names: Sequence[str] | None = None) ->
         if real
         else _("Greatest value of each order, each engine in its own m r ω²")
     )
-    return Document(title, (*parts, *_with_gas(compared), _engines(compared)))
+    return Document(title, (*parts, *_with_gas(compared), *_torsion(compared), _engines(compared)))
 
 
 def _with_gas(compared: _Compared) -> tuple[Table, ...]:
@@ -94,8 +94,21 @@ def _with_gas(compared: _Compared) -> tuple[Table, ...]:
         return ()
     from crankstar.tables.gas_comparison import gas_comparison
 
-    speeds = [None if shown.real is None else shown.real.speed for shown in compared.shown]
-    return gas_comparison(engines, compared.names, speeds)
+    return gas_comparison(engines, compared.names, _speeds(compared))
+
+
+def _torsion(compared: _Compared) -> tuple[Table, ...]:
+    """Torsional frequencies of those engines whose files have them."""
+    engines = [shown.engine for shown in compared.shown]
+    if all(engine.torsion is None for engine in engines):
+        return ()
+    from crankstar.tables.torsion_facts import torsion_comparison
+
+    return torsion_comparison(engines, compared.names, _speeds(compared))
+
+
+def _speeds(compared: _Compared) -> list[float | None]:
+    return [None if shown.real is None else shown.real.speed for shown in compared.shown]
 
 
 def _gas_sizes(compared: _Compared) -> list[tuple[float, list[float]]]:
@@ -105,8 +118,7 @@ def _gas_sizes(compared: _Compared) -> list[tuple[float, list[float]]]:
         return []
     from crankstar.tables.gas_comparison import gas_sizes
 
-    speeds = [None if shown.real is None else shown.real.speed for shown in compared.shown]
-    return gas_sizes(engines, compared.names, speeds)
+    return gas_sizes(engines, compared.names, _speeds(compared))
 
 
 def compare(
@@ -278,8 +290,31 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
         for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
             share = _share(cell, cells[0], 1)
             rows.append(("torque_with_gas", order, engine, _rpm(result), cell, "N*m", share))
+    rows += _torsion_rows(compared)
     title = ", ".join(compared.names)
     return Document(title, (Table("", heads, tuple(rows), key="amplitudes"),))
+
+
+def _torsion_rows(compared: _Compared) -> list[tuple[Value, ...]]:
+    """The first torsional frequency and the strongest critical speed of each engine."""
+    engines = [shown.engine for shown in compared.shown]
+    if any(engine.torsion is None for engine in engines):
+        return []
+    from crankstar.tables.torsion_facts import torsion_sizes
+
+    return [
+        (
+            what,
+            order,
+            engine,
+            _rpm(result),
+            cell,
+            unit,
+            _share(cell, cells[0] or 0.0, 1) if cell else None,
+        )
+        for what, order, cells, unit in torsion_sizes(engines, _speeds(compared))
+        for engine, result, cell in zip(compared.names, compared.results, cells, strict=True)
+    ]
 
 
 def _rpm(result: Balance) -> float | None:

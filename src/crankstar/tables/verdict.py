@@ -59,7 +59,10 @@ MOMENTS = {
 
 
 class Fact(NamedTuple):
-    """A sentence and its subject: layout, firing, units, force, couple, roll, cure, relatives."""
+    """A sentence and its subject.
+
+    One of layout, firing, units, force, couple, roll, torsion, cure, relatives.
+    """
 
     about: str
     sentence: str
@@ -88,6 +91,7 @@ def verdict(
         ("force", _vector_sentences("force", result, sums)),
         ("couple", _vector_sentences("couple", result, sums)),
         ("roll", _moment_sentences(result, sums)),
+        *(("torsion", sentence) for sentence in _torsion(engine, speed)),
         *(("cure", sentence) for sentence in _cures(engine, speed)),
         *(("relatives", sentence) for sentence in (relative_lines(engine) if relatives else [])),
     ]
@@ -125,6 +129,7 @@ def subjects() -> dict[str, str]:
         "force": _("force"),
         "couple": _("couple"),
         "roll": _("rolling moment"),
+        "torsion": _("torsion"),
         "cure": _("remedy"),
         "relatives": _("comparison"),
     }
@@ -231,6 +236,15 @@ def _moment_sentences(result: Balance, sums: Sums) -> str:
             size = quantity_text(complex(amplitudes[place]), result.units.moment)
             out.append(_(sentence, order=order_text(signal.orders[place]), size=size))
     return passage(out) or _("No rolling moment from inertia.")
+
+
+def _torsion(engine: Engine, speed: float | None) -> list[str]:
+    """How the crankshaft of an engine with a table [torsion] vibrates."""
+    if engine.torsion is None:
+        return []
+    from crankstar.tables.torsion_facts import torsion_sentences  # with scipy, for these alone
+
+    return torsion_sentences(engine, speed=speed)
 
 
 def _cures(engine: Engine, speed: float | None) -> list[str]:

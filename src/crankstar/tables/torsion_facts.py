@@ -1,0 +1,110 @@
+"""What a verdict and a comparison say of torsion: the first frequencies and the critical speeds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
+from crankstar.dynamics.torsion_criticals import Critical, of_note
+from crankstar.engine.engine import Engine
+from crankstar.language.kept import as_given
+from crankstar.language.messages import _
+from crankstar.language.numbers import number, order_text
+from crankstar.tables.table import Column, Table, Value
+
+RPM = 30 / pi
+MODES = 3
+
+
+def torsion_sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
+    """The first torsional mode, and the critical speed that counts for most; or nothing.
+
+    >>> from crankstar.files.catalog import load
+    >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
+    >>> own = {"inertia": "0.02 kg*m^2", "stiffness": "0.6 MN*m/rad", "disc": [disc]}
+    >>> torsion_sentences(load("audi-25-tfsi", changes={"torsion": own}))[0]
+    'First torsional mode: 249.8 Hz.'
+    """
+    if engine.torsion is None:
+        return []
+    found = torsion(engine, speed=speed)
+    if not found.modes:
+        return [_("Nothing of the crankshaft twists: all masses are rigidly coupled.")]
+    lines = [_("First torsional mode: {frequency} Hz.", frequency=_hertz(found, 0))]
+    if not found.speeds.size:
+        return lines
+    low, high = (number(round(float(found.speeds[place]) * RPM)) for place in (0, -1))
+    top = _strongest(found)
+    if top is None:
+        return [*lines, _("No critical speed between {low} and {high} rpm.", low=low, high=high)]
+    sentence = _(
+        "Between {low} and {high} rpm the strongest critical speed is that of order {order} with "
+        "mode {mode}, at {rpm} rpm.",
+        low=low,
+        high=high,
+        order=order_text(top.order),
+        mode=top.mode,
+        rpm=number(round(top.speed * RPM)),
+    )
+    return [*lines, sentence]
+
+
+def _hertz(found: TorsionAnalysis, place: int) -> str:
+    return number(float(f"{found.modes[place].frequency:.4g}"))
+
+
+def _strongest(found: TorsionAnalysis) -> Critical | None:
+    """The critical speed of the order and mode that the engine as given decides."""
+    if not found.criticals:
+        return None
+    top = of_note(found.criticals)[0]
+    place = as_given("strongest critical speed", (top.mode, top.order))
+    return next((each for each in found.criticals if each[:2] == place), top)
+
+
+def torsion_comparison(
+    engines: Sequence[Engine], names: Sequence[str], speeds: Sequence[float | None]
+) -> tuple[Table, ...]:
+    """The first frequencies and the strongest critical speed of engines with a table [torsion]."""
+    found = [
+        (name, torsion(engine, speed=speed))
+        for engine, name, speed in zip(engines, names, speeds, strict=True)
+        if engine.torsion is not None
+    ]
+    if not found:
+        return ()
+    columns = (
+        Column(_("engine"), kind="text", label=True, wraps=True),
+        *(
+            Column(_("mode {number}", number=place + 1), "Hz", fixed=True, digits=4)
+            for place in range(MODES)
+        ),
+        Column(_("strongest order")),
+        Column(_("its mode")),
+        Column(_("critical speed"), "rpm"),
+    )
+    rows: list[tuple[Value, ...]] = []
+    for name, own in found:
+        frequencies = [mode.frequency for mode in own.modes[:MODES]]
+        top = of_note(own.criticals)[:1]
+        last = (top[0].order, top[0].mode, top[0].speed * RPM) if top else (None, None, None)
+        rows.append((name, *frequencies, *[None] * (MODES - len(frequencies)), *last))
+    return (Table(_("Torsion"), columns, tuple(rows)),)
+
+
+def torsion_sizes(
+    engines: Sequence[Engine], speeds: Sequence[float | None]
+) -> list[tuple[str, float | None, list[float | None], str]]:
+    """The same for machines: quantity, order, the value of each engine, unit."""
+    if any(engine.torsion is None for engine in engines):
+        return []
+    found = [torsion(each, speed=speed) for each, speed in zip(engines, speeds, strict=True)]
+    firsts = [own.modes[0].frequency if own.modes else None for own in found]
+    tops = [of_note(own.criticals)[:1] for own in found]
+    rows: list[tuple[str, float | None, list[float | None], str]] = [
+        ("torsion_frequency", None, firsts, "Hz"),
+        ("torsion_order", None, [top[0].order if top else None for top in tops], ""),
+        ("torsion_critical", None, [top[0].speed * RPM if top else None for top in tops], "rpm"),
+    ]
+    return rows
