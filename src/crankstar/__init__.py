@@ -48,6 +48,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from crankstar.derive import derivation, family, signs
     from crankstar.dynamics.bearings import BearingLoads, Bending, bearing_loads, bending_moment
+    from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
     from crankstar.dynamics.uneven import Running, driven, flywheel_for
     from crankstar.dynamics.whirl import whirl
     from crankstar.engine.engine import Engine
@@ -72,6 +73,7 @@ __version__ = "0.1.0"
 
 _HOMES = {
     "dynamics.whirl": ("whirl",),
+    "dynamics.torsion_analysis": ("TorsionAnalysis", "torsion"),
     "dynamics.uneven": ("Running", "driven", "flywheel_for"),
     "dynamics.bearings": ("BearingLoads", "Bending", "bearing_loads", "bending_moment"),
     "derive": ("derivation", "family", "signs"),
@@ -113,6 +115,7 @@ __all__ = [
     "Shaft",
     "SideThrust",
     "Throw",
+    "TorsionAnalysis",
     "Totals",
     "Weight",
     "balance",
@@ -132,6 +135,7 @@ __all__ = [
     "side_thrust",
     "signs",
     "sweep",
+    "torsion",
     "total",
     "verdict",
     "watched",

@@ -375,3 +375,57 @@ def test_numbers_of_rooms_are_refused_as_those_of_the_top(call: Any, words: str)
 def test_a_reference_that_is_nowhere_is_refused() -> None:
     with pytest.raises(ValueError, match="reference is inf, 0, 0; give z, up and right"):
         crankstar.mechanics.balance.balance(TWIN, reference=Reference(math.inf))
+
+
+STIFF: Any = "i4"
+TWISTING: dict[str, Any] = {
+    "inertia": "0.01 kg*m^2",
+    "stiffness": "0.6 MN*m/rad",
+    "disc": [{"name": "wheel", "inertia": "0.2 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}],
+}
+FAN = """
+name = "fan drive"
+[[disc]]
+name = "motor"
+inertia = "2 kg*m^2"
+[[disc]]
+name = "fan"
+inertia = "3 kg*m^2"
+to = "motor"
+stiffness = "6 kN*m/rad"
+"""
+
+
+def test_torsion_reads_engines_drive_lines_and_their_files(tmp_path: Path) -> None:
+    five = crankstar.load(BURNING, changes={"torsion": TWISTING})
+    place = tmp_path / "five.toml"
+    place.write_text(crankstar.files.toml(five), encoding="utf-8")
+    sources: Any = (five, place, str(place))
+    found = [crankstar.torsion(given).modes[0].speed for given in sources]
+    assert len({round(each, 6) for each in found}) == 1
+    fan: Any = tmp_path / "fan.toml"
+    fan.write_text(FAN, encoding="utf-8")
+    [mode] = crankstar.torsion(fan).modes
+    assert mode.speed == pytest.approx(math.sqrt(6e3 * (1 / 2 + 1 / 3)))
+    with pytest.raises(ValueError, match=r"give the table \[torsion\]"):
+        crankstar.torsion(STIFF)
+    for given in (NOTHING, WRONG, UNHASHABLE):
+        with pytest.raises(TypeError, match=r"^torsion takes an Engine, a name of the catalog or"):
+            crankstar.torsion(given)
+
+
+def test_torsion_reads_speeds_as_people_give_them() -> None:
+    five = crankstar.load(BURNING, changes={"torsion": TWISTING})
+    texts: Any = "1000..3000 rpm/3"
+    listed: Any = ["1000 rpm", "2000 rpm", 100 * math.pi]
+    wanted = [1000 * math.pi / 30, 2000 * math.pi / 30, 3000 * math.pi / 30]
+    for given in (texts, listed, wanted, np.array(wanted)):
+        assert crankstar.torsion(five, speeds=given).speeds == pytest.approx(wanted)
+    for wrong, kind in ((5, TypeError), ("x", ValueError), ([6000], ValueError), ([0], ValueError)):
+        given_speeds: Any = wrong
+        with pytest.raises(kind, match="speed"):
+            crankstar.torsion(five, speeds=given_speeds)
+    with pytest.raises(ValueError, match=r'write speed="6000 rpm"'):
+        crankstar.torsion(five, speed=6000)
+    with pytest.raises(ValueError, match="each must be greater than 0"):
+        crankstar.torsion(five, orders=[-1])

@@ -42,6 +42,12 @@ class TorsionAnalysis:
     `speeds` (rad/s, ascending) are those of `response`, empty where none is known; `at` is the same
     at the one speed that is asked for, `exact` that with the inertia of each crank angle.
     `without_gas` says why there is no gas.
+
+    >>> from crankstar.engine.torsion import Disc
+    >>> pair = [Disc(name="motor", inertia=2), Disc(name="fan", inertia=3, to="motor", stiffness=6)]
+    >>> found = torsion(Chain(name="fan drive", discs=pair), speeds=[0, 9], orders=[1, 2])
+    >>> [(each.order, round(each.speed**2, 9)) for each in found.criticals]
+    [(1.0, 5.0), (2.0, 1.25)]
     """
 
     chain: TorsionChain

@@ -16,6 +16,7 @@ from typing import Any, TypeVar
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import POSITION
+from crankstar.engine.torsion import Chain
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.quoting import given as quoted
@@ -30,6 +31,7 @@ from crankstar.options.numbers import (
     orders,
     pressure,
     speed,
+    speeds,
 )
 
 Result = TypeVar("Result")
@@ -99,6 +101,9 @@ def _read_engines(
         for argument in ENGINES & given.keys():
             if argument != "beside" or given[argument] is not None:
                 check_engine(name, given[argument])
+    elif "source" in given:
+        given["source"] = source = _engine_or_chain(name, given["source"])
+        return source if isinstance(source, Engine) else None
     elif "engine" in given:
         named = given["engine"]
         given["engine"] = engine = _engine(name, named)
@@ -149,6 +154,20 @@ def _engine(function: str, given: Any) -> Engine:
     from crankstar.files.catalog import load  # no file is read without a name
 
     return load(given)
+
+
+def _engine_or_chain(function: str, given: Any) -> Engine | Chain:
+    """The same, or a drive line without cylinders, also that of a file. Raises TypeError."""
+    if isinstance(given, Chain):
+        return given
+    check_engine(function, given)
+    if isinstance(given, Engine):
+        return given
+    from crankstar.files.catalog import load, tree_of
+    from crankstar.files.chains import chain_of, is_chain
+
+    shown, tree = tree_of(str(given))
+    return chain_of(tree, name=shown) if is_chain(tree) else load(given)
 
 
 def _named(given: Any) -> str:
@@ -326,6 +345,7 @@ MEASURED: Mapping[str, Callable[[str, Any], Any]] = {
 """The arguments that are quantities, by name: their readers."""
 READERS: Mapping[str, Callable[[Any], Any]] = {
     "speed": speed,
+    "speeds": speeds,
     "orders": orders,
     "changes": _changes,
     "tell": _tell,

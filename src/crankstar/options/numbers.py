@@ -62,6 +62,27 @@ def speed(given: Any) -> float | str:
     return number
 
 
+def speeds(given: Any) -> tuple[float, ...]:
+    """Speeds in rad/s, or text as --speeds takes it. Raises ValueError, TypeError."""
+    if isinstance(given, str):
+        from crankstar.options import values
+        from crankstar.options.refusals import RequestError
+        from crankstar.studies.variants import SweepError
+
+        try:
+            return tuple(values.speeds(given))
+        except (RequestError, SweepError) as error:
+            raise ValueError(str(error).replace("--speeds", "speeds")) from None
+    if not isinstance(given, Iterable):
+        raise TypeError(
+            _(
+                'speeds takes a list of speeds or text such as "1000..6000 rpm", not {given}',
+                given=quoted(given),
+            )
+        )
+    return tuple(float(speed(each)) for each in given)
+
+
 def pressure(argument: str, given: Any) -> float:
     """A pressure above nought, Pa, or text with its unit. Raises ValueError, TypeError."""
     return _positive(argument, given, PRESSURE, "10 bar")

@@ -24,7 +24,7 @@ def torsion_sentences(engine: Engine, *, speed: float | None = None) -> list[str
     >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
     >>> own = {"inertia": "0.02 kg*m^2", "stiffness": "0.6 MN*m/rad", "disc": [disc]}
     >>> torsion_sentences(load("audi-25-tfsi", changes={"torsion": own}))[0]
-    'First torsional mode: 249.8 Hz.'
+    'First torsional mode: 278.1 Hz.'
     """
     if engine.torsion is None:
         return []
