@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated
+from typing import Annotated, Any
 
 from crankstar.cli.options import (
     EngineName,
@@ -11,16 +11,21 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
+    engine_or_chain,
     loaded_values,
     option,
     together,
 )
 from crankstar.cli.output import complain, write, write_bytes
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.options import values as request
 from crankstar.options.forms import form_of
 from crankstar.options.values import refusal
 from crankstar.tables.ranges import estimated_paths
+
+PROGRAMS = ("opentorsion", "ross")
+"""For what twists."""
 
 
 def export(
@@ -32,17 +37,24 @@ def export(
     theta: Annotated[
         str | None, option("--theta", "For the parts in .glb and .stl (default: 0 deg).")
     ] = None,
+    to: Annotated[str | None, option("--to")] = None,
     settings: Settings = None,
     estimate: Estimating = False,
     output: Annotated[
         str | None,
-        option("--output", "A model for EXUDYN (.py), or the moving parts (.glb, .stl)."),
+        option("--output", "A model for another program (.py), or the moving parts (.glb, .stl)."),
     ] = None,
 ) -> None:
-    """Write an engine for another tool: a model for EXUDYN (.py), solids (.glb, .stl)."""
+    """Write an engine for another tool: a script (.py: EXUDYN, openTorsion, ROSS) or solids."""
     form = form_of(output, ("py", "glb", "stl"))
     other = {"--theta": theta} if form == "py" else {"--speed": speed, "--reference": reference}
-    request.refuse_unused(other, beside=f"-o .{form}")
+    request.refuse_unused(other | ({} if form == "py" else {"--to": to}), beside=f"-o .{form}")
+    program = "exudyn" if to is None else request.choice("--to", to, ("exudyn", *PROGRAMS))
+    if program in PROGRAMS:
+        options = {"--speed": speed, "--reference": reference}
+        request.refuse_unused(options, beside=f"--to {program}")
+        _write_chain(engine, settings, output, to=program, estimate=estimate)
+        return
     (loaded, _spread), turning = together(
         partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
     )
@@ -59,7 +71,23 @@ def export(
             raise refusal("--theta", theta, N_('give one crank angle, such as "30 deg"'))
         content = glb_bytes if form == "glb" else stl_bytes
         write_bytes(content(loaded, theta=angles[0] if angles else 0.0), output)
-    if paths := estimated_paths(loaded):
+    _tell_estimated(loaded)
+
+
+def _write_chain(
+    name: str, settings: list[str] | None, output: str | None, *, to: Any, estimate: bool
+) -> None:
+    """Write the chain that twists of an engine or a drive line."""
+    from crankstar.exports.torsion import torsion_script
+
+    source, _spread = engine_or_chain(name, settings, estimate=estimate)
+    write(torsion_script(source, to=to), output)
+    if isinstance(source, Engine):
+        _tell_estimated(source)
+
+
+def _tell_estimated(engine: Engine) -> None:
+    if paths := estimated_paths(engine):
         complain(
             _("Estimated: {paths}. The file has their typical values.", paths=", ".join(paths))
         )

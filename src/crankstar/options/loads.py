@@ -1,4 +1,4 @@
-"""The part of the vocabulary of options about loads and twist."""
+"""The part of the vocabulary of options about loads, twist and other programs."""
 
 from __future__ import annotations
 
@@ -38,6 +38,11 @@ LOADS = {
     ),
     "--peak-pressure": Option(
         "text", 'Greatest pressure of the cycle, such as "75 bar".', ("--pmax",)
+    ),
+    "--to": Option(
+        "text",
+        "Program for which a .py is written: exudyn (the default), opentorsion or ross.",
+        ("--for", "--program"),
     ),
     "--point": Option(
         "text",
