@@ -349,12 +349,25 @@ def drawn(command: str, *, kind: str = "chart") -> str:
 
     with TemporaryDirectory() as folder, redirect_stderr(StringIO()):
         place = Path(folder) / "drawing.svg"
-        words = [*shlex.split(command), "--output", str(place)]
+        words = [_file(word, Path(folder)) for word in shlex.split(command)]
+        words += ["--output", str(place)]
         app(words, exit_on_error=False, print_error=False)
         drawing = place.read_text(encoding="utf-8")
     shown = drawing.replace(GREY, "currentColor")
     caption = f"<figcaption><code>crankstar {escape(command)}</code></figcaption>"
     return f'<figure class="{kind}" markdown="0">{shown}{caption}</figure>'
+
+
+def _file(word: str, folder: Path) -> str:
+    """A word of a command; the engine file of a page that it names is put into a folder."""
+    if not word.endswith(".toml"):
+        return word
+    title = re.compile(rf'^```toml title="{re.escape(word)}"\n(.*?)^```$', re.MULTILINE | re.DOTALL)
+    pages = (page.read_text(encoding="utf-8") for page in sorted(HERE.rglob("*.md")))
+    [content] = [text for page in pages for text in title.findall(page)]
+    place = folder / word
+    place.write_text(content, encoding="utf-8")
+    return str(place)
 
 
 def sources(path: str) -> str:

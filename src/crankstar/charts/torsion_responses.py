@@ -152,7 +152,7 @@ def _words(found: TorsionAnalysis, courses: _Courses) -> list[str]:
     ]
     if found.barred:
         ranges = ", ".join(f"{rpm_text(low)}–{rpm_text(high)}" for low, high in _merged(found))
-        lines.append(_("shaded: barred speeds, {ranges} rpm", ranges=ranges))
+        lines.append(_("shaded: barred by the stress of some shaft, {ranges} rpm", ranges=ranges))
     return lines
 
 

@@ -211,7 +211,7 @@ _MOST = {
     "--orders": Option(
         "text", "Crank orders with commas, such as 1,2,4, or all.", ("--order", "--harmonics")
     ),
-    "--output": Option("text", "File to write.", ("--out", "--file", "--to")),
+    "--output": Option("text", "File to write.", ("--out", "--file")),
     "--over": Option(
         "several texts",
         "Value of the engine file to vary, such as balance_factor=0..1, "

@@ -80,6 +80,8 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
         "them."
     )
     more = (_estimates_note(sweep), added if sweep.adds else "")
+    if curves and all(curve.what in TORSION_WATCHABLE for curve in curves):
+        return remarks(_estimates_note(sweep), kind="note")
     own = (*GAS_WATCHABLE, *TORSION_WATCHABLE)
     gas = bool(curves) and all(curve.what in own for curve in curves)
     return remarks(counted, "" if gas else speed_note(sweep), *more, kind="note")
