@@ -11,6 +11,7 @@ from math import prod
 import numpy as np
 
 from crankstar import spectra
+from crankstar.dynamics.torsion_chain import TorsionError
 from crankstar.dynamics.uneven import UnevenError, driven
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance, total
@@ -119,7 +120,7 @@ def one_by_one(
     for place, (engine, speed) in enumerate(cases(), 1):
         try:
             out.append(value(engine, speed))
-        except (GasError, SweepError, UnevenError) as error:
+        except (GasError, SweepError, TorsionError, UnevenError) as error:
             raise SweepError(
                 "value {place} of {count}: {reason}",
                 place=place,

@@ -45,12 +45,8 @@ def torsion_values(
 def _value(engine: Engine, speed: float | None, what: str, order: float | None) -> float:
     """At a speed (rad/s), or the greatest over the range of the engine's own."""
     from crankstar.dynamics.torsion_analysis import resolved, torsion
-    from crankstar.dynamics.torsion_chain import TorsionError
 
-    try:
-        found = torsion(engine, speeds=[] if speed is None else [speed])
-    except TorsionError as error:
-        raise SweepError("{reason}", reason=str(error)) from None
+    found = torsion(engine, speeds=[] if speed is None else [speed])
     if what == "torsion_frequency":
         if not found.modes:
             raise SweepError("nothing twists: all masses are rigidly coupled")
