@@ -306,6 +306,7 @@ NO_TERMS = {
     *("journal", "mean load", "pressed most at", "pressed least at"),
     *("greatest pressure", "mean pressure", "least film", "eccentricity"),
     *("free end", "torque in {shaft}", "sum of amplitudes", "by order at this speed"),
+    *("strongest order", "its mode"),
 }
 """Headings that are plain words."""
 
