@@ -10,11 +10,14 @@ import numpy as np
 import pytest
 from tests.commands import Run
 from tests.methods.test_torsion_charts import tree
+from tests.twisting import pushes, row
 
 import crankstar
 from crankstar.dynamics.torsion_analysis import resolved, torsion
 from crankstar.dynamics.torsion_criticals import stresses
+from crankstar.dynamics.torsion_response import response
 from crankstar.files import changed, engine_of
+from crankstar.studies.torsion_results import greatest_stress
 from crankstar.studies.variants import SweepError
 
 RPM = 30 / np.pi
@@ -154,6 +157,37 @@ def test_a_sweep_of_torsion_says_what_is_missing(
     made = crankstar.sweep(engine, "balance_factor=0..1/2")
     with pytest.raises(SweepError, match=words):
         crankstar.watched(made, what, order=order)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_greatest_stress_is_found_without_the_peaks_of_all_speeds(seed: int) -> None:
+    inertias, stiffnesses = [1.0, 0.4, 0.7, 2.0, 0.3], [2e4, 5e4, 1e4, 7e4]
+    chain = row(inertias, stiffnesses, loss_factor=0.05)
+    orders = np.arange(1, 25) / 2
+    speeds = np.linspace(5.0, 300.0, 60)
+    found = response(chain, pushes(chain, seed, orders), speeds=speeds)
+    modulus = np.array([1e-6, np.nan, 3e-6, 2e-6])
+    wanted = float(np.nanmax(found.peak / modulus))
+    assert greatest_stress(found, modulus) == pytest.approx(wanted, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "what", [pytest.param("torsion_stress", marks=pytest.mark.long), "peak_pressure"]
+)
+def test_a_sweep_of_an_estimated_engine_has_ranges(run: Run, tmp_path: Path, what: str) -> None:
+    """What is computed engine by engine has its ends from the engines at the corners."""
+    guessed = tree()
+    for key in ("rod_length", "reciprocating_mass", "rotating_mass"):
+        del guessed["cylinder"][key]
+    guessed["torsion"]["inertia"] = "0.0075 kg*m^2"
+    del guessed["torsion"]["bare_inertia"]
+    place = tmp_path / "guessed.json"
+    place.write_text(json.dumps(guessed), encoding="utf-8")
+    over = ("--over", "torsion.disc[2].inertia=0.1..0.2 kg*m^2/2", "--quantity", what)
+    said = printed(run, "sweep", str(place), "--estimate", *over)
+    assert "estimated" in said
+    if what == "torsion_stress":
+        assert " to " in said.partition("Least")[2]
 
 
 @pytest.mark.long

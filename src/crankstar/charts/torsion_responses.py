@@ -94,7 +94,7 @@ def torsion_response_chart(
     title = _(TITLES[wanted])
     try:
         rough = torsion(engine, point=point or "", speeds=[*(speeds or ())])
-        found = resolved(engine, rough, point=point or "")
+        found = resolved(engine, rough)
     except TorsionError as error:
         return refused(engine, title=title, reason=str(error))
     own_response = found.response

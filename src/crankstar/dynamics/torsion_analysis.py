@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -56,12 +57,18 @@ class TorsionAnalysis:
     criticals: tuple[Critical, ...]
     response: Response | None
     at: Response | None
-    barred: tuple[Barred, ...]
     cycle: Cycle | None
     limit: float | None
     without_gas: str = ""
     range_assumed: bool = False
     exact: Response | None = None
+
+    @cached_property
+    def barred(self) -> tuple[Barred, ...]:
+        """The speeds at which the stress of a shaft passes the limit; none without a limit."""
+        if self.limit is None or self.response is None:
+            return ()
+        return barred(self.speeds, stresses(self.response)[0], limit=self.limit)
 
     @property
     def free_end(self) -> int:
@@ -100,14 +107,11 @@ def torsion(
     wanted, assumed = _range(source, speed, speeds)
     limit = None if source.torsion is None else source.torsion.shear_limit
     if not len(wanted):
-        return TorsionAnalysis(chain, free, wanted, (), None, None, (), found, limit, why)
+        return TorsionAnalysis(chain, free, wanted, (), None, None, found, limit, why)
     push = excitation(chain, source, found, orders=orders)
     driven = found is not None or push.inertia is not None
     meeting = orders or [float(k) for k in push.orders if k <= HIGHEST_CRITICAL]
     whole = response(chain, push, speeds=wanted) if driven else None
-    over: tuple[Barred, ...] = ()
-    if limit is not None and whole is not None:
-        over = barred(wanted, stresses(whole)[0], limit=limit)
     return TorsionAnalysis(
         chain=chain,
         modes=free,
@@ -123,7 +127,6 @@ def torsion(
         ),
         response=whole,
         at=response(chain, push, speeds=np.array([speed])) if driven and speed else None,
-        barred=over,
         cycle=found,
         limit=limit,
         without_gas=why,
@@ -132,8 +135,8 @@ def torsion(
     )
 
 
-def resolved(engine: Engine, found: TorsionAnalysis, *, point: str = "") -> TorsionAnalysis:
-    """The same over a range of speeds that has the critical speeds in it, where the peaks are.
+def resolved(engine: Engine, found: TorsionAnalysis) -> TorsionAnalysis:
+    """The same in all orders over speeds that have the critical ones in them, where the peaks are.
 
     >>> from crankstar.files.catalog import load
     >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
@@ -147,8 +150,9 @@ def resolved(engine: Engine, found: TorsionAnalysis, *, point: str = "") -> Tors
     more = [each.speed for each in found.criticals]
     if not more or found.response is None:
         return found
-    finer = torsion(engine, point=point, speeds=np.union1d(found.speeds, more))
-    return replace(finer, range_assumed=found.range_assumed)
+    speeds = np.union1d(found.speeds, more)
+    whole = response(found.chain, excitation(found.chain, engine, found.cycle), speeds=speeds)
+    return replace(found, speeds=speeds, response=whole)
 
 
 def _exact(engine: Engine, chain: TorsionChain, push: Excitation, speed: float) -> Response | None:
@@ -177,7 +181,7 @@ def _of_chain(
         if orders and wanted.size
         else ()
     )
-    return TorsionAnalysis(chain, free, wanted, meeting, None, None, (), None, None)
+    return TorsionAnalysis(chain, free, wanted, meeting, None, None, None, None)
 
 
 def _cycle(engine: Engine, point: str, speed: float | None) -> tuple[Cycle | None, str]:

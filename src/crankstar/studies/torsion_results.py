@@ -7,6 +7,7 @@ order; over the speeds of the engine's file, or, where the speed is swept, at ea
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
     from crankstar.dynamics.torsion_response import Response
 
 UNITS = {"torsion_frequency": "Hz", "torsion_stress": "Pa", "torsion_amplitude": "deg"}
+AT_ONCE = 8
+"""Speeds whose stresses are computed together."""
 TORSION_WATCHABLE = (*UNITS,)
 
 
@@ -45,33 +48,56 @@ def torsion_values(
 def _value(engine: Engine, speed: float | None, what: str, order: float | None) -> float:
     """At a speed (rad/s), or the greatest over the range of the engine's own."""
     from crankstar.dynamics.torsion_analysis import resolved, torsion
+    from crankstar.dynamics.torsion_chain import torsion_chain
+    from crankstar.dynamics.torsion_modes import torsion_modes
 
-    found = torsion(engine, speeds=[] if speed is None else [speed])
     if what == "torsion_frequency":
-        if not found.modes:
+        modes = torsion_modes(torsion_chain(engine))
+        if not modes:
             raise SweepError("nothing twists: all masses are rigidly coupled")
-        return found.modes[0].frequency
+        return modes[0].frequency
+    found = torsion(engine, speeds=[] if speed is None else [speed])
     if speed is None:
         found = resolved(engine, found)
     if found.response is None:
         raise SweepError(
             "{what} needs a speed, and gas or masses: give speed in the engine file", what=what
         )
-    return float(np.max(_course(found, found.response, what, order)))
+    return _greatest(found, found.response, what, order)
 
 
-def _course(found: TorsionAnalysis, own: Response, what: str, order: float | None) -> Real:
+def _greatest(found: TorsionAnalysis, own: Response, what: str, order: float | None) -> float:
     """Over the speeds."""
     place = None if order is None else _place(own, order)
     if what == "torsion_amplitude":
         node = found.free_end
         peak = own.peak_turn(node) if place is None else np.abs(own.turns[:, place, node])
-        return np.degrees(peak)
+        return float(np.degrees(peak.max()))
     modulus = np.array([each.modulus or np.nan for each in found.chain.sections])
-    torque = own.peak if place is None else np.abs(own.torque[:, place])
     if np.all(np.isnan(modulus)):
         raise SweepError("torsion_stress needs the diameter of a shaft: give torsion.diameter")
-    return np.nanmax(torque / modulus, axis=1)
+    if place is not None:
+        return float(np.nanmax(np.abs(own.torque[:, place]) / modulus))
+    return greatest_stress(own, modulus)
+
+
+def greatest_stress(own: Response, modulus: Real) -> float:
+    """Of all orders with their phases, Pa, over the speeds of a response.
+
+    No peak is above the sum of the amplitudes: the speeds with the greatest sums come first, and
+    the others are left out once none can have more. `modulus` [section]: torque over stress, m^3.
+    """
+    most = np.nanmax(own.added / modulus, axis=1)
+    order = np.argsort(-most)
+    best = 0.0
+    for start in range(0, order.size, AT_ONCE):
+        rows = order[start : start + AT_ONCE]
+        if most[rows[0]] <= best:
+            break
+        names = ("speeds", "turns", "twist", "torque", "driving")
+        some = replace(own, **{name: getattr(own, name)[rows] for name in names})
+        best = max(best, float(np.nanmax(some.peak / modulus)))
+    return best
 
 
 def _place(own: Response, order: float) -> int:

@@ -18,7 +18,7 @@ from crankstar.language.shown_units import shown
 from crankstar.mechanics.bounds import of_order, of_peak
 from crankstar.spectra import Complex, Real
 from crankstar.studies.best_value import Best
-from crankstar.studies.sweep import Curve, Sweep, spectrum_of, watched
+from crankstar.studies.sweep import WATCHABLE, Curve, Sweep, spectrum_of, watched
 from crankstar.tables.cells import rough
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.hulls import greatest_sum
@@ -93,7 +93,9 @@ def _band(
 
 
 def _bounds(sweeps: Sequence[Sweep], curve: Curve) -> list[float]:
-    """What a curve is nowhere below at each value, by the amplitudes it comes from."""
+    """What a curve is nowhere below at each value, by the amplitudes it comes from; else nought."""
+    if curve.what not in WATCHABLE:
+        return [0.0] * int(np.prod(sweeps[0].shape))
     own = [_amplitudes(each, curve) for each in sweeps]
     return [float(greatest_sum(np.stack(rows, axis=-1))) for rows in zip(*own, strict=True)]
 
