@@ -15,10 +15,11 @@ from tests.twisting import row
 from crankstar import load
 from crankstar.dynamics.crank_stiffness import FORMULAS, throw_stiffness
 from crankstar.dynamics.torsion_chain import torsion_chain
-from crankstar.dynamics.torsion_excitation import Excitation, firing_phases, vector_sums
+from crankstar.dynamics.torsion_excitation import Excitation, firing_phases
 from crankstar.dynamics.torsion_modes import holzer, torsion_modes
 from crankstar.dynamics.torsion_response import response
 from crankstar.engine.torsion import Chain, CrankDimensions, Disc
+from crankstar.firing.weighing import vector_sums
 
 MASSES = number(0.05, 30.0)
 SPRINGS = number(1e3, 1e7)

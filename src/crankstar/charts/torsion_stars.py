@@ -31,9 +31,10 @@ from crankstar.charts.torsion_words import hertz, named_lines, refused, rpm_text
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_chain import TorsionChain, TorsionError, torsion_chain
 from crankstar.dynamics.torsion_criticals import of_note
-from crankstar.dynamics.torsion_excitation import ROUNDING, firing_phases, vector_sums
+from crankstar.dynamics.torsion_excitation import firing_phases
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
 from crankstar.engine.engine import Engine
+from crankstar.firing.weighing import NOTHING, vector_sums
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import numbers_text, order_text
 from crankstar.spectra import Complex, Real
@@ -57,7 +58,7 @@ class _Star(NamedTuple):
     def sum(self) -> complex:
         """Nought where it is but rounding."""
         whole = complex(self.vectors.sum())
-        return whole if abs(whole) > ROUNDING * float(np.abs(self.vectors).sum()) else 0j
+        return whole if abs(whole) > NOTHING * float(np.abs(self.vectors).sum()) else 0j
 
 
 def torsion_star(

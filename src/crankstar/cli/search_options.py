@@ -6,6 +6,16 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from crankstar.cli.options import Csv, Json, option
+from crankstar.options.values import RequestError
+
+
+def not_compiled(error: ImportError) -> RequestError:
+    """What is said where numba is not installed."""
+    return RequestError(
+        "searches are compiled with numba ({error}); install it with: pip install "
+        '"crankstar[search]"',
+        error=error,
+    )
 
 
 @dataclass(frozen=True)

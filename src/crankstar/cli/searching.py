@@ -22,7 +22,7 @@ from crankstar.cli.options import (
     write_engine,
 )
 from crankstar.cli.output import complain, display, working, writable, write_result
-from crankstar.cli.search_options import Form, Sequenced, Work
+from crankstar.cli.search_options import Form, Sequenced, Work, not_compiled
 from crankstar.cli.tabulating import give, words_for
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
@@ -115,11 +115,7 @@ def _job() -> ModuleType:
     try:
         from crankstar.cli import search_job
     except ImportError as error:
-        raise RequestError(
-            "searches are compiled with numba ({error}); install it with: pip install "
-            '"crankstar[search]"',
-            error=error,
-        ) from None
+        raise not_compiled(error) from None
     return search_job
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from crankstar.cli.options import Looks, engine_with_tree, write_engine
 from crankstar.cli.output import display, progress, working, writable
-from crankstar.cli.search_options import Form, Work
+from crankstar.cli.search_options import Form, Work, not_compiled
 from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
 from crankstar.options import search as options
@@ -93,11 +93,7 @@ def _front(question: Any, workers: int, *, agreed: bool) -> Any:
         try:
             from crankstar.search.sequence_fronts import sequence_front
         except ImportError as error:
-            raise RequestError(
-                "searches are compiled with numba ({error}); install it with: pip install "
-                '"crankstar[search]"',
-                error=error,
-            ) from None
+            raise not_compiled(error) from None
     with progress(_("searching")) as show:
         return sequence_front(question, workers=workers, watch=lambda now, of: show(now, of, ""))
 

@@ -24,8 +24,7 @@ from crankstar.files import units
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
-from crankstar.options.gas import degree_of_irregularity, mean_pressures
-from crankstar.options.refusals import refusal
+from crankstar.options.gas import degree_of_irregularity, gas_orders, mean_pressures
 from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
@@ -86,7 +85,7 @@ def torque(
         partial(mean_pressures, tangential),
     )
     names = {"--imep": "imep", "--bmep": "bmep", "--peak-pressure": "peak_pressure"}
-    wanted = _orders(orders)
+    wanted = gas_orders(orders)
 
     def sheet(each: Engine) -> Document:
         found = cycle(
@@ -119,16 +118,6 @@ def _positive(name: str, text: str, quantity: Quantity) -> float:
     if value <= 0:
         raise request.not_positive(name, text, quantity)
     return value
-
-
-def _orders(text: str | None) -> list[float] | None:
-    """The orders of --orders, those of note without. Raises RequestError."""
-    from crankstar.mechanics.gas_torque import HIGHEST
-
-    wanted = request.orders(text, [n / 2 for n in range(1, int(2 * HIGHEST) + 1)])
-    if wanted and max(wanted) > HIGHEST:
-        raise refusal("--orders", text or "", "give orders up to {highest}", highest=f"{HIGHEST:g}")
-    return wanted
 
 
 def _needing(option: str, engine: Engine, cycle: Cycle) -> None:

@@ -17,9 +17,10 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar.dynamics.torsion_chain import TorsionChain
-from crankstar.dynamics.torsion_excitation import Excitation, vector_sums
+from crankstar.dynamics.torsion_excitation import Excitation
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
 from crankstar.dynamics.torsion_response import Response
+from crankstar.firing.weighing import vector_sums
 from crankstar.spectra import Real
 
 OF_NOTE = 0.05

@@ -33,9 +33,6 @@ from crankstar.mechanics.gas_torque import HIGHEST, piston_torque
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Complex, Real, Spectrum
 
-ROUNDING = 1e-12
-"""Share of all its vectors below which their sum is nought."""
-
 
 @dataclass(frozen=True)
 class Excitation:
@@ -117,24 +114,3 @@ def firing_phases(engine: Engine) -> Real | None:
     if not fires:
         return None
     return np.radians([fires[each.chamber or each.number] for each in engine.cylinders])
-
-
-def vector_sums(
-    shape: Sequence[float] | Real, phases: Real, orders: Sequence[float] | Real
-) -> Real:
-    """|sum a_j exp(i k phi_j)| [order], `shape` [cylinder] the a_j, `phases` the phi_j.
-
-    A six, straight and in a mode with one node: order 3, in which all cylinders push together,
-    does nothing to a mode whose halves turn against each other, and order 4.5 does.
-
-    >>> fires = np.radians([0, 480, 240, 600, 120, 360])
-    >>> mode = np.cos(np.pi * (np.arange(6) + 0.5) / 6)
-    >>> vector_sums(np.ones(6), fires, [3, 4.5]).round(3).tolist()
-    [6.0, 0.0]
-    >>> vector_sums(mode, fires, [3, 4.5]).round(3).tolist()
-    [0.0, 3.864]
-    """
-    waves = np.exp(1j * np.multiply.outer(np.asarray(orders, float), phases))
-    shares = np.asarray(shape, float)
-    sums = np.abs(waves @ shares)
-    return np.where(sums > ROUNDING * np.abs(shares).sum(), sums, 0.0)

@@ -113,7 +113,7 @@ def _mode(chain: TorsionChain, number: int, speed: float, vector: Real) -> Mode:
     first = next((n for n in range(shape.size) if chain.freedom[n] not in free), 0)
     greatest = int(np.argmax(np.abs(shape)))
     unit = first if abs(shape[first]) >= STILL * abs(shape[greatest]) else greatest
-    shape = shape / shape[unit]
+    shape = np.where(np.abs(shape) > AT_NODE * abs(shape[greatest]), shape / shape[unit], 0.0)
     turns = vector / (chain.transform @ vector)[unit]
     return Mode(number, speed, shape, twists(chain, shape), _nodes(chain, turns))
 

@@ -154,6 +154,17 @@ class CrankDimensions(Record):
     formula: Formula = Field(default="ker-wilson", description="published formula for the estimate")
 
 
+Pendulums = Annotated[
+    tuple[Pendulum, ...],
+    Field(
+        validation_alias="pendulum",
+        serialization_alias="pendulum",
+        max_length=GREATEST_DISCS,
+        description="pendulum absorbers",
+    ),
+]
+
+
 class Torsion(Record):
     """The crankshaft between front and rear, throw by throw, and all that turns with it.
 
@@ -211,13 +222,7 @@ class Torsion(Record):
         max_length=GREATEST_DISCS,
         description="what turns with the crankshaft",
     )
-    pendulums: tuple[Pendulum, ...] = Field(
-        default=(),
-        validation_alias="pendulum",
-        serialization_alias="pendulum",
-        max_length=GREATEST_DISCS,
-        description="pendulum absorbers",
-    )
+    pendulums: Pendulums = ()
 
 
 class Chain(Record):
@@ -241,13 +246,7 @@ class Chain(Record):
         max_length=GREATEST_DISCS,
         description="each hangs on one before it, but for the first",
     )
-    pendulums: tuple[Pendulum, ...] = Field(
-        default=(),
-        validation_alias="pendulum",
-        serialization_alias="pendulum",
-        max_length=GREATEST_DISCS,
-        description="pendulum absorbers",
-    )
+    pendulums: Pendulums = ()
     source: Text = Field(default="", description="where the numbers come from")
     notes: Text = Field(default="", description="anything a reader should know")
 

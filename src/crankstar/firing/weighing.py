@@ -32,6 +32,7 @@ from crankstar.engine.engine import Engine
 from crankstar.firing.intervals import Firing
 from crankstar.firing.orders import Order
 from crankstar.language.messages import MessageError
+from crankstar.spectra import Real
 
 Weight = Literal["torque", "roll", "twist"]
 WEIGHTS: tuple[Weight, ...] = ("torque", "roll", "twist")
@@ -87,6 +88,27 @@ def twist_shape(engine: Engine) -> Shape:
     return {number: (place - middle) / farthest for number, place in places.items()}
 
 
+def vector_sums(
+    shape: Sequence[float] | Real, phases: Real, orders: Sequence[float] | Real
+) -> Real:
+    """|sum a_j exp(i k phi_j)| [order], `shape` [cylinder] the a_j, `phases` the phi_j.
+
+    A six, straight and in a mode with one node: order 3, in which all cylinders push together,
+    does nothing to a mode whose halves turn against each other, and order 4.5 does.
+
+    >>> fires = np.radians([0, 480, 240, 600, 120, 360])
+    >>> mode = np.cos(np.pi * (np.arange(6) + 0.5) / 6)
+    >>> vector_sums(np.ones(6), fires, [3, 4.5]).round(3).tolist()
+    [6.0, 0.0]
+    >>> vector_sums(mode, fires, [3, 4.5]).round(3).tolist()
+    [0.0, 3.864]
+    """
+    waves = np.exp(1j * np.multiply.outer(np.asarray(orders, float), phases))
+    shares = np.asarray(shape, float)
+    sums = np.abs(waves @ shares)
+    return np.where(sums > NOTHING * np.abs(shares).sum(), sums, 0.0)
+
+
 def sums_of(firing: Firing, shape: Shape, crank_orders: Sequence[float]) -> list[float]:
     """S_k of a firing order, for each crank order.
 
@@ -96,11 +118,8 @@ def sums_of(firing: Firing, shape: Shape, crank_orders: Sequence[float]) -> list
     >>> [round(each, 4) for each in sums_of(firing(twin), even_shape(twin), (0.5, 1, 2))]
     [0.7654, 1.4142, 0.0]
     """
-    amplitude = np.array([shape[number] for number in firing.order])
-    angles = np.radians(firing.angles_deg)
-    turned = np.exp(-1j * np.outer(np.asarray(crank_orders, dtype=float), angles))
-    sums = np.abs(turned @ amplitude)
-    return [float(each) for each in np.where(sums < NOTHING * np.abs(amplitude).sum(), 0.0, sums)]
+    amplitudes = [shape[number] for number in firing.order]
+    return vector_sums(amplitudes, np.radians(firing.angles_deg), crank_orders).tolist()
 
 
 def weighed(

@@ -29,6 +29,20 @@ def degree_of_irregularity(text: str | None) -> float | None:
     return value
 
 
+def gas_orders(text: str | None) -> list[float] | None:
+    """The orders of --orders up to those of a cycle, None without. Raises RequestError.
+
+    >>> gas_orders("0.5,2"), gas_orders(None)
+    ([0.5, 2.0], None)
+    """
+    from crankstar.mechanics.gas_torque import HIGHEST
+
+    wanted = request.orders(text, [n / 2 for n in range(1, int(2 * HIGHEST) + 1)])
+    if wanted and max(wanted) > HIGHEST:
+        raise refusal("--orders", text or "", "give orders up to {highest}", highest=f"{HIGHEST:g}")
+    return wanted
+
+
 def mean_pressures(text: str | None) -> tuple[float, ...]:
     """The pressures of --tangential, Pa. Raises RequestError."""
     parts = request.listed(text)
