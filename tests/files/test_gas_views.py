@@ -312,3 +312,32 @@ def test_a_cylinder_that_is_off_silences_the_chamber_it_shares(run: Run) -> None
         for off in (1, other)
     ]
     assert derived[0] == derived[1]
+
+
+def layered(spec: Any) -> list[dict[str, Any]]:
+    """All layered panels of a figure."""
+    if isinstance(spec, list):
+        return [panel for each in spec for panel in layered(each)]
+    if not isinstance(spec, dict):
+        return []
+    return [spec] * ("layer" in spec) + [panel for each in spec.values() for panel in layered(each)]
+
+
+def test_the_name_of_a_cylinder_stands_where_its_curve_is_low() -> None:
+    engine = crankstar.load("man-s90mc-c")
+    drawn = charts.torque_chart(engine, quantity="cylinders").to_dict()
+    sides: dict[str, str] = {}
+    for panel in layered(drawn):
+        words = panel["layer"][-1]
+        text = str(words["encoding"].get("text", {}).get("value", ""))
+        if not text.startswith("cylinder "):
+            continue
+        heights = [row["y"] for row in rows_of(panel) if "what" in row]
+        quarter = len(heights) // 4
+        middle = slice((len(heights) - quarter) // 2, (len(heights) + quarter) // 2)
+        under = {"right": slice(-quarter, None), "left": slice(quarter), "center": middle}
+        sides[text] = words["mark"]["align"]
+        assert max(heights[under[sides[text]]]) < 0.6 * max(heights), text
+    assert len(sides) == 7
+    assert sides["cylinder 1"] == "right"
+    assert sides["cylinder 6"] != "right"  # the last to fire, high at the end of the cycle

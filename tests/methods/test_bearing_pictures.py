@@ -120,7 +120,7 @@ def test_circles_of_a_polar_diagram_are_whole_and_each_has_its_value_on_it(
 def test_every_mark_of_a_polar_diagram_is_explained_and_none_hides_another(name: str) -> None:
     chart = charts.polar_loads(crankstar.load(name))
     words = " ".join(chart.to_dict()["title"]["subtitle"])
-    assert "ring: the greatest load; line: the load at θ; dots: θ every 90°" in words
+    assert "ring: the greatest load; line: the load at θ; dots: θ = 0°, 90°, 180°, 270°" in words
     for panel in panels(chart):
         points = [layer for layer in panel["layer"] if layer["mark"]["type"] == "point"]
         dots, ring, now = points

@@ -289,3 +289,11 @@ def test_options_that_are_none_are_refused(six: Any, kind: str) -> None:
     if figure.quantities:
         with pytest.raises(charts.ChartError):
             figure.draw(six, quantity="noise")
+
+
+def test_the_limit_of_the_stress_is_named_where_its_line_is() -> None:
+    engine = engine_of(tree(), changes={"torsion.shear_limit": "24 MPa"})
+    drawn = charts.CHARTS["torsion-response"].draw(engine, quantity="stress")
+    assert "the limit, 24 MPa" in text_of(drawn)
+    without = charts.CHARTS["torsion-response"].draw(engine, quantity="amplitude")
+    assert "the limit" not in text_of(without)

@@ -59,6 +59,7 @@ DASHED = {
     "crank-pin": N_("dashed: the cylinder axes"),
     "crank-pin-journal": N_("dashed: the throw at θ = 0"),
 }
+MARKS = N_("ring: the greatest load; line: the load at θ; dots: θ = 0°, 90°, 180°, 270°")
 PATHS = N_(
     "Estimated masses or lengths: greatest loads have their ranges; paths and circles are those of "
     "the typical values."
@@ -158,7 +159,7 @@ def polar_loads(
     ]
     about = [
         _(MODELS[model]) if quantity.startswith("main") else "",
-        _("ring: the greatest load; line: the load at θ; dots: θ every 90°") if largest else "",
+        _(MARKS) if largest else "",
         _("the {count} greatest of {all}", count=most, all=len(every)) if len(every) > most else "",
         _(DASHED[quantity]) if DASHED[quantity] and any(one.directions for one in loadings) else "",
     ]

@@ -54,6 +54,8 @@ HIGHEST = 8.0
 VISIBLE = 0.005
 """Share of the greatest bar from which one is drawn."""
 MOST_LOADS = 4
+NAMES, LOW = 4, 0.4
+"""The part of a row that a name takes, and how high a curve may be there, as a share of its top."""
 ROW, LEAST_ROW, ROWS = 44.0, 15.0, 420.0
 """Px of a cylinder's row, at least, and of all rows together."""
 
@@ -130,6 +132,7 @@ def _cylinders(engine: Engine, found: Cycle) -> list[Panel]:
                 legend=False, ticks=0,
             ),
             _("cylinder {number}", number=line.name),
+            line.values,
         )
         for line in lines
     ]  # fmt: skip
@@ -149,12 +152,18 @@ def _scale(ends: tuple[float, float]) -> str:
     )
 
 
-def _named(panel: Panel, name: str) -> Panel:
-    """A panel with its name at the top right, inside."""
+def _named(panel: Panel, name: str, values: Real) -> Panel:
+    """A panel with its name inside at the top, where its curve of these values [angle] is low."""
+    room = values.size // NAMES
+    middle = (values.size - room) // 2
+    right, left, between = values[-room:], values[:room], values[middle : middle + room]
+    tops = [float(each.max()) for each in (right, left, between)]
+    at = tops.index(min(tops)) if tops[0] > LOW * float(values.max()) else 0
+    align, share, shift = (("right", 1.0, -4), ("left", 0.0, 4), ("center", 0.5, 0))[at]
     label = of_rows([{"x": 0}]).mark(
-        "text", fontSize=SMALL, color=GREY, align="right", baseline="top", dx=-4
+        "text", fontSize=SMALL, color=GREY, align=align, baseline="top", dx=shift
     )
-    words = label.encode(x=constant(panel_width()), y=constant(0), text=constant(name))
+    words = label.encode(x=constant(share * panel_width()), y=constant(0), text=constant(name))
     return {**panel, "layer": [*panel["layer"], words.spec]}
 
 

@@ -150,6 +150,8 @@ def _words(found: TorsionAnalysis, courses: _Courses) -> list[str]:
             rpm=rpm_text(float(found.speeds[top])),
         )
     ]
+    if courses.view == "stress" and found.limit:
+        lines.append(_("dashed across: the limit, {limit} MPa", limit=number(found.limit * MPA)))
     if found.barred:
         ranges = ", ".join(f"{rpm_text(low)}–{rpm_text(high)}" for low, high in _merged(found))
         lines.append(_("shaded: barred by the stress of some shaft, {ranges} rpm", ranges=ranges))

@@ -114,7 +114,7 @@ def curves(grid: Grid, events: Events, release: Release, *, gamma: float) -> Cur
     volume, rate = grid.volume[where], grid.rate[where]
     burnt = release.burnt(angle)
     # by parts, for x_b is smoother than its rate
-    moved = _integral(burnt * volume ** (gamma - 2) * rate, grid.step)
+    moved = integral(burnt * volume ** (gamma - 2) * rate, step=grid.step)
     heat = (gamma - 1) * (burnt / volume - (gamma - 1) * moved / volume**gamma)
     intake, exhaust, released = (np.zeros_like(grid.volume) for _ in range(3))
     intake[where] = parts.free * (volume_at(grid, events.closed) / volume) ** gamma
@@ -125,11 +125,14 @@ def curves(grid: Grid, events: Events, release: Release, *, gamma: float) -> Cur
     return Curves(intake, exhaust, released)
 
 
-def _integral(values: Real, step: float) -> Real:
+def integral(values: Real, *, step: float) -> Real:
     """The integral from the first sample to each [sample], by the parabolas through three.
 
     Between two samples the mean of both parabolas. Not scipy's, whose import takes longer than all
     else that a page does.
+
+    >>> integral(np.array([0.0, 1.0, 4.0, 9.0, 16.0]), step=1.0).round(12).tolist()
+    [0.0, 0.333333333333, 2.666666666667, 9.0, 21.333333333333]
     """
     inside = (values[:-3] + values[3:], values[1:-2] + values[2:-1])
     first = 5 * values[0] + 8 * values[1] - values[2]
