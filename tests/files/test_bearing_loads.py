@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 from collections.abc import Callable
 
 import pytest
@@ -43,6 +44,18 @@ def test_the_printed_loads_with_gas_are_those_of_the_operating_point(run: Run) -
     peaks = [row["peak"]["value"] for row in tree["bearings"]]
     expected = spectra.peaks(bearing_loads(engine, cycle=cycle(engine)).load)
     assert peaks == pytest.approx(expected.tolist())
+
+
+def test_the_printed_wear_is_on_the_inner_side_of_a_pin_that_a_rod_pulls_outward(run: Run) -> None:
+    tree = json.loads(run("bearings", "audi-25-tfsi", "--json").out)
+    engine = load("audi-25-tfsi")
+    rows = {row["journal"]: row for row in tree["wear"]}
+    for number, throw in enumerate(engine.shafts[0].throws, 1):
+        out = math.degrees(throw.angle)
+        inner = (rows[f"pin {number}"]["most_deg"] - out) % 360
+        hole = (rows[f"pin {number}"]["least_deg"] - out) % 360
+        assert inner == pytest.approx(180, abs=1)
+        assert min(hole, 360 - hole) == pytest.approx(0, abs=1)
 
 
 def test_gas_without_masses_is_refused_with_what_it_needs(refused: Callable[..., str]) -> None:

@@ -19,7 +19,10 @@ from crankstar.tables.table import Column, Table, Value
 
 
 class _Loaded(NamedTuple):
-    """A bearing: its shaft, its name, its sizes, the load on its journal (N)."""
+    """A bearing: its shaft, its name, its sizes, the load in it (N).
+
+    Whether its journal pushes it or is pushed: the film is the same half a turn further.
+    """
 
     shaft: str
     name: str
@@ -87,8 +90,7 @@ def _loaded(engine: Engine, loads: BearingLoads) -> Iterator[_Loaded]:
             if sum(number in single for number in pin.cylinders) != 1:
                 continue  # each rod has a bearing of its own, and its share of the load
             name = _("pin {number}", number=pin.throw)
-            # the rods push the pin; their bearings are pushed by it the other way
-            yield _Loaded(pin.shaft, name, oil.pin, spectra.scaled(loads.pin[index], -1.0))
+            yield _Loaded(pin.shaft, name, oil.pin, loads.pin[index])
 
 
 def _orbit(engine: Engine, loads: BearingLoads, each: _Loaded) -> Orbit | None:
