@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -440,3 +441,45 @@ def test_any_spoilt_torsion_is_a_response_or_a_sentence(seed: int) -> None:
         assert np.isfinite(found.response.turns).all()
         assert all(np.isfinite(mode.shape).all() for mode in found.modes)
     assert engines > 5
+
+
+@pytest.mark.parametrize(
+    "slip",
+    ['stiffness = "9 kN*m/rad"', 'damping = "2 N*m*s/rad"', "speed_ratio = 2", 'diameter = "9 mm"'],
+)
+def test_what_has_no_effect_on_a_first_disc_is_a_mistake(slip: str) -> None:
+    text = CHAIN.replace('inertia = "2 kg*m^2"', f'inertia = "2 kg*m^2"\n{slip}')
+    with pytest.raises(EngineFileError, match="first disc of a chain hangs on nothing"):
+        chain_of(tomllib.loads(text), name="it")
+
+
+def test_options_that_do_nothing_to_a_drive_line_are_refused(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "line.toml"
+    place.write_text(CHAIN.replace('speed = "1500 rpm"\n', ""), encoding="utf-8")
+    assert "--speeds" in run("torsion", str(place), "--orders", "2").err
+    assert "--speed" in run("torsion", str(place), "--speed", "300 rpm").err
+    assert run("torsion", str(place), "--orders", "2", "--speeds", "300..9000 rpm/9").code == 0
+
+
+def test_pendulums_are_told_with_the_order_that_they_hold_back(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "line.toml"
+    pendulum = '[[pendulum]]\non = "gear"\nmass = "0.4 kg"\nradius = "90 mm"\nlength = "10 mm"\n'
+    place.write_text(f"{CHAIN.rstrip()}\n{pendulum}", encoding="utf-8")
+    out = run("torsion", str(place)).out
+    row = next(line for line in out.splitlines() if line.startswith("gear ") and " 90 " in line)
+    assert row.split()[-1] == "3"
+    (told,) = json.loads(run("torsion", str(place), "--json").out)["pendulums"]
+    assert (told["on"], told["order"], told["length"]) == ("gear", pytest.approx(3), 10)
+
+
+def test_a_mass_at_a_node_is_printed_as_nought() -> None:
+    three = [{"name": "a", "inertia": 1}, {"name": "b", "inertia": 3, "to": "a", "stiffness": 7}]
+    three.append({"name": "c", "inertia": 1, "to": "b", "stiffness": 7})
+    first = torsion(chain_of({"name": "even", "disc": three}, name="it")).modes[0]
+    assert first.shape.tolist() == [1.0, 0.0, pytest.approx(-1.0)]
+
+
+def test_all_orders_of_a_two_stroke_engine_are_whole(run: Run) -> None:
+    told = ("--set", "torsion.inertia=40 t*m^2", "--set", "torsion.stiffness=900 MN*m/rad")
+    out = run("torsion", "man-s90mc-c", *told, "--orders", "all", "--json").out
+    assert {each["order"] % 1 for each in json.loads(out)["criticals"]} == {0}

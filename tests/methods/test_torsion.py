@@ -21,14 +21,15 @@ from tests.twisting import chains, pendulums, pushes, row
 from crankstar import load, spectra
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_chain import TorsionChain, torsion_chain
-from crankstar.dynamics.torsion_criticals import stresses
-from crankstar.dynamics.torsion_excitation import Excitation, excitation, firing_phases, vector_sums
+from crankstar.dynamics.torsion_criticals import Critical, of_note, strength, stresses
+from crankstar.dynamics.torsion_excitation import Excitation, excitation, firing_phases
 from crankstar.dynamics.torsion_modes import torsion_modes
 from crankstar.dynamics.torsion_response import Response, response
 from crankstar.dynamics.torsion_variable import inertia_waves, variable_response
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain, Disc, Pendulum
 from crankstar.files import engine_of
+from crankstar.firing.weighing import vector_sums
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque
@@ -417,3 +418,23 @@ def test_opentorsion_finds_the_same_frequencies_of_geared_shafts() -> None:
     speeds, _shapes = other.undamped_modal_analysis()
     modes = torsion_modes(torsion_chain(Chain(name="geared", discs=discs)))
     assert np.sort(speeds.real)[1:] == pytest.approx([m.speed**2 for m in modes], rel=1e-9)
+
+
+def test_what_counts_of_critical_speeds_does_not_depend_on_the_mass_that_is_1() -> None:
+    """A soft ring in front swamps all amplitudes of its own mode, and twists the crank little."""
+    found = [
+        Critical(mode, order, 300.0, 1.0, torque, torque / (speed**2 * inertia))
+        for mode, order, torque, speed, inertia in (
+            (1, 2, 2.0, 700.0, 0.02),
+            (2, 8, 80.0, 3500, 30),
+        )
+    ]
+    again = [
+        each._replace(torque=9 * (each.torque or 0.0), equilibrium=(each.equilibrium or 0.0) / 9)
+        for each in found
+    ]
+    assert [strength(each) for each in again] == pytest.approx([strength(each) for each in found])
+    assert strength(found[1]) > 0.1 * strength(found[0])
+    soft, crank = (each.equilibrium or 0.0 for each in found)
+    assert crank < 0.05 * soft
+    assert [each.order for each in of_note(found)] == [2, 8]

@@ -306,7 +306,8 @@ NO_TERMS = {
     *("journal", "mean load", "pressed most at", "pressed least at"),
     *("greatest pressure", "mean pressure", "least film", "eccentricity"),
     *("free end", "torque in {shaft}", "sum of amplitudes", "by order at this speed"),
-    *("strongest order", "its mode"),
+    *("strongest order", "its mode", "pendulums", "pendulum on", "count", "mass of one", "length"),
+    *("radius of the pivot", "holds back order"),
 }
 """Headings that are plain words."""
 

@@ -24,7 +24,9 @@ from crankstar.engine.torsion import Chain
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
+from crankstar.options.gas import gas_orders
 from crankstar.options.refusals import refusal
+from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
@@ -66,13 +68,18 @@ def torsion(
         partial(engine_or_chain, engine, settings, estimate=estimate),
         partial(request.speed, speed),
         partial(_speeds, speeds),
-        partial(_orders, orders),
+        partial(gas_orders, None if orders and orders.strip() == "all" else orders),
         partial(request.within, "--modes", modes, most=MOST_MODES),
         partial(request.within, "--holzer", holzer, most=MOST_MODES),
     )
     if isinstance(source, Chain):
-        request.refuse_unused({"--point": point}, beside=_("a drive line without cylinders"))
-        request.refuse_unused({"--estimate": estimate}, beside=_("a drive line without cylinders"))
+        engines_only = {"--point": point, "--speed": speed, "--estimate": estimate}
+        request.refuse_unused(engines_only, beside=_("a drive line without cylinders"))
+        if wanted and not over and source.speed is None:
+            raise RequestError(
+                "--orders: a drive line without a speed has critical speeds in a range alone; give "
+                '--speeds, such as "300..3000 rpm by 10"'
+            )
 
     def sheet(each: Engine | Chain) -> Document:
         found = analysis(
@@ -95,13 +102,3 @@ def _speeds(text: str | None) -> list[float]:
     if len(found) > MOST_SPEEDS:
         raise refusal("--speeds", text or "", "give up to {most} speeds", most=MOST_SPEEDS)
     return found
-
-
-def _orders(text: str | None) -> list[float] | None:
-    """The orders of --orders. Raises RequestError."""
-    from crankstar.mechanics.gas_torque import HIGHEST
-
-    wanted = request.orders(text, [n / 2 for n in range(1, int(2 * HIGHEST) + 1)])
-    if wanted and max(wanted) > HIGHEST:
-        raise refusal("--orders", text or "", "give orders up to {highest}", highest=f"{HIGHEST:g}")
-    return wanted

@@ -39,6 +39,9 @@ def chain_faults(chain: Chain) -> Iterator[Fault]:
     """What is wrong with a drive line without cylinders."""
     if chain.discs[0].to is not None:
         yield Fault(("disc", 0, "to"), "disc.first", {"value": seen(chain.discs[0].to)})
+    for name in ("stiffness", "damping", "loss_factor", "speed_ratio", "diameter", "bore"):
+        if getattr(chain.discs[0], name) != Disc.model_fields[name].default:
+            yield Fault(("disc", 0, name), "disc.first-shaft")
     yield from _tree_faults(chain.discs, chain.pendulums, (), throws=0)
 
 

@@ -63,6 +63,10 @@ SENTENCES: dict[str, str | Plural] = {
     "disc.first": N_(
         "{where} is {value}; the first disc of a chain hangs on nothing: leave it out"
     ),
+    "disc.first-shaft": N_(
+        "{where} has no effect: the first disc of a chain hangs on nothing; give it with the disc "
+        "that hangs on it"
+    ),
     "disc.on-nothing": N_(
         "{where} is missing, and so the disc hangs on nothing; say what it hangs on: {names}"
     ),

@@ -27,6 +27,7 @@ from crankstar.tables.torsion_chain import (
     holzer_table,
     mass_table,
     mode_table,
+    pendulum_table,
     section_table,
     shape_table,
 )
@@ -56,6 +57,8 @@ def torsion_document(
         parts.append(first)
     parts.append(mass_table(chain, machine=machine))
     parts.append(section_table(chain, machine=machine))
+    if chain.pendulums or machine:
+        parts.append(pendulum_table(chain))
     if not machine:
         parts += [first, *([shape_table(chain, shown)] if shown else [])]
     if holzer_of is not None:

@@ -36,6 +36,34 @@ def mass_table(chain: TorsionChain, *, machine: bool = False) -> Table:
     return _only(table, (True, True, geared, lossy))
 
 
+def pendulum_table(chain: TorsionChain) -> Table:
+    """Pendulum absorbers: where they swing, and the order that each holds back."""
+    columns = (
+        Column(_("pendulum on"), kind="text", key="on", label=True),
+        Column(_("count"), key="count"),
+        Column(_("mass of one"), "kg", key="mass"),
+        Column(_("radius of the pivot"), "mm", key="radius"),
+        Column(_("length"), "mm", key="length"),
+        Column(_("holds back order"), key="order"),
+    )
+    rows = tuple(
+        (
+            chain.names[node],
+            each.count,
+            each.mass,
+            each.radius * 1e3,
+            each.length * 1e3,
+            each.tuned_order,
+        )
+        for node, each in chain.pendulums
+    )
+    note = _(
+        "A pendulum counts by the order: natural frequencies and shapes have it at rest, critical "
+        "speeds, vector sums and the response as it swings."
+    )
+    return Table(_("Pendulums"), columns, rows, notes=(note,), key="pendulums")
+
+
 def section_table(chain: TorsionChain, *, machine: bool = False) -> Table:
     """The shafts between the masses."""
     columns = (
