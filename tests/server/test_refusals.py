@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import http.client
 import json
+import re
 import socket
 import time
 from pathlib import Path
@@ -154,6 +155,19 @@ def test_other_addresses_methods_and_kinds_are_refused_in_the_same_shape(server:
         "api/exhibit", gzip.compress(b'{"engine": "i4"}'), heads={"Content-Encoding": "gzip"}
     )
     assert "not be compressed" in words(packed, 415)[0]
+
+
+@pytest.mark.parametrize("path", ["nothing", "pictures/nothing-light.webp", "api/search/x"])
+def test_an_address_mistyped_in_a_browser_leads_on(path: str, server: Server) -> None:
+    wanted = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8", "Accept-Language": "ru"}
+    answer = server.ask(path, heads=wanted)
+    assert answer.status == 404
+    assert answer.heads["content-type"].startswith("text/html")
+    text = answer.body.decode()
+    assert 'lang="ru"' in text
+    assert {'href="/"', 'href="/gallery"'} <= set(re.findall(r'href="[^"]*"', text))
+    assert re.search("<p>[^<]*[а-я]{3}", text)
+    assert words(server.ask(path), 404)
 
 
 def test_who_asks_for_the_heads_gets_them_without_the_answer(server: Server) -> None:

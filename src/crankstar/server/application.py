@@ -89,9 +89,14 @@ def _shown(refusal: Refused, headers: Any = None) -> Response:
     return Response(refusal.body, refusal.status, media_type=routes.JSON, headers=headers)
 
 
-async def _refuse(_: Request, error: Exception) -> Response:
+async def _refuse(request: Request, error: Exception) -> Response:
     assert isinstance(error, Refused)  # noqa: S101  # it is registered for nothing else
-    return _shown(error)
+    return pages.refused_page(error) if _is_read(request) else _shown(error)
+
+
+def _is_read(request: Request) -> bool:
+    """Whether a browser opens the address for somebody to read, as scripts do not."""
+    return request.method == "GET" and "text/html" in request.headers.get("accept", "")
 
 
 async def _refuse_http(request: Request, error: Exception) -> Response:
@@ -100,7 +105,8 @@ async def _refuse_http(request: Request, error: Exception) -> Response:
         return _shown(error.refusal)
     heads = {"allow": ", ".join(_methods(request))} if error.status_code == 405 else error.headers
     code = {404: "address", 405: "method"}.get(error.status_code, "unanswerable")
-    return _shown(refused(error.status_code, f"question.{code}"), heads)
+    refusal = refused(error.status_code, f"question.{code}")
+    return pages.refused_page(refusal) if _is_read(request) else _shown(refusal, heads)
 
 
 def _methods(request: Request) -> list[str]:

@@ -14,7 +14,7 @@ from fastapi import APIRouter, Request, Response
 
 from crankstar.language.messages import _, language
 from crankstar.server.guard import PAGE_POLICY
-from crankstar.server.refusal import refused
+from crankstar.server.refusal import Refused, refused, said
 
 DOCUMENT = """<!doctype html>
 <html lang="%s">
@@ -35,6 +35,10 @@ HEAD = """<link rel="stylesheet" href="/page.css">
 <script type="module" src="%s"></script>"""
 BODY = """<div data-crankstar="server"></div>
 <noscript>%s</noscript>"""
+REFUSED = """<main class="failed">
+%s
+<p><a href="/">%s</a> · <a href="/gallery">%s</a></p>
+</main>"""
 STYLE = """html, body { margin: 0; height: 100% }
 noscript, .failed { display: block; padding: 2em; font: 1rem system-ui, sans-serif }
 """
@@ -112,6 +116,20 @@ def _file(request: Request, name: str, kind: str) -> Response:
             headers={**heads, "content-encoding": "gzip", "vary": "accept-encoding"},
         )
     return Response(asset_.plain, media_type=kind, headers={**heads, "vary": "accept-encoding"})
+
+
+def refused_page(refusal: Refused) -> Response:
+    """A refusal for one who reads it in a browser, with ways on."""
+    told = "\n".join(f"<p>{escape(said(fault))}</p>" for fault in refusal.faults)
+    ways = (
+        escape(_("The page on which the engine turns")),
+        escape(_("All engines of the catalog")),
+    )
+    head = '<link rel="stylesheet" href="/page.css">'
+    text = DOCUMENT % (language(), "crankstar", head, REFUSED % (told, *map(escape, ways)))
+    response = _text(text, HTML)
+    response.status_code = refusal.status
+    return response
 
 
 @router.get("/")
