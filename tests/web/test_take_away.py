@@ -195,6 +195,19 @@ def test_figures_and_tables_of_the_panel_are_saved(
     assert couple[1:5] == ["1", "circle with the crank", "3.1623", "3.1623 ∠ 63.43°"]
 
 
+def test_every_table_to_take_away_has_a_name_of_its_own(
+    page: Page, built_page: Callable[..., Path]
+) -> None:
+    opened(page, built_page(ENGINE, figures=True), "a=40")
+    for tab in page.get_by_role("tab").all():
+        tab.click()
+        shown = dialog(page).locator("ul.exports li > span").all_inner_texts()
+        names = [text.removeprefix("Table: ") for text in shown if text.startswith("Table: ")]
+        assert len({*names}) == len(names)
+        assert not [name for name in names if re.fullmatch(r"(table)?( \d+)?", name.lower())]
+        page.keyboard.press("Escape")
+
+
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
 def test_the_amplitudes_are_those_of_analyze(rotation: str, page: Page, tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from html import unescape
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,7 @@ from crankstar.mechanics.remains import summed
 from crankstar.page.library import held
 from crankstar.page.standalone import document
 from crankstar.page.widget import Subject, answer
+from crankstar.tables.html import typeset
 from crankstar.tables.verdict import verdict
 
 POUND = 4.4482216152605
@@ -73,7 +75,7 @@ def test_a_file_changes_its_units_in_every_panel(file_page: Path, page: Page) ->
         facts = [fact.sentence for fact in verdict(engine)]
     shown = page.locator(".facts p").all_text_contents()
     assert any("lbf ft" in sentence for sentence in facts)
-    assert shown == facts
+    assert shown == [unescape(typeset(fact)) for fact in facts]
     page.get_by_role("tab", name="Forces").click()
     settled(page)
     assert "lbf" in page.locator("figure .drawing").first.inner_text()

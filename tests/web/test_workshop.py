@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
+from html import unescape
 from math import cos, radians, sin
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from tests.web.test_editing import REFUSED, bank_angles, eventually, on_stage
 import crankstar
 from crankstar.files import catalog
 from crankstar.files.rearranged import rearranged
+from crankstar.tables.html import typeset
 
 PANES = "document.querySelector('[data-crankstar]').crankstar.read().panes"
 
@@ -121,7 +123,7 @@ def test_a_slider_moves_both_banks_and_its_curve_is_that_of_the_sweep(bench: Pag
     size = crankstar.watched(swept, "couple", order=1).values[1]
     expect(legend.locator("b")).to_have_text(f"{float(f'{size:.4g}'):g} m r ω² a")
     fact = next(fact for fact in on_stage(bench)["verdict"] if fact["subject"] == "couple")
-    expect(bench.locator(".bench .remains")).to_contain_text(fact["sentence"])
+    expect(bench.locator(".bench .remains")).to_contain_text(unescape(typeset(fact["sentence"])))
 
 
 def test_a_number_that_is_typed_takes_any_unit_of_its_kind(bench: Page) -> None:

@@ -2,6 +2,7 @@ import { useEffect, useState } from 'preact/hooks'
 import type { OfferShown } from '../exhibit'
 import type { Tree } from '../host/host'
 import { plural, t } from '../language/messages'
+import { typeset } from '../language/typeset'
 import { ControlRow, sameBut } from './ControlRow'
 import { useSession } from './context'
 import { type Bench, benchOf } from './offers'
@@ -179,7 +180,7 @@ function Remains() {
       <h3>{t('Verdict')}</h3>
       <ul>
         {facts.map(({ sentence }) => (
-          <li key={sentence}>{sentence}</li>
+          <li key={sentence}>{typeset(sentence)}</li>
         ))}
       </ul>
     </section>

@@ -11,6 +11,8 @@ import {
   degrees,
   parsed,
   rewritten,
+  roundNumber,
+  ruled,
   type Scale,
   scale,
   textOf,
@@ -140,9 +142,10 @@ export function TextField(props: FieldProps) {
 
 /** The ends of a number's slider: its own limits, or about its value where it has none. */
 function limitsOf({ low, high }: Of<'number'>, number: number): Scale {
-  if (Number.isFinite(low) && Number.isFinite(high)) return { low, high, step: (high - low) / 200 }
+  if (Number.isFinite(low) && Number.isFinite(high))
+    return ruled({ low, high, step: roundNumber((high - low) / 200) })
   const about = scale({ number, unit: '' }, 'other', low >= 0)
-  return { ...about, low: Math.max(about.low, low), high: Math.min(about.high, high) }
+  return ruled({ ...about, low: Math.max(about.low, low), high: Math.min(about.high, high) })
 }
 
 export function NumberField(props: FieldProps & { kind: Of<'number'> }) {

@@ -93,3 +93,10 @@ export function scale(value: Quantity, dimension: Dimension, positive: boolean):
   const high = roundNumber(1.5 * size)
   return { low: positive ? high / 200 : -high, high, step: high / 200 }
 }
+
+/** A scale within another whose every stop is a whole number of steps: 10.3, not 10.305. */
+export function ruled({ low, high, step }: Scale): Scale {
+  const stop = (count: number): number => Number((count * step).toPrecision(12))
+  const [first, last] = [Math.ceil(low / step - 1e-9), Math.floor(high / step + 1e-9)]
+  return last > first ? { low: stop(first), high: stop(last), step } : { low, high, step }
+}

@@ -24,11 +24,14 @@ export function figuresIn(panel: Element, engine: string): Exported<SVGSVGElemen
   return numbered(found)
 }
 
-/** The tables of a panel, each with what it is called. */
+/** The tables of a panel, each called by its caption or by the heading above it. */
 export function tablesIn(panel: Element): Exported<HTMLTableElement>[] {
+  const headings = [...panel.querySelectorAll('h2, h3, h4, summary')]
   const found = [...panel.querySelectorAll('table')].map((element) => {
-    const around = element.closest('[aria-label]')?.getAttribute('aria-label')
-    return { label: tidy(element.caption?.textContent ?? around ?? ''), element }
+    const above = headings.findLast(
+      (each) => each.compareDocumentPosition(element) & Node.DOCUMENT_POSITION_FOLLOWING,
+    )
+    return { label: tidy((element.caption ?? above)?.textContent ?? ''), element }
   })
   return numbered(found)
 }

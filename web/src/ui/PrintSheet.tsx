@@ -2,6 +2,7 @@ import { render } from 'preact'
 import type { App } from '../app'
 import type { Exhibit } from '../exhibit'
 import { t } from '../language/messages'
+import { typeset } from '../language/typeset'
 import { QUANTITIES } from '../state'
 import { Shared } from './context'
 import { quantityName, unitOf } from './names'
@@ -57,7 +58,7 @@ function Sheet({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
               {exhibit.verdict
                 .filter((fact) => fact.about === about)
                 .map(({ sentence }) => (
-                  <dd key={sentence}>{sentence}</dd>
+                  <dd key={sentence}>{typeset(sentence)}</dd>
                 ))}
             </div>
           ))}

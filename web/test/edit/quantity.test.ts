@@ -5,6 +5,7 @@ import {
   parsed,
   rewritten,
   roundNumber,
+  ruled,
   scale,
   textOf,
   turn,
@@ -111,4 +112,29 @@ test.each([
   [730, 1000],
 ])('%f is rounded up to %f', (value, round) => {
   expect(roundNumber(value)).toBeCloseTo(round, 12)
+})
+
+test.each([
+  [
+    { low: 1.01, high: 60, step: 0.5 },
+    { low: 1.5, high: 60, step: 0.5 },
+  ],
+  [
+    { low: 1.005, high: 20, step: 0.1 },
+    { low: 1.1, high: 20, step: 0.1 },
+  ],
+  [
+    { low: 0, high: 1, step: 0.005 },
+    { low: 0, high: 1, step: 0.005 },
+  ],
+  [
+    { low: -0.3, high: 0.7, step: 0.1 },
+    { low: -0.3, high: 0.7, step: 0.1 },
+  ],
+  [
+    { low: 1.01, high: 1.02, step: 0.5 },
+    { low: 1.01, high: 1.02, step: 0.5 },
+  ],
+])('a scale stops at whole steps: %j', (given, expected) => {
+  expect(ruled(given)).toEqual(expected)
 })

@@ -1,4 +1,5 @@
 import { message } from '../../language/messages'
+import { typeset } from '../../language/typeset'
 import { useExhibit } from '../context'
 import { Heading } from '../Heading'
 import type { Panel } from '../panel'
@@ -26,7 +27,7 @@ function Verdict() {
               {exhibit.verdict
                 .filter((fact) => fact.about === about)
                 .map((fact) => (
-                  <p key={fact.sentence}>{fact.sentence}</p>
+                  <p key={fact.sentence}>{typeset(fact.sentence)}</p>
                 ))}
             </dd>
           </div>
