@@ -37,22 +37,26 @@ const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
 
 /** A picture by WebGL, or null where that is not to be had. */
 export function webglPicture(): Picture | null {
-  const wish: WebGLContextAttributes = { alpha: true, powerPreference: 'default', stencil: false }
-  const quick = hasCard()
+  const [canvas, context] = asked(true)
+  if (!context) return null
+  if (hasCard(context)) return new WebglPicture(canvas, context, true)
+  context.getExtension('WEBGL_lose_context')?.loseContext()
+  const [plain, jagged] = asked(false)
+  return jagged ? new WebglPicture(plain, jagged, false) : null
+}
+
+/** A canvas to draw on, asked for here because three complains on the console where there is none. */
+function asked(antialias: boolean): [HTMLCanvasElement, WebGL2RenderingContext | null] {
   const canvas = document.createElement('canvas')
-  // Asked for here, because three complains on the console where there is none.
-  const context = canvas.getContext('webgl2', { ...wish, antialias: quick })
-  return context ? new WebglPicture(canvas, context, quick) : null
+  const wish: WebGLContextAttributes = { alpha: true, powerPreference: 'default', stencil: false }
+  return [canvas, canvas.getContext('webgl2', { ...wish, antialias })]
 }
 
 /** Whether a graphics card draws, as far as the browser says. */
-function hasCard(): boolean {
-  const probe = document.createElement('canvas').getContext('webgl2')
-  if (!probe) return false
-  const masked = String(probe.getParameter(probe.RENDERER))
-  const named = masked === 'WebKit WebGL' ? probe.getExtension('WEBGL_debug_renderer_info') : null
-  const name = named ? String(probe.getParameter(named.UNMASKED_RENDERER_WEBGL)) : masked
-  probe.getExtension('WEBGL_lose_context')?.loseContext()
+function hasCard(context: WebGL2RenderingContext): boolean {
+  const masked = String(context.getParameter(context.RENDERER))
+  const named = masked === 'WebKit WebGL' ? context.getExtension('WEBGL_debug_renderer_info') : null
+  const name = named ? String(context.getParameter(named.UNMASKED_RENDERER_WEBGL)) : masked
   return !BY_PROCESSOR.test(name)
 }
 
@@ -212,8 +216,7 @@ class WebglPicture implements Picture {
   size(width: number, height: number, density: number): void {
     this.#size = { width, height }
     this.#density = density
-    this.#renderer.setPixelRatio(density * this.#finer)
-    this.#renderer.setSize(width, height, false)
+    this.#renderer.setDrawingBufferSize(width, height, density * this.#finer)
   }
 
   #clear(): void {
