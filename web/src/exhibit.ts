@@ -688,7 +688,9 @@ export interface SearchQuestion {
   fix?: string | null
   /** Only cranks whose rear half mirrors the front half. */
   symmetric?: boolean
-  /** For torsion: amplitude of the mode at each cylinder. */
+  /**
+   * For torsion: straight, mode N of the engine's [torsion], or the amplitude at each cylinder (default: its mode, if it has that table).
+   */
   mode_shape?: string | null
   /** No cylinders side by side fire in succession. */
   avoid_adjacent?: boolean

@@ -58,3 +58,4 @@ class Sequenced:
         str | None, option("--orders", "Of twist. Default: 0.5,1.5,2.5; two-stroke 1,2,3.")
     ] = None
     why: Annotated[str | None, option("--why")] = None
+    judge: Annotated[str | None, option("--judge")] = None

@@ -12,6 +12,7 @@
 | `crank_stiffness` | the torsional stiffness of a crank throw by published formulas |
 | `torsion_chain` | a crankshaft, or a drive line, as a chain of inertias and springs |
 | `torsion_modes` | natural frequencies and shapes of a chain, nodes, Holzer's table |
+| `torsion_shapes` | the shape of a mode as the amplitude of each cylinder |
 | `torsion_excitation` | the torque of gas and moving parts on each throw; vector sums |
 | `torsion_response` | forced vibration over speeds and orders, heat of dampers |
 | `torsion_variable` | the same at one speed with the inertia of each crank angle |

@@ -4,6 +4,7 @@
 |---|---|
 | `entries` | an option: what it takes, what it means, its other names |
 | `media` | the part of the vocabulary about films and sounds |
+| `goals` | the part of the vocabulary about searches |
 | `loads` | the part of the vocabulary about operating points |
 | `vocabulary` | every option of every command: what it takes, what it means |
 | `names` | the option that an unknown name stands for |
@@ -19,6 +20,7 @@
 | `balancing` | the options of a balance, and the balanced engine |
 | `charts` | the options of a figure |
 | `search` | the values of the options of a search |
+| `shapes` | a shape of torsion: straight, a mode of the engine's own, or numbers |
 | `sequences` | goals of a front over stars and firing sequences, as typed |
 | `sounds` | the speeds and the pipes of a sound |
 """

@@ -6,10 +6,13 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
 from crankstar.options.search import SPELLINGS, amplitude, fraction, gap, limit, measure, order
-from crankstar.options.values import degrees, listed, refuse_unused
+from crankstar.options.shapes import STRAIGHT, mode_asked, mode_shape
+from crankstar.options.values import choice, degrees, listed, refuse_unused
 from crankstar.options.words import SearchWords
 from crankstar.search.faults import Faults, SearchError, error
 from crankstar.search.options import GREATEST_ORDER, Measure
@@ -29,8 +32,11 @@ from crankstar.search.vector_sums import (
     torsion,
 )
 
+if TYPE_CHECKING:
+    from crankstar.dynamics.torsion_modes import Mode
+    from crankstar.studies.judged_orders import Judge
+
 TWIST = "twist"
-STRAIGHT = "straight"
 MOST_ORDERS = 12
 USUAL_GOALS = ("M1", "M2", TWIST)
 
@@ -42,6 +48,7 @@ class SequenceWords:
     bank: str | None = None
     crank_orders: str | None = None
     why: str | None = None
+    judge: str | None = None
 
 
 def named(words: SearchWords, more: SequenceWords) -> bool:
@@ -51,16 +58,21 @@ def named(words: SearchWords, more: SequenceWords) -> bool:
     True
     """
     goals = listed(words.minimise or "")
-    return TWIST in goals or any((more.bank, more.crank_orders, more.why))
+    return TWIST in goals or any((more.bank, more.crank_orders, more.why, more.judge))
 
 
 @dataclass(frozen=True)
 class Sequences:
-    """A question over stars and sequences, the engine it is about, and the order to judge."""
+    """A question over stars and sequences, the engine it is about, the order to judge.
+
+    `mode`: that of the engine's own that gives the shape; `judges`: what is computed of each row.
+    """
 
     question: SequenceQuestion
     engine: Engine | None = None
     why: Fired | None = None
+    mode: Mode | None = None
+    judges: tuple[Judge, ...] = ()
 
 
 def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -> Sequences:
@@ -77,13 +89,14 @@ def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -
             "--all": words.all,
             "--all-with": words.all_with,
         },
-        beside="--minimise twist, --bank, --orders, --why",
+        beside="--minimise twist, --bank, --orders, --why, --judge",
     )
     faults = Faults()
     shaft = _shaft(about, words, more, faults)
     if shaft is None:
         raise SearchError(faults)
-    asked = _Asked(shaft, words, more, faults)
+    engine = about if isinstance(about, Engine) else None
+    asked = _Asked(shaft, words, more, faults, engine)
     goals, caps, why = asked.goals(), asked.caps(), None
     few = asked.neighbours_at_most()
     if more.why is not None:
@@ -91,8 +104,20 @@ def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -
             why = shaft.fired_in(order(more.why))
     if faults:
         raise SearchError(faults)
-    engine = about if isinstance(about, Engine) else None
-    return Sequences(SequenceQuestion(shaft, tuple(goals), tuple(caps), few), engine, why)
+    question = SequenceQuestion(shaft, tuple(goals), tuple(caps), few)
+    return Sequences(question, engine, why, asked.mode, _judges(more.judge, engine))
+
+
+def _judges(text: str | None, engine: Engine | None) -> tuple[Judge, ...]:
+    """What each row is judged by. Raises RequestError."""
+    if text is None:
+        return ()
+    if engine is None:
+        refuse_unused({"--judge": text}, without=_("an engine"))
+    from crankstar.studies.judged_orders import JUDGES  # late: a search of stars needs no gas
+
+    named = dict.fromkeys(choice("--judge", each, JUDGES) for each in listed(text))
+    return tuple(judge for judge in JUDGES if judge in named)
 
 
 def _shaft(
@@ -127,17 +152,35 @@ class _Asked:
     """Goals and caps that the words name, on a shaft."""
 
     def __init__(
-        self, shaft: Shaft, words: SearchWords, more: SequenceWords, faults: Faults
+        self,
+        shaft: Shaft,
+        words: SearchWords,
+        more: SequenceWords,
+        faults: Faults,
+        engine: Engine | None = None,
     ) -> None:
         self.shaft, self.words, self.more, self.faults = shaft, words, more, faults
         self.shape: Sequence[Fraction] = straight(shaft)
+        self.mode: Mode | None = None
         text = words.mode_shape
-        if text is not None and text.strip() != STRAIGHT:
+        own = engine is not None and engine.torsion is not None
+        if mode_asked(text or "") or (text is None and own):
+            with faults.at("mode_shape"):
+                self._own(engine, text)
+        elif text is not None and text.strip() != STRAIGHT:
             with faults.at("mode_shape"):
                 given = tuple(amplitude(part.strip()) for part in text.split(","))
                 self.shape = shape_of(shaft, given)
         if len(set(self.shape)) == 1:
             faults.add("mode_shape", "shape-uniform")
+
+    def _own(self, engine: Engine | None, text: str | None) -> None:
+        """The shape of a mode of the engine's own table [torsion]. Raises SearchError."""
+        if engine is None:
+            raise error("", "shape-needs-engine", given=text or "")
+        self.mode, shape = mode_shape(text, engine)
+        given = tuple(Fraction(f"{shape[number]:.6f}") for number in sorted(shape))
+        self.shape = shape_of(self.shaft, given)
 
     def goals(self) -> list[Goal]:
         """The goals, by default the first two couples that are not balanced, and the twist."""

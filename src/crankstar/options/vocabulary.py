@@ -6,17 +6,12 @@ A command adds at most how it uses the option. `OPTIONS` is in alphabetical orde
 from __future__ import annotations
 
 from crankstar.options.entries import Option
+from crankstar.options.goals import GOALS
 from crankstar.options.loads import LOADS
 from crankstar.options.media import FILMS_AND_SOUNDS
 
 _MOST = {
     "--all": Option("nothing", "All stars within the limits."),
-    "--all-with": Option(
-        "text",
-        "All stars with the same moments as a firing order, as in 1-6-3-4-5-2-7, or with values, "
-        "as in M1=0.2673,M2=1.0056.",
-        ("--firing-order",),
-    ),
     "--any": Option(
         "nothing", "List every order that the dead centres allow, the most even first."
     ),
@@ -31,7 +26,6 @@ _MOST = {
         "hole.",
         ("--rim", "--drill-radius", "--correction-radius"),
     ),
-    "--avoid-adjacent": Option("nothing", "No cylinders side by side fire in succession."),
     "--axial": Option(
         "nothing", "Holes parallel to the crank axis instead of towards it.", ("--parallel",)
     ),
@@ -55,7 +49,6 @@ _MOST = {
     "--beside": Option(
         "several texts", "Another engine, shown beside this one.", ("--with", "--and", "--compare")
     ),
-    "--best": Option("whole number", "List this many of the best stars."),
     "--box": Option(
         "several texts",
         "Box in which balance shafts may lie, up and right of the crankshaft, such as "
@@ -110,22 +103,12 @@ _MOST = {
         "(default: the file's, else 0.5).",
         ("--balance-factor", "--overbalance", "--underbalance"),
     ),
-    "--fix": Option(
-        "text",
-        "Fixed throws, as in 1=0,4=3: direction d is 360 d/n deg behind direction 0.",
-        ("--fixed", "--throws"),
-    ),
     "--font-size": Option(
         "text",
         "Size of the smallest letters on paper in points, 8 or more (default: 9).",
         ("--letters", "--text-size"),
     ),
     "--format": Option("text", "text, latex, markdown or html."),
-    "--front": Option(
-        "nothing",
-        "The Pareto front: where one quantity can improve only at the expense of another.",
-        ("--pareto",),
-    ),
     "--full": Option(
         "nothing",
         "Also the derivations step by step, tables by cylinder, the source of each value and the "
@@ -196,7 +179,6 @@ _MOST = {
     "--minimise": Option(
         "text", "Quantity to minimise.", ("--minimize", "--least", "--objective", "--optimise")
     ),
-    "--mode-shape": Option("text", "For torsion: amplitude of the mode at each cylinder."),
     "--model": Option(
         "text",
         "Crankshaft on its main bearings: determinate (hinged at each) or continuous (one beam).",
@@ -318,7 +300,6 @@ _MOST = {
         "Keep a dimension as a symbol: alpha (half the bank angle), phi (crank phase of a twin) or "
         "n (cylinders in a row).",
     ),
-    "--symmetric": Option("nothing", "Only cranks whose rear half mirrors the front half."),
     "--theme": Option(
         "text",
         "light, dark or print: the colours of the picture (default: light).",
@@ -356,11 +337,6 @@ _MOST = {
         'the direction of the heavy spot, such as "850 g*mm at 20 deg, 38 g at 4 in at 200 deg".',
         ("--residual", "--measured"),
     ),
-    "--uneven": Option(
-        "text",
-        "Refine the throw angles of --row, with firing intervals within so many degrees of even "
-        "ones, as in 1,2,5.",
-    ),
     "--vectors": Option(
         "nothing",
         "Also the vectors that turn with the crankshaft and against it.",
@@ -377,9 +353,6 @@ _MOST = {
         'shaft, such as "-200 mm, 200 mm".',
         ("--planes", "--counterweights"),
     ),
-    "--why": Option(
-        "text", "A firing order to judge, as in 1-5-3-6-2-4: what beats it, and in what."
-    ),
     "--width": Option(
         "text", 'Width of the picture, such as "120 mm" (default: what the chart needs).'
     ),
@@ -389,9 +362,8 @@ _MOST = {
         ("--jobs", "--processes"),
     ),
     "--yes": Option("nothing", "Search even if it takes more than an hour."),
-    "--zero": Option("text", "Quantities that must vanish, as in M2."),
 }
-OPTIONS = dict(sorted((_MOST | FILMS_AND_SOUNDS | LOADS).items()))
+OPTIONS = dict(sorted((_MOST | FILMS_AND_SOUNDS | GOALS | LOADS).items()))
 """Every option by its name."""
 
 
