@@ -101,6 +101,7 @@ MESSAGE_ERRORS = [
     "SweepError",
     "UnitsError",
     "WeighingError",
+    "JudgingError",
 ]
 """Errors that are raised with a sentence and its values."""
 PYTHON = Domain(

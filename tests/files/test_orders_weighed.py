@@ -4,9 +4,38 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 from tests.commands import Run
+
+from crankstar import bearing_loads, cycle, load, spectra, torsion
+from crankstar.dynamics.torsion_criticals import stresses
+from crankstar.dynamics.torsion_shapes import cylinder_shape
+from crankstar.files.catalog import tree_of
+from crankstar.firing.intervals import firing
+from crankstar.studies.judged_orders import judgement
+
+OWN = {
+    "inertia": "0.03 kg*m^2",
+    "stiffness": "0.9 MN*m/rad",
+    "diameter": "60 mm",
+    "disc": [
+        {"name": "flywheel", "inertia": "0.3 kg*m^2", "to": "rear", "stiffness": "1.4 MN*m/rad"}
+    ],
+}
+"""A table [torsion]."""
+
+
+@pytest.fixture
+def six(tmp_path: Path) -> str:
+    """An in-line six with masses and a crankshaft that twists."""
+    tree: dict[str, Any] = {**tree_of("bmw-m52b28")[1], "torsion": OWN}
+    tree["cylinder"] = {**tree["cylinder"], "reciprocating_mass": "0.6 kg"}
+    place = tmp_path / "six.json"
+    place.write_text(json.dumps(tree), encoding="utf-8")
+    return str(place)
 
 
 def test_orders_are_sorted_by_the_twist_that_is_asked_for(run: Run) -> None:
@@ -52,9 +81,110 @@ def test_a_mode_shape_takes_the_place_of_the_even_twist(run: Run) -> None:
     assert rigid == pytest.approx(4)
 
 
+def test_an_engine_that_twists_weighs_orders_in_its_own_mode(run: Run, six: str) -> None:
+    arguments = ("orders", six, "--minimise", "twist", "--orders", "0.5,1.5")
+    rows = json.loads(run(*arguments, "--json").out)["orders"]
+    engine = load(six)
+    found = torsion(engine)
+    mode = found.modes[0]
+    shape = mode.shape[list(found.chain.cylinders)]
+    own = next(row for row in rows if row["order"] == list(engine.firing_order))
+    at = dict(zip(own["order"], np.radians(own["angles_deg"]), strict=True))
+    waves = np.array([np.exp(1.5j * at[each.number]) for each in engine.cylinders])
+    half = np.array([np.exp(0.5j * at[each.number]) for each in engine.cylinders])
+    ratio = abs(waves @ shape) / abs(half @ shape)
+    straight = json.loads(run(*arguments, "--mode-shape", "straight", "--json").out)["orders"]
+    plain = next(row for row in straight if row["order"] == own["order"])["twist"]
+    sizes = [own["twist"][key] for key in ("0.5", "1.5")]
+    even = np.linspace(1, -1, 6)
+    gas = (plain["1.5"] / abs(waves @ even)) / (plain["0.5"] / abs(half @ even))
+    assert sizes[1] / sizes[0] == pytest.approx(gas * ratio, rel=1e-9)
+    assert sizes[0] != pytest.approx(plain["0.5"], rel=0.05)
+    shown = " ".join(run(*arguments).out.split())
+    assert f"mode 1 of the crankshaft, {mode.frequency:.1f} Hz" in shown
+
+
+def test_orders_are_sorted_by_the_stress_that_each_makes(
+    run: Run, six: str, tmp_path: Path
+) -> None:
+    arguments = ("orders", six, "--minimise", "stress")
+    rows = json.loads(run(*arguments, "--json").out)["orders"]
+    values = [row["stress"] for row in rows]
+    assert values == sorted(values)
+    assert values[-1] > 1.001 * values[0]
+    place = str(tmp_path / "best.toml")
+    assert run(*arguments, "--row", "1", "-o", place).code == 0
+    best = load(place)
+    assert list(firing(best).order) == rows[0]["order"]
+    found = torsion(best, speeds=np.linspace(*torsion(best).speeds[[0, -1]], 900))
+    assert found.response is not None
+    peak = np.nanmax(stresses(found.response)[0]) / 1e6
+    assert peak == pytest.approx(values[0], rel=0.02)
+
+
+def test_orders_are_sorted_by_the_load_on_the_bearings(run: Run, six: str) -> None:
+    rows = json.loads(run("orders", six, "--minimise", "bearings", "--json").out)["orders"]
+    values = [row["bearings"] for row in rows]
+    assert values == pytest.approx(sorted(values), rel=1e-9)
+    assert rows[0]["order"] == [1, 5, 3, 6, 2, 4]
+    engine = load(six)
+    loads = bearing_loads(engine, cycle=cycle(engine))
+    assert values[0] == pytest.approx(spectra.peaks(loads.load).max(), rel=1e-12)
+
+
+def test_a_front_weighs_the_engine_s_own_mode_and_judges_each_row(
+    run: Run, six: str, tmp_path: Path
+) -> None:
+    arguments = ("search", six, "--minimise", "M1,M2,twist")
+    told = json.loads(run(*arguments, "--judge", "bearings,stress", "--json").out)
+    engine = load(six)
+    mode, shape = cylinder_shape(engine)
+    own = told["judged"][0]
+    angles = dict(zip(engine.firing_order, range(0, 720, 120), strict=True))
+    torsions = [
+        abs(sum(a * np.exp(1j * order * np.radians(angles[n])) for n, a in shape.items()))
+        for order in (0.5, 1.5, 2.5)
+    ]
+    assert own["values"]["twist"] == pytest.approx(max(torsions), rel=1e-5)
+    assert own["bearings"] == pytest.approx(judgement(engine, "bearings"), rel=1e-9)
+    assert own["stress"] == pytest.approx(judgement(engine, "stress"), rel=1e-9)
+    row = 5
+    place = str(tmp_path / "row.toml")
+    assert run(*arguments, "--row", str(row), "-o", place).code == 0
+    written = load(place)
+    assert told["rows"][row - 1]["stress"] == pytest.approx(judgement(written, "stress"), rel=1e-6)
+    shown = " ".join(run(*arguments, "--judge", "stress").out.split())
+    assert f"mode {mode.number} of the crankshaft, {mode.frequency:.1f} Hz" in shown
+    assert f"Shear stress {own['stress']:.5g} MPa." in shown
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
+        (("6", "--minimise", "M1,twist", "--mode-shape", "mode 1"), "no modes of its own"),
+        (("6", "--minimise", "M1,twist", "--judge", "stress"), "an engine"),
+        (("i6", "--minimise", "M1,twist", "--judge", "noise"), "stress"),
+        (("i6", "--minimise", "M1,twist", "--judge", "stress"), "[torsion]"),
+        (("i6", "--minimise", "M1,twist", "--mode-shape", "mode 9"), "[torsion]"),
+    ],
+)
+def test_a_front_that_cannot_be_judged_says_why(
+    arguments: tuple[str, ...], words: str, run: Run
+) -> None:
+    result = run("search", *arguments)
+    assert result.code == 2
+    assert words in " ".join(result.err.split())
+    assert "Traceback" not in result.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("bmw-m52b28", "--minimise", "stress"), "[torsion]"),
+        (("bmw-m52b28", "--minimise", "bearings"), "reciprocating_mass"),
+        (("bmw-m52b28", "--minimise", "stress", "--orders", "1"), "torque, roll and twist"),
+        (("bmw-m52b28", "--minimise", "bearings", "--mode-shape", "mode 1"), "twist"),
+        (("i4", "--minimise", "twist", "--mode-shape", "mode 1"), "[torsion]"),
         (("i4", "--orders", "1"), "--minimise"),
         (("i4", "--minimise", "noise"), "torque"),
         (("i4", "--minimise", "twist", "--orders", "0.3"), "multiples of 0.5"),

@@ -28,6 +28,8 @@ from crankstar.options.forms import ENGINES, TABLES, form_of
 from crankstar.options.values import RequestError, refusal
 
 if TYPE_CHECKING:
+    from crankstar.firing.weighing import Weight
+    from crankstar.studies.judged_orders import Judge
     from crankstar.tables.firing_orders import Listing
 
 Top = Annotated[int, option("--top")]
@@ -53,7 +55,12 @@ def orders(
     together: Annotated[bool, option("--together")] = False,
     tolerance: Annotated[str | None, option("--tolerance")] = None,
     minimise: Annotated[
-        str | None, option("--minimise", "Torque, roll or twist of the gas; sorts the orders.")
+        str | None,
+        option(
+            "--minimise",
+            "Torque, roll or twist of the gas, stress of torsion, or load on the bearings; sorts "
+            "the orders.",
+        ),
     ] = None,
     crank_orders: Annotated[
         str | None, option("--orders", "For --minimise. Default: 0.5,1,1.5,2,2.5,3.")
@@ -114,14 +121,46 @@ def orders(
 def _weighed(
     listing: Listing, minimise: str, crank_orders: str | None, shape: str | None, point: str | None
 ) -> Listing:
+    """The orders sorted by what is asked for."""
+    from crankstar.firing.weighing import WEIGHTS
+    from crankstar.studies.judged_orders import JUDGES
+
+    what = request.choice("--minimise", minimise, (*WEIGHTS, *JUDGES))
+    if shape is not None and what != "twist":
+        raise RequestError("--mode-shape is for --minimise twist")
+    if what not in JUDGES:
+        return _summed(listing, cast("Weight", what), crank_orders, shape, point)
+    if crank_orders is not None:
+        raise RequestError("--orders is for --minimise torque, roll and twist")
+    return _judged(listing, cast("Judge", what), point)
+
+
+def _judged(listing: Listing, judge: Judge, point: str | None) -> Listing:
+    """The orders sorted by the stress or the bearing load that they make."""
+    from crankstar.mechanics.gas import cycle
+    from crankstar.studies.judged_orders import FAILURES, judged
+    from crankstar.tables.torque import load_sentence
+
+    engine = listing.engine
+    try:
+        best, values = judged(engine, listing.orders, judge, point=point or "")
+        load = load_sentence(cycle(engine, point=point or ""))
+    except FAILURES as error:
+        raise RequestError(f"{engine.name}: {error}") from None
+    return listing._replace(orders=best, judged=values, judge=judge, load=load)
+
+
+def _summed(
+    listing: Listing, weight: Weight, crank_orders: str | None, shape: str | None, point: str | None
+) -> Listing:
     """The orders sorted by the torque, roll or twist of these crank orders."""
     from crankstar.firing import weighing
     from crankstar.mechanics.gas import computable, cycle
     from crankstar.mechanics.gas_torque import HIGHEST, of_one_cylinder
+    from crankstar.options.shapes import mode_shape
     from crankstar.tables.torque import load_sentence
 
     engine = listing.engine
-    weight = cast("weighing.Weight", request.choice("--minimise", minimise, weighing.WEIGHTS))
     step = 360 / engine.cycle_angle
     there = [step * n for n in range(1, int(HIGHEST / step) + 1)]
     usual = [order for order in there if order <= USUAL_HIGHEST]
@@ -129,14 +168,11 @@ def _weighed(
     if any(order not in there for order in wanted):
         text = crank_orders or ""
         raise refusal("--orders", text, "gas torque has multiples of {step}", step=f"{step:g}")
-    if shape is not None and weight != "twist":
-        raise RequestError("--mode-shape is for --minimise twist")
-    if shape is not None:
-        amplitudes = dict(zip(engine.chambers, _amplitudes(shape, engine), strict=True))
+    mode = None
+    if weight == "twist":
+        mode, amplitudes = mode_shape(shape, engine)
     else:
-        amplitudes = (
-            weighing.twist_shape(engine) if weight == "twist" else weighing.even_shape(engine)
-        )
+        amplitudes = weighing.even_shape(engine)
     sizes, load = None, ""
     if computable(engine):
         found = cycle(engine, point=point or "")
@@ -144,20 +180,7 @@ def _weighed(
     elif point is not None:
         raise RequestError("--point needs the bore and the firing order of the engine")
     sums = weighing.weighed(listing.orders, amplitudes, wanted, sizes)
-    return listing._replace(orders=sums.orders, weighed=sums, weight=weight, load=load)
-
-
-def _amplitudes(text: str, engine: Engine) -> list[float]:
-    """The amplitudes of a mode, one for each cylinder. Raises RequestError."""
-    parts = request.fractions(text, most=200)
-    if len(parts) != len(engine.chambers):
-        raise refusal(
-            "--mode-shape",
-            text,
-            "give {count} numbers with commas, one for each cylinder",
-            count=len(engine.chambers),
-        )
-    return [float(part) for part in parts]
+    return listing._replace(orders=sums.orders, weighed=sums, weight=weight, load=load, mode=mode)
 
 
 def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> Listing:

@@ -50,6 +50,7 @@ def searched(
     if form.output is not None:
         writable(form.output)
     front = _front(wanted.question, workers, agreed=work.yes)
+    judged = _judged(front, wanted)
     if form.row is not None and front.complete:
         _write_row(front, wanted.engine, form.row, form.output, tree)
         return None
@@ -57,7 +58,9 @@ def searched(
 
     with words_for(kind):
         limit = ROWS if kind == "txt" else None
-        found = search_sequences(front, engine=wanted.engine, why=wanted.why, limit=limit)
+        found = search_sequences(
+            front, engine=wanted.engine, why=wanted.why, mode=wanted.mode, found=judged, limit=limit
+        )
     if front.complete:
         give(found, form.output, form=kind)
         return None
@@ -76,7 +79,7 @@ def _refused(work: Work, looks: Looks, form: Form, *, speed: str | None, estimat
         "--uneven": form.uneven,
         "--chart": form.chart,
     }
-    request.refuse_unused(given, beside="--minimise twist, --bank, --orders, --why")
+    request.refuse_unused(given, beside="--minimise twist, --bank, --orders, --why, --judge")
     if form.row is not None:
         request.refuse_unused({"--csv": form.csv, "--json": form.json}, beside="--row")
         request.within("--row", form.row, most=200_000)
@@ -96,6 +99,31 @@ def _front(question: Any, workers: int, *, agreed: bool) -> Any:
             raise not_compiled(error) from None
     with progress(_("searching")) as show:
         return sequence_front(question, workers=workers, watch=lambda now, of: show(now, of, ""))
+
+
+def _judged(front: Any, wanted: sequences.Sequences) -> dict[Any, dict[Any, float]]:
+    """What the whole engine does with each point of a front. Raises RequestError."""
+    from crankstar.search.sequence_engines import fired_of_engine, with_fired
+    from crankstar.studies.judged_orders import FAILURES, judgement
+
+    engine, out = wanted.engine, {}
+    if engine is None or not wanted.judges:
+        return out
+    shaft = front.question.shaft
+    beside = [each for each in (fired_of_engine(engine, shaft), wanted.why) if each is not None]
+    every = dict.fromkeys([*(point.fired for point in front.points), *beside])
+    whole, done = len(wanted.judges) * len(every), 0
+    with progress(_("judging")) as show:
+        for judge in wanted.judges:
+            out[judge] = {}
+            for fired in every:
+                show(done, whole, "")
+                done += 1
+                try:
+                    out[judge][fired] = judgement(with_fired(engine, shaft, fired), judge)
+                except FAILURES as error:
+                    raise RequestError(f"{engine.name}: {error}") from None
+    return out
 
 
 def _write_row(front: Any, engine: Any, row: int, output: str | None, tree: Any) -> None:

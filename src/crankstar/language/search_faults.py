@@ -169,6 +169,9 @@ SENTENCES: dict[str, str | Plural] = {
     "limit-whole": N_("{given}: the number of neighbours must be whole."),
     "shape-form": N_("{given}: give an amplitude for each cylinder, as in 1,0.5,-0.5,-1."),
     "shape-count": N_("{given} amplitudes are given for {cylinders} cylinders; give one for each."),
+    "shape-needs-engine": N_(
+        "{given}: a number of cylinders has no modes of its own; give an engine, or amplitudes."
+    ),
     "shape-uniform": N_("The amplitudes are all equal, which is not a vibration."),
     "shape-unused": N_("No order of torsion is searched for; name one, as in {minimise} M1,M2,T3."),
     "several-answers": N_("Ask for only one of {front}, {best}, {all} and {all_with}."),

@@ -66,6 +66,19 @@ def _value(engine: Engine, speed: float | None, what: str, order: float | None) 
     return _greatest(found, found.response, what, order)
 
 
+def torsion_peak(engine: Engine, *, point: str = "") -> float:
+    """The greatest shear stress of torsion, Pa, of an operating point over the engine's speeds.
+
+    Raises SweepError where no shaft has a diameter or nothing excites it; TorsionError, GasError.
+    """
+    from crankstar.dynamics.torsion_analysis import resolved, torsion
+
+    found = resolved(engine, torsion(engine, point=point))
+    if found.response is None:
+        raise SweepError("the stress needs a speed, and gas or masses: give speed and [gas]")
+    return _greatest(found, found.response, "torsion_stress", None)
+
+
 def _greatest(found: TorsionAnalysis, own: Response, what: str, order: float | None) -> float:
     """Over the speeds."""
     place = None if order is None else _place(own, order)

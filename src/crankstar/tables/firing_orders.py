@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from crankstar.engine.engine import Engine
 from crankstar.firing.orders import Order, place_of
 from crankstar.firing.succession import Follower
 from crankstar.firing.weighing import Weighed, Weight
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, unit_text
+from crankstar.language.shown_units import quantity_text
+from crankstar.studies.judged_orders import UNITS, Judge
 from crankstar.tables.headings import heading
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+
+if TYPE_CHECKING:
+    from crankstar.dynamics.torsion_modes import Mode
 
 HEADS = {"torque": N_("torque"), "roll": N_("roll"), "twist": N_("twist")}
 MEANINGS = {
@@ -29,6 +34,16 @@ MEANINGS = {
         "crankshaft over that of the farthest, or times the amplitude of --mode-shape."
     ),
 }
+JUDGED = {"stress": N_("shear stress"), "bearings": N_("load on a main bearing")}
+JUDGEMENTS = {
+    "stress": N_(
+        "shear stress: the greatest of torsion over the cycle, all orders with their phases, over "
+        "the speeds of the engine."
+    ),
+    "bearings": N_(
+        "load on a main bearing: the greatest over the cycle, of gas and inertia, on any of them."
+    ),
+}
 EQUAL_INTERVALS = 1e-3
 """Degrees by which intervals may differ and are written as one."""
 
@@ -39,7 +54,8 @@ class Listing(NamedTuple):
     `why_uneven`: why there are no even ones; `asked_deg`: the intervals that were asked for, none
     where any would do; `tolerance_deg`: how far a firing may be from its place; `weighed`: the sums
     by which they are sorted, those of `weight`, in N m at the `load`, which is a sentence, else
-    counted in one cylinder.
+    counted in one cylinder; `mode`: the mode that gives the twist its shape; `judged`: of each
+    order the stress or bearing load of the whole engine, by which they are sorted, as `judge` says.
     """
 
     engine: Engine
@@ -50,6 +66,9 @@ class Listing(NamedTuple):
     weighed: Weighed | None = None
     weight: Weight = "torque"
     load: str = ""
+    mode: Mode | None = None
+    judged: tuple[float, ...] = ()
+    judge: Judge = "stress"
 
 
 def firing_orders(listing: Listing, *, limit: int | None = None) -> Document:
@@ -102,7 +121,9 @@ def _columns(listing: Listing) -> tuple[Column, ...]:
 
 
 def _sums(listing: Listing) -> list[Column]:
-    """The columns of the sums by which the orders are sorted: crank orders, and all together."""
+    """The columns of what the orders are sorted by: crank orders, and all together; or a judge."""
+    if listing.judged:
+        return [judge_column(listing.judge)]
     if listing.weighed is None:
         return []
     unit = "N*m" if listing.load else ""
@@ -120,6 +141,8 @@ def _row(listing: Listing, place: int, own: int | None) -> tuple[Value, ...]:
     for intervals in (order.firing.intervals_deg, *order.banks.values()):
         cells += [_spaced(intervals), tuple(intervals)]
     pairs = (_pairs(steps) for steps in (order.neighbours, order.partners))
+    if listing.judged:
+        return (*cells, *pairs, listing.judged[place])
     if listing.weighed is None:
         return (*cells, *pairs)
     sums, whole = listing.weighed.sums[place], listing.weighed.whole[place]
@@ -163,8 +186,35 @@ def _notes(listing: Listing, shown: int, own: int | None) -> list[str]:
         out.append(_("* the order of the file."))
     if listing.weighed is not None:
         out += [_(MEANINGS[listing.weight]), listing.load or _("Counted in one cylinder.")]
+    if listing.mode is not None:
+        out.append(mode_sentence(listing.mode))
+    if listing.judged:
+        out += [_(JUDGEMENTS[listing.judge]), listing.load]
     out.append(_("--row N -o FILE writes the engine with that order."))
     return out
+
+
+def judge_column(judge: Judge) -> Column:
+    """The column of what orders are judged by."""
+    return Column(_(JUDGED[judge]), UNITS[judge], key=judge, fixed=judge == "stress")
+
+
+def judge_text(judge: Judge, value: float) -> str:
+    """What an order is judged by, in words: shear stress 102.9 MPa."""
+    size = quantity_text(value, UNITS[judge])
+    if judge == "stress":  # a pressure may be shown in bar, a stress is not
+        size = f"{number(value)} {unit_text('MPa')}"
+    return _("{name} {value}", name=_(JUDGED[judge]), value=size)
+
+
+def mode_sentence(mode: Mode) -> str:
+    """Which mode of the engine's own gives the cylinders their amplitudes."""
+    return _(
+        "Amplitudes of the cylinders: mode {mode} of the crankshaft, {frequency} Hz, 1 at the "
+        "largest.",
+        mode=mode.number,
+        frequency=number(mode.frequency, digits=4),
+    )
 
 
 def _count_sentence(listing: Listing) -> str:

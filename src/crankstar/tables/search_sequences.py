@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
@@ -12,8 +12,15 @@ from crankstar.search.sequence_engines import fired_of_engine
 from crankstar.search.sequence_fronts import Point, SequenceFront, beaten
 from crankstar.search.shafts import Fired, followed
 from crankstar.search.vector_sums import Goal, OrderSum, SequenceQuestion, couple, force, shares
+from crankstar.tables.firing_orders import JUDGEMENTS, judge_column, judge_text, mode_sentence
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
+if TYPE_CHECKING:
+    from crankstar.dynamics.torsion_modes import Mode
+    from crankstar.studies.judged_orders import Judge
+
+Judged = Mapping["Judge", Mapping[Fired, float]]
+"""What the whole engine does with a star and its firing order."""
 FORMAT = 1
 """Of the JSON."""
 ROWS = 60
@@ -27,20 +34,37 @@ def search_sequences(
     *,
     engine: Engine | None = None,
     why: Fired | None = None,
+    mode: Mode | None = None,
+    found: Judged | None = None,
     limit: int | None = ROWS,
 ) -> Document:
-    """The points of a front, its proof, and where the engine's own order and another stand."""
+    """The points of a front, its proof, and where the engine's own order and another stand.
+
+    `mode`: the engine's own that gives torsion its shape; `found`: what each point is judged by.
+    """
     shown = front.points[:limit]
     question = front.question
-    rows = tuple(_row(question, place, point) for place, point in enumerate(shown, 1))
-    table = Table("", tuple(_columns(question)), rows, key="rows")
+    known = {} if found is None else found
+    rows = tuple(
+        (*_row(question, place, point), *(values[point.fired] for values in known.values()))
+        for place, point in enumerate(shown, 1)
+    )
+    columns = [judge_column(judge) for judge in known]
+    table = Table("", (*_columns(question), *columns), rows, key="rows")
     judged = list(_judged(front, engine, why))
     lines = [
-        *(_verdict(front, label, fired) for label, fired in judged),
+        *(_verdict(front, label, fired) + _found(fired, known) for label, fired in judged),
         *_notes(front, len(shown)),
+        *([] if mode is None else [mode_sentence(mode)]),
+        *(_(JUDGEMENTS[judge]) for judge in known),
         certificate(front),
     ]
-    facts = _facts(front) | {"judged": [_judgement(front, label, fired) for label, fired in judged]}
+    told = [
+        _judgement(front, label, fired)
+        | {judge: values[fired] for judge, values in known.items() if fired in values}
+        for label, fired in judged
+    ]
+    facts = _facts(front) | {"judged": told}
     parts = (*remarks(census(question)), table, Remarks(tuple(lines)))
     return Document(heading(question), parts, facts)
 
@@ -204,6 +228,15 @@ def _verdict(front: SequenceFront, label: str, fired: Fired) -> str:
         rows=beating,
         **known,
     )
+
+
+def _found(fired: Fired, known: Judged) -> str:
+    """What an order beside the rows is judged by, as the end of its sentence."""
+    values = [
+        judge_text(judge, values[fired]) for judge, values in known.items() if fired in values
+    ]
+    words = "; ".join(values)
+    return f" {words[0].upper()}{words[1:]}." if words else ""
 
 
 def _valued(goals: tuple[Goal, ...], values: tuple[float, ...]) -> str:
