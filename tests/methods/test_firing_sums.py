@@ -13,7 +13,10 @@ from crankstar.derive.algebra import radicals, typeset
 from crankstar.derive.algebra.evaluation import value
 from crankstar.derive.firing_sums import factor, gas_orders, places_of
 from crankstar.derive.records import DerivationError
+from crankstar.derive.twist_sums import twist_orders
 from crankstar.engine.engine import Engine
+from crankstar.firing.intervals import firing
+from crankstar.firing.weighing import WeighingError, sums_of, twist_shape
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque
 
@@ -144,3 +147,33 @@ def test_chosen_orders_stand_alone() -> None:
     assert [typeset.text(line.chain[-1]) for line in lines] == ["0", "4"]
     with pytest.raises(DerivationError):
         gas_orders(loaded("kr250-production"), [Fraction(1, 2)])
+
+
+@pytest.mark.parametrize("name", [each for each in ENGINES if each != "single"])
+def test_the_exact_twist_is_the_sum_of_the_vectors_in_a_straight_shape(name: str) -> None:
+    engine = loaded(name)
+    if name in ("harley-45", "kr250-production"):
+        with pytest.raises(WeighingError, match="one place"):
+            twist_orders(engine)
+        return
+    lines = twist_orders(engine).steps[-1].lines
+    orders = [float(Fraction(line.name.below)) for line in lines]  # pyright: ignore
+    found = [value(line.chain[-1]) for line in lines]
+    wanted = sums_of(firing(engine), twist_shape(engine), orders)
+    assert found == pytest.approx(wanted, abs=1e-9)
+    zeros = [typeset.text(line.chain[-1]) == "0" for line in lines]
+    assert zeros == [each < 1e-9 for each in wanted]
+
+
+def test_a_row_of_pistons_without_a_pitch_has_no_exact_twist() -> None:
+    engine = crankstar.load("i4", changes={"layout.positions": ["0 mm", "90 mm", "180.0333331 mm", "270 mm"]})
+    with pytest.raises(DerivationError, match="no fraction of the length"):
+        twist_orders(engine)
+
+
+def test_whole_orders_of_twist_are_sums_and_half_orders_differences() -> None:
+    chapter = twist_orders(crankstar.load("bmw-m52b28"))
+    lines = {str(line.label): value(line.chain[-1]) for line in chapter.steps[1].lines}
+    assert lines["cylinders 1, 6, whole orders"] == 0
+    assert lines["cylinders 1, 6, half orders"] == 2
+    assert abs(lines["cylinders 5, 2, half orders"]) == pytest.approx(1.2)

@@ -32,9 +32,9 @@ def derive(
         str | None,
         option(
             "--quantity",
-            "Also motion (one piston, up to its harmonics A_2, A_4, A_6), torque, and gas (which "
-            "orders of gas torque vanish). Default: motion, force and couple; force and couple "
-            "with --orders.",
+            "Also motion (one piston, up to its harmonics A_2, A_4, A_6), torque, gas (which "
+            "orders of gas torque vanish), and twist (which twist the crankshaft, in a straight "
+            "shape). Default: motion, force and couple; force and couple with --orders.",
         ),
     ] = None,
     asked: Annotated[
@@ -90,6 +90,9 @@ def derive(
         if "gas" in names and not signs:
             asked_for = () if orders is None else request.derived_orders(orders)
             chapters.append(exact.gas_orders(loaded, asked_for, off=silent))
+        if "twist" in names and not signs:
+            asked_for = () if orders is None else request.derived_orders(orders)
+            chapters.append(exact.twist_orders(loaded, asked_for))
         for number, kind in [] if signs else wanted:
             tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
             if symbolic is not None:
@@ -126,8 +129,8 @@ def _refuse_unused(given: Mapping[str, Any], names: Sequence[str]) -> None:
         beside("--symbolic", *of_order[2:])
     elif names == ["torque"]:
         beside("--quantity torque", "--reference")
-    elif names == ["gas"]:
-        beside("--quantity gas", *of_order[2:])
+    elif names in (["gas"], ["twist"]):
+        beside(f"--quantity {names[0]}", *of_order[2:])
     elif names == ["motion"]:
         beside("--quantity motion", "--orders", "--speed", "--reference")
 

@@ -26,6 +26,7 @@ Engine -> Derivation -> document.
 | `cure` | weights on a shaft, with the proof that they leave nothing |
 | `exhaust` | the orders of the exhaust, and the proof of those that are zero |
 | `firing_sums` | the orders of gas torque that remain, and the proof that others vanish |
+| `twist_sums` | how far each order twists a crankshaft in a straight shape |
 
 >>> from crankstar import derivation, load
 >>> derivation(load("v8-cross-plane"), 2).zero
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
     from crankstar.derive.six_signs import Sign, signs, signs_chapter
     from crankstar.derive.steps import derivation
     from crankstar.derive.torques import inertia_torque
+    from crankstar.derive.twist_sums import twist_orders
 
 _LATE = {
     "motion_chapter": "expansion",
@@ -61,6 +63,7 @@ _LATE = {
     "signs_chapter": "six_signs",
     "derivation": "steps",
     "inertia_torque": "torques",
+    "twist_orders": "twist_sums",
 }
 __all__ = [
     "Chapter",
@@ -76,6 +79,7 @@ __all__ = [
     "motion_chapter",
     "signs",
     "signs_chapter",
+    "twist_orders",
 ]
 
 

@@ -104,7 +104,33 @@ def gas_orders(
     ['√(2 − √2)', '√2', '√(2 + √2)', '0']
     """
     places = places_of(engine)
-    cycle = Fraction(engine.cycle_angle).limit_denominator(1000) / 360
+    wanted = orders_of(engine, places, orders)
+    cycle = cycle_of(engine)
+    off = chambers_of(engine, off)
+    whole = [_line(places, order) for order in wanted]
+    words = (_("The lengths of S, counted in that order of one cylinder; 0 is exact."),)
+    steps = [
+        _one(places, 1 / cycle),
+        _even(cycle, len(places)) if _is_even(places, cycle) else _uneven(places, cycle),
+        Step(_("All cylinders"), words, tuple(whole)),
+        *_banks(engine, places, wanted),
+    ]
+    if off:
+        steps.append(_off(places, wanted, off))
+    return Chapter(engine.name, _("Gas torque by order"), None, {}, tuple(steps), {})
+
+
+def cycle_of(engine: Engine) -> Fraction:
+    """The turns of a working cycle."""
+    return Fraction(engine.cycle_angle).limit_denominator(1000) / 360
+
+
+def orders_of(engine: Engine, places: Places, orders: Sequence[Fraction]) -> list[Fraction]:
+    """The orders that are asked for, else all up to the first one of even firing, at least 4.
+
+    Raises DerivationError for one that gas torque does not have.
+    """
+    cycle = cycle_of(engine)
     step, count = 1 / cycle, len(places)
     wanted = [*orders] or [step * n for n in range(1, int(max(USUAL, count / cycle) / step) + 1)]
     wrong = next((k for k in wanted if (k / step).denominator != 1 or not 0 < k <= GREATEST), None)
@@ -115,18 +141,7 @@ def gas_orders(
             step=step,
             greatest=GREATEST,
         )
-    off = chambers_of(engine, off)
-    whole = [_line(places, order) for order in wanted]
-    words = (_("The lengths of S, counted in that order of one cylinder; 0 is exact."),)
-    steps = [
-        _one(places, step),
-        _even(cycle, count) if _is_even(places, cycle) else _uneven(places, cycle),
-        Step(_("All cylinders"), words, tuple(whole)),
-        *_banks(engine, places, wanted),
-    ]
-    if off:
-        steps.append(_off(places, wanted, off))
-    return Chapter(engine.name, _("Gas torque by order"), None, {}, tuple(steps), {})
+    return wanted
 
 
 def _line(places: Places, order: Fraction, cylinders: Collection[int] = ()) -> Line:
@@ -156,7 +171,7 @@ def _one(places: Places, step: Fraction) -> Step:
     lines = [
         Line(
             Symbol("theta", str(cylinder)),
-            (_degrees(place),),
+            (degrees_of(place),),
             label=_("cylinder {number}", number=cylinder),
         )
         for cylinder, place in places.items()
@@ -165,7 +180,8 @@ def _one(places: Places, step: Fraction) -> Step:
     return Step(_("One cylinder"), words, (*lines, law))
 
 
-def _degrees(place: Fraction) -> Formula:
+def degrees_of(place: Fraction) -> Formula:
+    """A part of a turn in degrees."""
     return Degrees(number(place * 360))
 
 
@@ -184,7 +200,7 @@ def _even(cycle: Fraction, count: int) -> Step:
         more = [Power(z, count - 1)]
     raised = z if count == 1 else Power(z, count)
     closed = Ratio(summed(number(1), product(-1, raised)), summed(number(1), product(-1, z)))
-    turned = product(-1, Symbol("k"), _degrees(cycle / count))
+    turned = product(-1, Symbol("k"), degrees_of(cycle / count))
     sums = (summed(*terms, *more), closed) if count > 1 else (number(1),)
     lines = (
         Line(z, (Polar(number(1), turned),), label=_("from one firing to the next")),

@@ -27,7 +27,9 @@ from crankstar.options.refusals import refuse_unused as refuse_unused  # with th
 from crankstar.tables.scales import along_in_radii, scales
 
 Derived = Literal["force", "couple", "torque"]
-Derivable = Literal["motion", "force", "couple", "torque", "gas"]
+Derivable = Literal["motion", "force", "couple", "torque", "gas", "twist"]
+ALONE = ("motion", "gas", "twist")
+"""What is not derived order by order."""
 NEEDED = "needed"
 """What --shafts means without speed ratios."""
 
@@ -198,10 +200,10 @@ def orders(text: str | None, present: list[float]) -> list[float] | None:
 
 
 def quantities(text: str | None) -> list[Derived]:
-    """The quantities derived order by order, by default force and couple; not motion and gas."""
+    """The quantities derived order by order, by default force and couple."""
     names = ["force", "couple"] if text is None else (listed(text) or [text])
     chosen = [choice("--quantity", name, get_args(Derivable)) for name in names]
-    return [cast("Derived", name) for name in chosen if name not in ("motion", "gas")]
+    return [cast("Derived", name) for name in chosen if name not in ALONE]
 
 
 def cylinders_off(text: str | None) -> tuple[int, ...]:
