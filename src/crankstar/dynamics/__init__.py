@@ -10,6 +10,7 @@
 | `uneven_forces` | what the uneven speed changes in force and couple |
 | `meshes` | what the gears between crankshafts pass on over a cycle |
 | `crank_stiffness` | the torsional stiffness of a crank throw by published formulas |
+| `crank_fillets` | how fillets of a crank throw concentrate stress, and what they bear |
 | `torsion_chain` | a crankshaft, or a drive line, as a chain of inertias and springs |
 | `torsion_modes` | natural frequencies and shapes of a chain, nodes, Holzer's table |
 | `torsion_shapes` | the shape of a mode as the amplitude of each cylinder |
@@ -18,6 +19,7 @@
 | `torsion_variable` | the same at one speed with the inertia of each crank angle |
 | `torsion_criticals` | critical speeds, equilibrium amplitudes, barred speeds |
 | `torsion_analysis` | all that is asked of the torsional vibration of an engine or a drive line |
+| `crank_fatigue` | whether the fillets of a crankshaft bear its bending and twist for ever |
 | `whirl` | shift, tilt and turn of the free rigid engine, order by order |
 | `sound` | the exhaust as a sound: equal pulses through plain pipes |
 """

@@ -144,7 +144,7 @@ def bearing_loads(
     """
     machine = mechanism(engine)
     speed = cycle.speed if speed is None and cycle is not None else speed
-    loads = _loads(engine, machine, speed, cycle)
+    loads = all_pin_loads(engine, machine, speed, cycle)
     scale, units = scales(engine, speed)
     bearings: list[Bearing] = []
     pins: list[CrankPin] = []
@@ -213,7 +213,7 @@ def bending_moment(
     index = names.index(name)
     own = engine.shafts[index]
     speed = cycle.speed if speed is None and cycle is not None else speed
-    places, forces = shaft_forces(machine, _loads(engine, machine, speed, cycle), index)
+    places, forces = shaft_forces(machine, all_pin_loads(engine, machine, speed, cycle), index)
     bearings = main_bearings(engine, own)
     z = _along([*places, *bearings])
     if model is None:
@@ -229,7 +229,7 @@ def bending_moment(
     return Bending(name, tuple(z.tolist()), moment, units.couple, known)
 
 
-def _loads(
+def all_pin_loads(
     engine: Engine, machine: Mechanism, speed: float | None, cycle: Cycle | None
 ) -> PinLoads:
     """The pin loads of inertia, and of gas where there is a cycle, at 1 rad/s; right at `speed`."""

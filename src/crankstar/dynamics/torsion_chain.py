@@ -208,7 +208,7 @@ def _of_engine(engine: Engine, own: Torsion) -> TorsionChain:
     count = len(order)
     lossy = own.loss_factor is None and (count > 1 or _lossy(own.discs))
     assumed = ["torsion.loss_factor"] if lossy else []
-    estimated = [] if own.dimensions is None or count < 2 else ["torsion.stiffness"]
+    estimated = [] if own.stiffness or count < 2 else ["torsion.stiffness"]
     if estimated and own.dimensions is not None and own.dimensions.shear_modulus is None:
         assumed.append("torsion.dimensions.shear_modulus")
     draft = _Draft(LOSS_FACTOR if own.loss_factor is None else own.loss_factor, count)
@@ -249,7 +249,7 @@ def throw_inertias(engine: Engine, own: Torsion) -> Real:
 
 def _stiffnesses(crank: Shaft, own: Torsion, order: Sequence[int]) -> Sequence[float]:
     gaps = len(order) - 1
-    if own.dimensions is not None:
+    if own.dimensions is not None and not own.stiffness:
         radius = crank.throws[order[0] - 1].radius
         return _each((throw_stiffness(own.dimensions, radius=radius),), gaps) if gaps else ()
     return _each(own.stiffness, gaps) if gaps else ()

@@ -15,6 +15,7 @@
 | `main_bearings` | main bearings and webs of a crankshaft, given or assumed |
 | `valves` | valve and port timing, given or assumed |
 | `gas_checks` | loads, traces and drives that can be |
+| `fillets` | fillets of a crank throw as ratios, and where they are known |
 | `torsion_checks` | chains that can twist |
 | `checks` | sizes, numbers and references that must fit each other |
 | `copies` | changed copies of records, each checked again |

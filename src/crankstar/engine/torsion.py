@@ -36,10 +36,20 @@ STEEL = 80e9
 LOSS_FACTOR = 0.02
 """Assumed of crank elements and shafts: a dynamic magnifier of 50, for which the tables say so."""
 FRONT, REAR = "front", "rear"
+FACTORS = (
+    "pin_bending",
+    "pin_torsion",
+    "journal_bending",
+    "journal_compression",
+    "journal_torsion",
+)
+"""The stress concentration factors of the fillets of a crank throw."""
 _THROW = re.compile(r"throw\s*(\d{1,4})", re.IGNORECASE)
 
 Formula = Literal["ker-wilson", "carter", "timoshenko"]
 LossFactor = Annotated[Number, Field(ge=0, le=2)]
+Concentration = Annotated[Number, Field(gt=0, le=50)]
+"""How many times the nominal stress the greatest one is."""
 
 
 class _OneOrSeveral:
@@ -165,6 +175,60 @@ Pendulums = Annotated[
 ]
 
 
+class CrankFatigue(Record):
+    """Fillets and steel of a crankshaft, by which its safety against fatigue is reckoned.
+
+    >>> own = CrankFatigue(pin_fillet=0.003, journal_fillet=0.003, tensile_strength=8e8)
+    >>> own.strength_factor, own.additional_stress, own.factors
+    (1.0, 10000000.0, {})
+    """
+
+    pin_fillet: Diameter = Field(
+        description="radius between crank pin and web", examples=["3.5 mm"]
+    )
+    journal_fillet: Diameter = Field(
+        description="radius between main journal and web", examples=["3.5 mm"]
+    )
+    pin_recess: Diameter | None = Field(
+        default=None, description="depth to which the fillet of the pin is cut into the web"
+    )
+    journal_recess: Diameter | None = Field(
+        default=None, description="depth to which that of the journal is"
+    )
+    tensile_strength: Pressure = Field(
+        description="least that the material has", examples=["800 MPa"]
+    )
+    strength_factor: Annotated[Number, Field(gt=0, le=3)] = Field(
+        default=1.0,
+        description=(
+            "of how it is made: 1.05 drop-forged or with continuous grain flow, 1 free-forged, "
+            "0.93 cast steel with rolled fillets"
+        ),
+    )
+    additional_stress: Pressure = Field(
+        default=10e6,
+        description=(
+            "bending stress added for misalignment and for axial vibration: 10 MPa with trunk "
+            "pistons, 30 MPa with crossheads"
+        ),
+    )
+    pin_bending: Concentration | None = Field(
+        default=None,
+        description="stress concentration factor, instead of the one by dimensions",
+        examples=[4.2],
+    )
+    pin_torsion: Concentration | None = Field(default=None, description="the same")
+    journal_bending: Concentration | None = Field(default=None, description="the same")
+    journal_compression: Concentration | None = Field(default=None, description="the same")
+    journal_torsion: Concentration | None = Field(default=None, description="the same")
+
+    @property
+    def factors(self) -> dict[str, float]:
+        """The stress concentration factors that are given."""
+        given = {name: getattr(self, name) for name in FACTORS}
+        return {name: value for name, value in given.items() if value is not None}
+
+
 class Torsion(Record):
     """The crankshaft between front and rear, throw by throw, and all that turns with it.
 
@@ -195,7 +259,11 @@ class Torsion(Record):
         description="between neighbouring throws, front first, or one for all",
     )
     dimensions: CrankDimensions | None = Field(
-        default=None, description="of a throw, from which the stiffness is estimated instead"
+        default=None,
+        description="of a throw, from which the stiffness is estimated where it is not given",
+    )
+    fatigue: CrankFatigue | None = Field(
+        default=None, description="fillets and material, for the safety against fatigue"
     )
     damping: Dampings = Field(
         default=(),

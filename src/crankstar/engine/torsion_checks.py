@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from crankstar.engine.assembly import Assembly
+from crankstar.engine.fillets import fillet_faults
 from crankstar.engine.torsion import Chain, CrankDimensions, Disc, Pendulum, Torsion, home, is_place
 from crankstar.language.faults import Fault
 from crankstar.language.quoting import seen
@@ -32,6 +33,7 @@ def faults(engine: Assembly) -> Iterator[Fault]:
     yield from _hollow(own, ("torsion",), "diameter", "bore")
     if own.dimensions is not None:
         yield from _dimension_faults(own.dimensions)
+    yield from fillet_faults(own, engine)
     yield from _tree_faults(own.discs, own.pendulums, ("torsion",), throws=throws)
 
 
@@ -69,7 +71,7 @@ def _inertia_faults(own: Torsion, engine: Assembly, throws: int) -> Iterator[Fau
 def _stiffness_faults(own: Torsion, throws: int) -> Iterator[Fault]:
     """No stiffness, two of them, or one for another number of gaps between throws."""
     gaps = max(throws - 1, 0)
-    if own.stiffness and own.dimensions is not None:
+    if own.stiffness and own.dimensions is not None and own.fatigue is None:
         yield Fault(("torsion", "dimensions"), "torsion.two-stiffnesses")
     elif gaps and not own.stiffness and own.dimensions is None:
         yield Fault(("torsion",), "torsion.no-stiffness")

@@ -49,6 +49,19 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} mm, and the shaft around it has {outer} mm; a bore is less"
     ),
     "torsion.bore-alone": N_("{where} is given without {key}: give both, or none"),
+    "fatigue.no-dimensions": N_(
+        "{where} needs the sizes of a crank throw; give the table torsion.dimensions, also beside "
+        "a stiffness"
+    ),
+    "fatigue.relative": N_("{where} needs the forces on the crankshaft in N; give {keys}"),
+    "fatigue.range": N_(
+        "{where} is {value} mm; stress concentration factors are known from {low} to {high} mm "
+        "({least} to {greatest} of the pin diameter): give all five in torsion.fatigue"
+    ),
+    "fatigue.overlap": N_(
+        "{where} is {value} mm, and pin and journal overlap by {overlap} of it; stress "
+        "concentration factors are known up to {greatest}: give all five in torsion.fatigue"
+    ),
     "doubt.throw-inertia": N_(
         "{where} is {value} kg m², less than rods and pistons alone have there, {moving} kg m²: is "
         "it the bare_inertia of the crankshaft?"
