@@ -46,6 +46,7 @@
 | `meshes` | gears between crankshafts: what each mesh passes on |
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `torsion_chain` | a chain that twists: masses, shafts, modes, Holzer's table |
+| `crank_fatigue` | the safety of a crankshaft against fatigue |
 | `torsion` | critical speeds, torsional vibration over the speeds, stress and heat |
 | `torsion_facts` | torsion in a verdict and a comparison |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |

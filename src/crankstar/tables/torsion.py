@@ -19,6 +19,7 @@ from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.doubts import torsion_doubts
 from crankstar.spectra import Real
+from crankstar.tables.crank_fatigue import fatigue_of, fatigue_table
 from crankstar.tables.headings import heading
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 from crankstar.tables.torque import notes as cycle_notes
@@ -77,10 +78,14 @@ def torsion_document(
         parts.append(_heat_table(heat))
     if found.barred or machine:
         parts.append(_barred_table(found))
+    fatigue, why = fatigue_of(source, found) if isinstance(source, Engine) else (None, "")
+    if fatigue is not None and isinstance(source, Engine):
+        parts.append(fatigue_table(source, found, fatigue, machine=machine))
     if not machine:
-        parts += [*remarks(*_notes(source, found), kind="note"), *_doubts(source, found)]
+        parts += [*remarks(*_notes(source, found), kind="note"), *_doubts(source, found, why)]
         parts = [each for each in parts if isinstance(each, Remarks) or each.rows]
-    return Document(source.name, tuple(parts), _facts(source, found))
+    facts = _facts(source, found) | ({"without_fatigue": why} if why else {})
+    return Document(source.name, tuple(parts), facts)
 
 
 def _facts(source: Engine | Chain, found: TorsionAnalysis) -> dict[str, Any]:
@@ -339,8 +344,11 @@ def _notes(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
     return lines
 
 
-def _doubts(source: Engine | Chain, found: TorsionAnalysis) -> tuple[Remarks, ...]:
-    """What is assumed or estimated of the chain, and what is missing of the excitation."""
+def _doubts(source: Engine | Chain, found: TorsionAnalysis, unfit: str) -> tuple[Remarks, ...]:
+    """What is assumed or estimated of the chain, and what is missing of the excitation.
+
+    `unfit`: why there is no fatigue, though it is asked for.
+    """
     lines: list[str] = []
     if isinstance(source, Engine):
         lines += [fault.sentence for fault in torsion_doubts(source)]
@@ -361,4 +369,6 @@ def _doubts(source: Engine | Chain, found: TorsionAnalysis) -> tuple[Remarks, ..
         lines.append(_("Without gas: {reason}.", reason=found.without_gas.rstrip(".")))
     if found.response is not None and found.response.without_inertia:
         lines.append(_("Without masses there is no inertia torque: this is gas alone."))
+    if unfit:
+        lines.append(_("Without fatigue: {reason}.", reason=unfit.rstrip(".")))
     return remarks(*lines, kind="doubt")

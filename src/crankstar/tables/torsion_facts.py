@@ -11,6 +11,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
+from crankstar.tables.crank_fatigue import fatigue_sentence
 from crankstar.tables.table import Column, Table, Value
 
 RPM = 30 / pi
@@ -18,7 +19,7 @@ MODES = 3
 
 
 def torsion_sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
-    """The first torsional mode, and the critical speed that counts for most; or nothing.
+    """The first torsional mode, the critical speed that counts for most, fatigue; or nothing.
 
     >>> from crankstar.files.catalog import load
     >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
@@ -36,8 +37,11 @@ def torsion_sentences(engine: Engine, *, speed: float | None = None) -> list[str
         return lines
     low, high = (number(round(float(found.speeds[place]) * RPM)) for place in (0, -1))
     top = _strongest(found)
+    fatigue = fatigue_sentence(engine, found)
+    last = [fatigue] if fatigue else []
     if top is None:
-        return [*lines, _("No critical speed between {low} and {high} rpm.", low=low, high=high)]
+        none = _("No critical speed between {low} and {high} rpm.", low=low, high=high)
+        return [*lines, none, *last]
     sentence = _(
         "Between {low} and {high} rpm the strongest critical speed is that of order {order} with "
         "mode {mode}, at {rpm} rpm.",
@@ -47,7 +51,7 @@ def torsion_sentences(engine: Engine, *, speed: float | None = None) -> list[str
         mode=top.mode,
         rpm=number(round(top.speed * RPM)),
     )
-    return [*lines, sentence]
+    return [*lines, sentence, *last]
 
 
 def _hertz(found: TorsionAnalysis, place: int) -> str:
