@@ -87,6 +87,7 @@ MESSAGE_ERRORS = [
     "ChartError",
     "DerivationError",
     "ErrataError",
+    "FatigueError",
     "GasError",
     "NoSuchKeyError",
     "OilFilmError",

@@ -22,7 +22,7 @@ from crankstar.tables.table import Column, Table, Value
 RPM = 30 / pi
 MPA = 1e-6
 ALIKE = 1e-9
-FILLETS = {"pin": N_("fillet of the pin"), "journal": N_("fillet of the journal")}
+FILLETS = {"pin": N_("pin"), "journal": N_("journal")}
 
 
 def fatigue_of(engine: Engine, found: TorsionAnalysis) -> tuple[Fatigue | None, str]:
@@ -39,17 +39,31 @@ def fatigue_table(engine: Engine, found: TorsionAnalysis, own: Fatigue, *, machi
     """The fillets of each throw; for readers throws that are alike as one."""
     columns = (
         Column(_("throw"), kind="number" if machine else "text", key="throw", label=True),
-        Column("", kind="text", key="fillet", label=True),
+        Column(_("fillet"), kind="text", key="fillet", label=True),
         Column(_("nominal bending"), "MPa", key="bending", fixed=True, digits=4),
         Column(
             _("nominal compression"), "MPa", key="compression", fixed=True, digits=4, machine=True
         ),
         Column(_("nominal torsion"), "MPa", key="torsion", fixed=True, digits=4),
-        Column(_("bending factor"), key="factor_bending", digits=4, optional=2),
+        Column(_("bending factor"), key="factor_bending", digits=4, optional=1),
         Column(_("compression factor"), key="factor_compression", digits=4, machine=True),
-        Column(_("torsion factor"), key="factor_torsion", digits=4, optional=2),
-        Column(_("bending"), "MPa", key="fillet_bending", fixed=True, digits=4, optional=1),
-        Column(_("torsion"), "MPa", key="fillet_torsion", fixed=True, digits=4, optional=1),
+        Column(_("torsion factor"), key="factor_torsion", digits=4, optional=1),
+        Column(
+            _("bending in the fillet"),
+            "MPa",
+            key="fillet_bending",
+            fixed=True,
+            digits=4,
+            optional=2,
+        ),
+        Column(
+            _("torsion in the fillet"),
+            "MPa",
+            key="fillet_torsion",
+            fixed=True,
+            digits=4,
+            optional=2,
+        ),
         Column(_("equivalent stress"), "MPa", key="equivalent", fixed=True, digits=4),
         Column(_("fatigue strength"), "MPa", key="strength", fixed=True, digits=4),
         Column(_("acceptability factor"), key="acceptability", digits=4),
