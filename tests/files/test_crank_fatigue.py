@@ -106,10 +106,17 @@ def test_sizes_beyond_the_regressions_do_with_all_five_factors() -> None:
     assert mistakes(**thin, fatigue={**STEEL, **four}) != {}
 
 
-def test_fatigue_of_an_engine_without_masses_asks_for_them() -> None:
-    tree = spoilt(SIX, torsion=TORSION, gas=GAS, cylinder__rotating_mass=0.9)
-    del tree["cylinder"]["reciprocating_mass"]
-    assert codes(tree)["torsion.fatigue"] == "fatigue.relative"
+def test_fatigue_of_an_engine_without_masses_asks_for_them_or_estimates(
+    run: Run, tmp_path: Path
+) -> None:
+    path = tmp_path / "light.toml"
+    tree = spoilt(SIX, torsion=TORSION, gas=GAS)
+    del tree["cylinder"]["reciprocating_mass"], tree["cylinder"]["rotating_mass"]
+    path.write_text(toml(engine_of(tree)))
+    out = run("torsion", str(path), "--json").out
+    assert "cylinder.reciprocating_mass" in json.loads(out)["without_fatigue"]
+    guessed = json.loads(run("torsion", str(path), "--json", "--estimate").out)
+    assert guessed["fatigue"][0]["acceptability"]
 
 
 def test_torsion_has_the_fillets_of_each_throw_for_machines(run: Run, tmp_path: Path) -> None:

@@ -45,6 +45,7 @@ rotating_mass = "800 g"
 type = "inline"
 bore_pitch = "104 mm"
 """
+ONE = SIX.replace("[1, 5, 3, 6, 2, 4]", "[1]").replace('bore_pitch = "104 mm"', "")
 SLOW = SIX.replace('speed = "3000 rpm"', "")
 SIZES = {
     "journal_diameter": "58 mm",
@@ -355,6 +356,7 @@ def test_two_stroke_throws_count_four_fifths_of_their_bending() -> None:
             "two main bearings",
         ),
         (lambda: engine_of(spoilt(SIX, gas=GAS, torsion={**TORSION, "fatigue": None})), "fillets"),
+        (lambda: engine_of(spoilt(ONE, gas=GAS, torsion=TORSION)), "rigidly coupled"),
     ],
 )
 def test_what_fatigue_lacks_is_said(engine: Any, words: str) -> None:

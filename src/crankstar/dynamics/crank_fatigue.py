@@ -54,6 +54,11 @@ ACCEPTED = 1.15
 """The acceptability factor from which on a crankshaft is accepted."""
 SAMPLES = 720
 """Crank angles in a turn."""
+KEYS = {
+    "mass": "cylinder.reciprocating_mass",
+    "radius": "cylinder.stroke",
+    "pitch": "layout.bore_pitch",
+}
 TWO_STROKE = 0.8
 """K_e of two-stroke engines: neighbouring cranks and bearings hold the throw."""
 
@@ -145,10 +150,13 @@ def crank_fatigue(engine: Engine, found: TorsionAnalysis) -> Fatigue:
     own = engine.torsion
     if own is None or own.fatigue is None or own.dimensions is None:
         raise FatigueError("fatigue needs fillets and material: give the table [torsion.fatigue]")
+    unknown = ", ".join(KEYS[name] for name in KEYS if name in engine.relative)
+    if unknown:
+        raise FatigueError(
+            "fatigue needs the forces on the crankshaft in N: give {keys}", keys=unknown
+        )
     if found.response is None or found.cycle is None:
         raise _without_gas()
-    if not found.chain.sections:
-        raise FatigueError("fatigue needs a crankshaft that twists: all masses are rigidly coupled")
     crank = engine.shafts[0]
     torsional = alternating_torque(engine, found)
     strengths = _strengths(own.dimensions, own.fatigue)
@@ -193,6 +201,8 @@ def alternating_torque(engine: Engine, found: TorsionAnalysis) -> Torsional:
         for index, each in enumerate(chain.sections)
         if each.ratio == 1 and (each.before in throws or each.after in throws)
     ]
+    if not sections:
+        raise FatigueError("fatigue needs a crankshaft that twists: all masses are rigidly coupled")
     turns = 1 if engine.cycle == "two-stroke" else 2
     theta = np.arange(SAMPLES * turns) * (2 * pi / SAMPLES)
     ranges = np.array([np.ptp(response.course(n, theta), axis=1)[allowed] / 2 for n in sections])

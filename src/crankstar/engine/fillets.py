@@ -35,11 +35,6 @@ RANGES = {
 }
 """Least and greatest of a length over the diameter of the pin."""
 EDGE = 1e-9
-KEYS = {
-    "mass": "cylinder.reciprocating_mass",
-    "radius": "cylinder.stroke",
-    "pitch": "layout.bore_pitch",
-}
 
 
 class FilletRatios(NamedTuple):
@@ -94,10 +89,6 @@ def fillet_faults(own: Torsion, engine: Assembly) -> Iterator[Fault]:
     if own.dimensions is None:
         yield Fault(("torsion", "fatigue"), "fatigue.no-dimensions")
         return
-    unknown = [KEYS[name] for name in KEYS if name in engine.relative]
-    if unknown:
-        yield Fault(("torsion", "fatigue"), "fatigue.relative", {"keys": ", ".join(unknown)})
-        return
     if len(own.fatigue.factors) == len(FACTORS):
         return
     pin = own.dimensions.pin_diameter
@@ -108,7 +99,7 @@ def fillet_faults(own: Torsion, engine: Assembly) -> Iterator[Fault]:
             values |= {"least": least, "greatest": greatest}
             yield Fault(("torsion", *path), "fatigue.range", values)
     radii = [throw.radius for shaft in engine.shafts for throw in shaft.throws]
-    if radii:
+    if radii and "radius" not in engine.relative:
         overlap = fillet_ratios(own.dimensions, own.fatigue, radius=min(radii)).overlap
         if overlap > GREATEST_OVERLAP + EDGE:
             values = {"value": pin * 1e3, "overlap": overlap, "greatest": GREATEST_OVERLAP}

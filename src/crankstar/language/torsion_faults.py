@@ -53,7 +53,6 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} needs the sizes of a crank throw; give the table torsion.dimensions, also beside "
         "a stiffness"
     ),
-    "fatigue.relative": N_("{where} needs the forces on the crankshaft in N; give {keys}"),
     "fatigue.range": N_(
         "{where} is {value} mm; stress concentration factors are known from {low} to {high} mm "
         "({least} to {greatest} of the pin diameter): give all five in torsion.fatigue"
