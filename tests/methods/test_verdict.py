@@ -209,6 +209,8 @@ def test_only_cross_plane_eights_burble_and_the_verdict_on_firing_is_short(name:
         "gm-l76",
         "porsche-cayenne-48",
         "toyota-1uz-fe",
+        "cadillac-ld8",
+        "rover-v8-39",
     }
     assert any("burble" in sentence for sentence in sentences) == (name in eights)
     assert len(sentences) <= 2
