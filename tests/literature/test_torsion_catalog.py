@@ -63,6 +63,11 @@ def test_the_crankshaft_of_1928_meets_its_third_order_where_it_was_met() -> None
     assert critical[0].speed * 30 / pi == pytest.approx(first / 3)
 
 
+def test_its_sixth_order_is_where_the_goshawk_met_it() -> None:
+    """At 1600 rpm without slipper drive: Rolls-Royce archive, box 25, 1 March 1927."""
+    assert per_minute("rolls-royce-six-1928")[0] / 6 == pytest.approx(1600, rel=0.01)
+
+
 def test_the_shaft_of_1928_as_a_continuous_one_has_the_frequency_of_its_six_masses() -> None:
     """theta = cos(b x) + a sin(b x) along the shaft, x = 0 at the hub and 1 at the flywheel.
 
