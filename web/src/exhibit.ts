@@ -86,6 +86,11 @@ export interface Exhibit {
   gas_needs: string
   /** as a sound; null without a firing order */
   exhaust: Exhaust | null
+  /** null without the table [torsion] */
+  torsion: Torsion | null
+  torsion_numbers: TorsionNumbers | null
+  /** what torsion needs, a sentence; else empty */
+  torsion_needs: string
   charts: ChartKey[]
   derivations: DerivationKey[]
   /** weights, shafts and remaining unbalance of a fitted engine; else empty */
@@ -450,6 +455,87 @@ export interface Pipe {
   name: string
   chambers: number[]
   fires: number[]
+}
+/**
+ * The twist of the first crankshaft, front first.
+ *
+ * `throws` are the throws of the scene from front to rear, `masses_of_throws` their masses.
+ * `pieces` are the shafts ahead of the first throw, between the throws and behind the last; null
+ * where what hangs there turns with the throw.
+ */
+export interface Torsion {
+  masses: string[]
+  throws: number[]
+  masses_of_throws: number[]
+  pieces: (Piece | null)[]
+  /** whether stiffnesses are estimated from dimensions */
+  estimated: boolean
+  modes: ModeShown[]
+  criticals: CriticalShown[]
+  /** of the vibrations */
+  orders: number[]
+  vibrations: Vibration[]
+}
+/** A shaft of the crank that is seen: between two throws, or at one of its ends. */
+export interface Piece {
+  name: string
+  /** torque over shear stress, m^3; null if not known */
+  modulus: number | null
+}
+/** A way in which the crankshaft vibrates freely. */
+export interface ModeShown {
+  number: number
+  frequency_hz: number
+  /** the turn of each mass, 1 at the first */
+  shape: number[]
+  /**
+   * in each piece, N m for each radian that a mass with a shape of 1 turns; 0 where there is no piece
+   */
+  torque: number[]
+}
+/** An order that meets a mode within the range of speeds. */
+export interface CriticalShown {
+  mode: number
+  order: number
+  speed_rpm: number
+  /** by how much it counts beside others */
+  strength: number
+}
+/** The forced vibration in all orders at the speed of an operating point, or a critical one. */
+export interface Vibration {
+  /** the operating point whose gas drives; empty without a name */
+  point: string
+  /** whether there is gas, or the moving parts alone */
+  gas: boolean
+  speed_rpm: number
+  /** mode and order that meet there; null at the speed of an operating point */
+  critical: [number, number] | null
+  /** of each throw, front first: how far it is ahead, radians */
+  turns: [number, number][][]
+  /** in each piece, N m; empty where there is none */
+  torque: [number, number][][]
+  /** the greatest of it over a cycle, N m */
+  peak: number[]
+}
+/**
+ * The numbers of `Torsion` in the units that are shown, as the command prints them.
+ *
+ * The units lead from Pa and N m; `criticals` are those that count.
+ */
+export interface TorsionNumbers {
+  stress_unit: Unit
+  torque_unit: Unit
+  frequencies: Table
+  criticals: Table
+  every_critical: Table
+  /** masses, shafts and shapes */
+  chain: Table[]
+  /** greatest vibration, barred speeds */
+  over_speeds: Table[]
+  /** of each vibration */
+  vibrations: Table[][]
+  notes: string[]
+  doubts: string[]
 }
 /** A figure of an engine: the `key` that it is requested by, and the properties to choose by. */
 export interface ChartKey {

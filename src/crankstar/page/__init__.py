@@ -6,6 +6,7 @@
 | `unit_records` | units and printed tables, the base of all records |
 | `form_words` | the schema of engine files in the reader's language |
 | `cycle_records` | what happens over a working cycle: strokes, torque, exhaust |
+| `torsion_records` | the twist of the crankshaft |
 | `records` | Exhibition, Exhibit and their parts |
 | `crankshafts` | pins, webs, rods side by side, weights on webs |
 | `gears` | gear wheels between shafts |
@@ -15,6 +16,7 @@
 | `bearing_loads` | loads on main bearings and crank pins |
 | `torque` | gas and inertia torque over a working cycle, the exhaust as a sound |
 | `keys` | the figures and derivations that an engine has, by key |
+| `torsion` | modes, critical speeds and forced vibration of the crankshaft that twists |
 | `figures` | a figure as Vega-Lite, a derivation as HTML, by key |
 | `exhibits` | Engine -> Exhibit, Exhibition; the engine with the recommended remedy |
 | `workshop_records` | what the workshop is sent |

@@ -38,6 +38,7 @@ from crankstar.page.proportions import proportions
 from crankstar.page.records import Exhibit, Exhibition, Fact, Scale
 from crankstar.page.scene import scene
 from crankstar.page.torque import exhaust, gas_needs, torque, torque_unit
+from crankstar.page.torsion import torsion_charts, torsion_needs, torsion_numbers, torsion_shown
 from crankstar.page.unit_records import Table, Unit, Units, UnitsOffered
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
@@ -159,7 +160,9 @@ def exhibit(
         torque=torque(engine),
         gas_needs=gas_needs(engine),
         exhaust=exhaust(engine),
-        charts=chart_keys(engine, remains.orders_pushed(result)),
+        torsion=torsion_shown(engine),
+        torsion_needs=torsion_needs(engine),
+        charts=(*chart_keys(engine, remains.orders_pushed(result)), *torsion_charts(engine)),
         derivations=derivation_keys(remains.orders_pushed(result)),
         remedies=tuple(remedies),
         **in_units(engine, over, relatives=relatives, known=known),
@@ -200,6 +203,7 @@ def in_units(
         "bearing_numbers": bearing_numbers(engine, over, loads),
         "gas_bearing_numbers": gas_bearing_numbers(engine),
         "torque_unit": torque_unit(engine),
+        "torsion_numbers": torsion_numbers(engine),
         "verdict": tuple(
             Fact(subject=fact.about, about=subject_of[fact.about], sentence=fact.sentence)
             for fact in facts

@@ -19,7 +19,7 @@ class NoSuchKeyError(MessageError):
     """A key that no figure or derivation of an engine has."""
 
 
-CHOSEN_BY = {"order", "quantity"}
+CHOSEN_BY = {"order", "orders", "quantity"}
 """The options of keys."""
 
 
@@ -92,6 +92,8 @@ def _single(engine: Engine, key: str, spread: Spread | None, beside: Engine | No
         )
     if "order" in asked:
         asked["order"] = _order(key, asked["order"])
+    if "orders" in asked:
+        asked["orders"] = [_order(key, asked["orders"])]
     if "speed" in known.options:
         asked["speed"] = engine.speed
     with over_ranges([spread]):

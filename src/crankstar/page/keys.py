@@ -73,13 +73,23 @@ def _drawn(orders: Sequence[float]) -> list[float]:
     return low[:MOST_ORDERS]
 
 
-def chart_key(figure: str, *, order: float | None = None, quantity: str | None = None) -> str:
-    """The key of a figure with its options, sorted by name.
+def chart_key(
+    figure: str,
+    *,
+    order: float | None = None,
+    orders: float | None = None,
+    quantity: str | None = None,
+) -> str:
+    """The key of a figure with its options, sorted by name; `orders` where it takes several.
 
     >>> chart_key("polygon", order=2.0, quantity="couple")
     'polygon:order=2:quantity=couple'
     """
-    options = {"order": None if order is None else f"{order:.12g}", "quantity": quantity}
+    options = {
+        "order": None if order is None else f"{order:.12g}",
+        "orders": None if orders is None else f"{orders:.12g}",
+        "quantity": quantity,
+    }
     return ":".join(
         [
             figure,

@@ -156,6 +156,8 @@ def _has_units(key: str, engine: Engine) -> bool:
     figure = key.split(":")[0]
     if figure == "shaft":
         return "pitch" not in engine.relative
+    if figure == "torsion-response":
+        return "quantity=stress" in key
     return figure in OF_FORCES and balance(engine, speed=engine.speed).speed is not None
 
 

@@ -16,6 +16,7 @@ from pydantic import Field
 from crankstar.engine.quantities import Unknown
 from crankstar.language.glossary import Term
 from crankstar.page.cycle_records import Exhaust, StrokeColours, StrokeWindow, Torque
+from crankstar.page.torsion_records import Torsion, TorsionNumbers
 from crankstar.page.unit_records import Pair, Shown, Table, Unit, Units, UnitsOffered
 
 Quantity = Literal["force", "couple", "roll", "torque"]
@@ -341,6 +342,9 @@ class Exhibit(Shown):
     torque_unit: Unit
     gas_needs: str = Field(description="what its gas torque needs, a sentence; else empty")
     exhaust: Exhaust | None = Field(description="as a sound; null without a firing order")
+    torsion: Torsion | None = Field(description="null without the table [torsion]")
+    torsion_numbers: TorsionNumbers | None
+    torsion_needs: str = Field(description="what torsion needs, a sentence; else empty")
     charts: tuple[ChartKey, ...]
     derivations: tuple[DerivationKey, ...]
     remedies: tuple[Table, ...] = Field(

@@ -75,11 +75,12 @@ def gas_needs(engine: Engine) -> str:
     try:
         cycles(engine)
     except GasError as error:
-        return _sentence(error)
+        return sentence_of(error)
     return ""
 
 
-def _sentence(error: MessageError) -> str:
+def sentence_of(error: MessageError) -> str:
+    """What an error says, as a sentence."""
     reason = str(error)
     return _("{reason}.", reason=reason[:1].upper() + reason[1:])
 
@@ -112,8 +113,8 @@ def torque(engine: Engine) -> Torque | None:
             Chamber(number=number, fires=float(fires), wave=rows.index(_row(found, place)))
             for place, (number, fires) in enumerate(zip(places.numbers, places.fires, strict=True))
         ),
-        moving=None if moving is None else _wave(_at(moving.torque, orders)),
-        axis=_wave(np.zeros(orders.size) if moving is None else _at(moving.axis_moment, orders)),
+        moving=None if moving is None else wave_of(_at(moving.torque, orders)),
+        axis=wave_of(np.zeros(orders.size) if moving is None else _at(moving.axis_moment, orders)),
         loads=tuple(_loads(engine, found, orders, [_place(found, row) for row in rows])),
     )
 
@@ -197,7 +198,7 @@ def _loads(
         try:
             running = driven(engine, burning)
         except MessageError as error:
-            lines.append(_sentence(error))
+            lines.append(sentence_of(error))
         yield Load(
             name=burning.name,
             assumed="imep" in burning.assumed,
@@ -229,7 +230,7 @@ def _waves(found: Cycle, orders: Real, chambers: Sequence[int]) -> Iterator[Wave
     turned = np.exp(1j * own.torque.orders * found.volumes.fires[:, None])
     wave = spectra.real_signal(own.torque.orders, spectra.amplitude(own.torque) * turned)
     for place in chambers:
-        yield _wave(_at(wave[place], orders))
+        yield wave_of(_at(wave[place], orders))
 
 
 def _means(found: Cycle, chambers: Sequence[int]) -> Iterator[float]:
@@ -241,7 +242,7 @@ def _at(spectrum: Spectrum, orders: Real) -> Complex:
     return spectra.amplitude(spectra.selected(spectrum, orders.tolist()))
 
 
-def _wave(values: Complex | Real) -> Wave:
+def wave_of(values: Complex | Real) -> Wave:
     """Amplitudes as pairs of numbers with so many figures."""
     return tuple((_short(value.real), _short(value.imag)) for value in np.asarray(values, complex))
 

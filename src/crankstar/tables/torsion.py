@@ -199,7 +199,9 @@ def _worst_table(found: TorsionAnalysis, own: Response) -> Table:
         rpm=number(float(own.speeds[top] * RPM)),
     )
     speeds = [float(own.speeds[place] * RPM) for place in worst]
-    return _sections(title, own, peak[worst, here], added[worst, here], speeds, (note,))
+    return _sections(
+        title, own, peak[worst, here], added[worst, here], speeds, (note,), key="greatest"
+    )
 
 
 def _section_table_at(own: Response, exact: Response | None) -> Table:

@@ -144,7 +144,7 @@ def shape_table(chain: TorsionChain, modes: Sequence[Mode]) -> Table:
         (name, *(float(mode.shape[place]) for mode in modes))
         for place, name in enumerate(chain.names)
     ]
-    return Table(_("Mode shapes"), columns, tuple(rows))
+    return Table(_("Mode shapes"), columns, tuple(rows), key="shapes")
 
 
 def holzer_table(mode: Mode, rows: Sequence[HolzerRow]) -> Table:
