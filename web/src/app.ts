@@ -20,6 +20,7 @@ import {
   storeOf,
 } from './state'
 import { settingOf, withGasRoll, withoutPower } from './torque'
+import { type TwistChoice, twistChoiceOf } from './torsion'
 import { InUnits, keepUnits, keptUnits } from './units'
 import { visits } from './visits'
 
@@ -46,6 +47,8 @@ export interface App {
   readonly subject: ReadonlySignal<number>
   /** The quantity that figures and derivations show: the chosen one, or the greater of force and couple. */
   readonly quantity: ReadonlySignal<Quantity>
+  /** What twists the cranks of engines whose torsion is known. */
+  readonly twist: ReadonlySignal<TwistChoice>
   /** What is on the stage: as chosen, or what there is room for. */
   readonly sight: ReadonlySignal<Sight>
   /** The stages that are on the page, each at the place of its engine in `shown`. */
@@ -136,6 +139,7 @@ export function createApp(host: Host): App {
   const quantity = computed(
     () => store.quantity.value ?? prevailing(engines.value[subject.value] ?? own.value),
   )
+  const twist = computed(() => twistChoiceOf(store.choices.value))
   const roomy = signal(true)
   const explained = signal<{ term: Term; beside: HTMLElement } | null>(null)
   const guide = signal(0)
@@ -351,6 +355,7 @@ export function createApp(host: Host): App {
     subject,
     quantity,
     sight,
+    twist,
     stages: new Map(),
     roomy,
     explained,

@@ -87,11 +87,19 @@ export function placesOf(chain: Chain): Places {
   return { bigEnd: room(), piston: room(), direction: room() }
 }
 
-/** Writes all places at crank angle `theta` (radians) into `out`. Makes no garbage. */
-export function moved(chain: Chain, theta: number, out: Places): Places {
+/**
+ * Writes all places at crank angle `theta` (radians) into `out`. Makes no garbage. Of a crankshaft
+ * that is seen to twist, the pin of each cylinder is `ahead` (radians) the way its shaft turns.
+ */
+export function moved(
+  chain: Chain,
+  theta: number,
+  out: Places,
+  ahead: Float64Array | null = null,
+): Places {
   for (let step = 0; step < chain.count; step++) {
     const index = chain.order[step] as number
-    joint(chain, index, theta, out)
+    joint(chain, index, theta + (ahead ? at(ahead, index) : 0), out)
     reach(chain, index, out)
   }
   return out

@@ -143,8 +143,11 @@ const orders: Field<readonly number[] | null> = {
 /** What a choice within a panel is called in an address, and what it may be. */
 const CHOICE = /^[a-z]{1,20}\.[a-z]{1,20}$/
 const CHOSEN = /^[\w-]{1,120}$/
-/** Choices by a name that a file gives: any text. */
-const NAMED: Readonly<Record<string, RegExp>> = { 'torque.load': /^[^\p{C}]{1,200}$/u }
+/** Choices by a name that a file gives, which is any text, and by a number. */
+const NAMED: Readonly<Record<string, RegExp>> = {
+  'torque.load': /^[^\p{C}]{1,200}$/u,
+  'twist.order': /^\d{1,3}(\.\d{1,6})?$/,
+}
 const MOST_CHOICES = 32
 
 type Single = Omit<State, 'choices'>

@@ -33,6 +33,8 @@ export class Batch {
     if (ink === null) return
     const geometry = new InstancedBufferGeometry()
     geometry.setAttribute('position', shape.lines.getAttribute('position'))
+    const mark = shape.lines.getAttribute('mark')
+    if (mark) geometry.setAttribute('mark', mark)
     // The same buffer of places as the faces have, so that it is written and sent only once.
     geometry.setAttribute('instanceMatrix', this.mesh.instanceMatrix)
     geometry.instanceCount = count

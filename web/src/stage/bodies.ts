@@ -4,7 +4,8 @@ import { band, circle, gear, type Outline, sector, strip, towards } from './outl
 import type { Palette } from './palette'
 import { toothBearings } from './parts/meshing'
 import { PIN } from './parts/pistons'
-import { cheek, journals } from './parts/shafts'
+import { cheek, halves, journals } from './parts/shafts'
+import type { Crank, Mark } from './twist'
 
 /**
  * What a body moves with: a shaft, a piston or a rod, by its index; or it stands on the axis of a
@@ -29,33 +30,39 @@ export interface Body {
   readonly fill: Fill
   /** Bearing at which it sits on its shaft. */
   readonly bearing: number
+  /** What it goes with on a crank that twists; null on others. */
+  readonly mark: Mark | null
 }
 
 /** Everything of a scene as convex bodies, in the frames of what carries them. */
-export function bodiesOf(scene: Scene): Body[] {
-  return [...turning(scene), ...wheels(scene), ...reciprocating(scene)]
+export function bodiesOf(scene: Scene, crank: Crank | null = null): Body[] {
+  return [...turning(scene, crank), ...wheels(scene), ...reciprocating(scene)]
 }
 
-function turning(scene: Scene): Body[] {
+function turning(scene: Scene, first: Crank | null): Body[] {
   return scene.shafts.flatMap((shaft, index) => {
+    const crank = index === 0 ? first : null
     const fill = shaft.kind === 'crankshaft' ? 'crankshaft' : 'balanceShaft'
-    const body = (outline: Outline, from: number, to: number) =>
-      prism(outline, from, to, 'shaft', index, fill)
+    const body = (outline: Outline, from: number, to: number, mark: Mark | null = null) => ({
+      ...prism(outline, from, to, 'shaft', index, fill),
+      mark,
+    })
     const bars = journals(shaft).map(([from, to]) =>
-      body(circle(0, 0, shaft.journal_radius, 20), from, to),
+      body(circle(0, 0, shaft.journal_radius, 20), from, to, crank?.journal(from, to)),
     )
-    const pins = shaft.throws.map((pin) => {
+    const pins = shaft.throws.flatMap((pin, place) => {
       const [x, y] = towards(pin.angle)
       const outline = circle(x * pin.radius, y * pin.radius, pin.pin_radius, 18)
-      return body(outline, pin.pin_from, pin.pin_to)
+      return halves(pin, place, crank).map(([from, to, mark]) => body(outline, from, to, mark))
     })
     const webs = shaft.webs.flatMap((web) => {
       const pin = shaft.throws[web.throw]
-      return pin ? [body(cheek(shaft, pin), web.z_from, web.z_to)] : []
+      return pin ? [body(cheek(shaft, pin), web.z_from, web.z_to, crank?.web(web))] : []
     })
-    const weights = shaft.weights.map(({ angle, half_angle, outer_radius, z, thickness }) => {
+    const weights = shaft.weights.map((weight) => {
+      const { angle, half_angle, outer_radius, z, thickness } = weight
       const outline = sector(0, outer_radius, angle, Math.min(half_angle, 1.57))
-      return body(outline, z - thickness / 2, z + thickness / 2)
+      return body(outline, z - thickness / 2, z + thickness / 2, crank?.weight(weight))
     })
     return [...bars, ...pins, ...webs, ...weights]
   })
@@ -114,7 +121,8 @@ function prism(
   bearing = 0,
 ): Body {
   const cap = (z: number) => outline.flatMap(([x, y]) => [x, y, z])
-  return { points: Float64Array.from([...cap(from), ...cap(to)]), carrier, index, fill, bearing }
+  const points = Float64Array.from([...cap(from), ...cap(to)])
+  return { points, carrier, index, fill, bearing, mark: null }
 }
 
 /** A cylinder about the carrier's own y-axis. */
@@ -134,6 +142,7 @@ function upright(
     index,
     fill,
     bearing: 0,
+    mark: null,
   }
 }
 

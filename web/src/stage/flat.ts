@@ -12,6 +12,7 @@ import type { Pen } from './pen'
 import type { Instant, Picture } from './picture'
 import type { Reading } from './stage'
 import { tint, windowsOf } from './strokes'
+import { type Crank, crankOf, type Mark, type Twisted } from './twist'
 import type { Vector } from './vector'
 
 /** Where a body stands: its origin, and the direction [up, right] of its y-axis. */
@@ -28,7 +29,9 @@ export class FlatPicture implements Picture {
   readonly means = 'flat'
   readonly canvas = document.createElement('canvas')
   #exhibit: Exhibit | null = null
+  #crank: Crank | null = null
   #bodies: Body[] = []
+  #heat: Float32Array = new Float32Array()
   #windows: ReturnType<typeof windowsOf> = []
   readonly #hue = new Float32Array(4)
   #size = { width: 1, height: 1, density: 1 }
@@ -38,7 +41,8 @@ export class FlatPicture implements Picture {
 
   show(exhibit: Exhibit, colours: StrokeColours): void {
     this.#exhibit = exhibit
-    this.#bodies = bodiesOf(exhibit.scene)
+    this.#crank = crankOf(exhibit)
+    this.#bodies = bodiesOf(exhibit.scene, this.#crank)
     this.#windows = windowsOf(exhibit, colours)
   }
 
@@ -98,10 +102,11 @@ export class FlatPicture implements Picture {
   #flattened(
     body: Body,
     exhibit: Exhibit,
-    { places, view }: Instant,
+    { places, view, twisted }: Instant,
     project: (point: Vector) => Vector,
   ) {
-    const stand = standOf(body, exhibit, places, view.theta)
+    const ahead = exhibit.sense * aheadOf(body.mark, twisted)
+    const stand = standOf(body, exhibit, places, view.theta, ahead)
     if (body.carrier === 'piston')
       this.#pistons[exhibit.scene.cylinders[body.index]?.number ?? 0] = [stand.y, stand.x, stand.z]
     const count = body.points.length / 3
@@ -127,9 +132,9 @@ export class FlatPicture implements Picture {
     return { body, flat, depth, z: along, nearer: depths[1] > depths[0] ? count / 2 : 0 }
   }
 
-  #paint(to: Pen, shape: Flattened, { palette, view }: Instant): void {
+  #paint(to: Pen, shape: Flattened, { palette, view, twisted }: Instant): void {
     const { body, flat, nearer } = shape
-    const [side, cap] = coloursOf(body.fill, palette)
+    const [side, cap] = heated(body.mark, twisted) ?? coloursOf(body.fill, palette)
     const glass = body.fill === 'glass'
     trace(to, flat, hull(flat))
     if (body.fill === 'charge') {
@@ -184,11 +189,14 @@ export class FlatPicture implements Picture {
   }
 
   /** Keeps where the crank pins were drawn. */
-  #note(exhibit: Exhibit, { view }: Instant): void {
+  #note(exhibit: Exhibit, { view, twisted }: Instant): void {
     const { scene, sense } = exhibit
-    this.#pins = scene.shafts.map((shaft) =>
-      shaft.throws.map(({ angle, radius, z }): [number, number, number] => {
-        const bearing = angle + turned(shaft, sense, view.theta)
+    this.#heat = twisted?.heat ?? new Float32Array()
+    this.#pins = scene.shafts.map((shaft, index) =>
+      shaft.throws.map(({ angle, radius, z }, at): [number, number, number] => {
+        const place = index === 0 ? this.#crank?.places[at] : undefined
+        const ahead = sense * (twisted?.ahead[place ?? -1] ?? 0)
+        const bearing = angle + turned(shaft, sense, view.theta) + ahead
         return [shaft.up + radius * Math.cos(bearing), shaft.right + radius * Math.sin(bearing), z]
       }),
     )
@@ -200,6 +208,10 @@ export class FlatPicture implements Picture {
 
   pins(): Reading['pins'] {
     return this.#pins
+  }
+
+  heat(): Float32Array {
+    return this.#heat
   }
 
   size(width: number, height: number, density: number): void {
@@ -234,12 +246,33 @@ function nameOf({ carrier, index }: Body, { scene }: Exhibit): string {
   return `${carrier} ${name ?? ''}`.trim()
 }
 
-function standOf(body: Body, exhibit: Exhibit, places: Places, theta: number): Stand {
+/** How far a part of the crank is ahead, radians; of a journal the middle. */
+function aheadOf(mark: Mark | null, twisted: Twisted | null): number {
+  if (!mark || !twisted) return 0
+  return ((twisted.ahead[mark.low] ?? 0) + (twisted.ahead[mark.high] ?? 0)) / 2
+}
+
+/** The colours of a part of the crank by the load of its piece; null where it has none. */
+function heated(mark: Mark | null, twisted: Twisted | null): readonly [number, number] | null {
+  if (!mark || !twisted?.heat[4 * mark.piece + 3]) return null
+  const [red = 0, green = 0, blue = 0] = twisted.heat.subarray(4 * mark.piece)
+  const colour = [red, green, blue].reduce((all, each) => 256 * all + Math.round(255 * each), 0)
+  return [colour, colour]
+}
+
+/** Where a body stands; one of a crank that twists is turned by `ahead` more. */
+function standOf(
+  body: Body,
+  exhibit: Exhibit,
+  places: Places,
+  theta: number,
+  ahead: number,
+): Stand {
   const { scene, sense } = exhibit
   const { index } = body
   if (body.carrier === 'shaft') {
     const shaft = scene.shafts[index]
-    const bearing = body.bearing + (shaft ? turned(shaft, sense, theta) : 0)
+    const bearing = body.bearing + ahead + (shaft ? turned(shaft, sense, theta) : 0)
     const [up, right] = [Math.cos(bearing), Math.sin(bearing)]
     return { x: shaft?.right ?? 0, y: shaft?.up ?? 0, z: 0, up, right }
   }

@@ -2,6 +2,7 @@ import type { Exhibit, StrokeColours } from '../exhibit'
 import { message, t } from '../language/messages'
 import { type Chain, chainOf, moved, type Places, placesOf } from '../motion'
 import type { Plane } from '../phasor'
+import { type TwistChoice, twistOf } from '../torsion'
 import { clearestAzimuth } from './clearest'
 import { FlatPicture } from './flat'
 import { Inset } from './inset'
@@ -15,6 +16,7 @@ import type { Instant, Picture } from './picture'
 import { Room } from './room'
 import { type Slice, slicesOf } from './section'
 import type { CreateStage, Reading, Shots, Sight, Stage, View } from './stage'
+import { type Crank, crankOf, Twisting } from './twist'
 import { equal, Viewpoint } from './viewpoint'
 import { webglPicture } from './webgl'
 import { Whirling } from './whirl'
@@ -52,12 +54,20 @@ interface Machine {
   readonly places: Places
   readonly whirling: Whirling
   readonly slices: readonly Slice[]
+  readonly crank: Crank | null
 }
 
 function machineOf(exhibit: Exhibit): Machine {
   const chain = chainOf(exhibit.scene, exhibit.sense)
   const [room, whirling] = [new Room(exhibit), new Whirling(exhibit)]
-  return { room, chain, places: placesOf(chain), whirling, slices: slicesOf(exhibit.scene) }
+  return {
+    room,
+    chain,
+    places: placesOf(chain),
+    whirling,
+    slices: slicesOf(exhibit.scene),
+    crank: crankOf(exhibit),
+  }
 }
 
 /** The engine, the labels beside it, and the viewpoint. */
@@ -81,6 +91,8 @@ class EngineStage implements Stage {
   #drawn: readonly unknown[] = []
   #written: readonly unknown[] = []
   #traced: readonly unknown[] = []
+  /** What twists the crank, and of which engine and choice. */
+  #twisting: { twisting: Twisting | null; machine: Machine; choice: TwistChoice } | null = null
   readonly #front: Plane = [0, 0]
   readonly #rear: Plane = [0, 0]
   readonly #refresh: () => void
@@ -184,9 +196,23 @@ class EngineStage implements Stage {
     const panes = this.#viewpoint.panes(view.camera, discs, screen, performance.now())
     this.#panes = panes
     const slice = slices[view.section - 1] ?? null
-    moved(chain, view.theta, places)
+    const twisted = this.#twistingOf(view.twist)?.at(view.theta) ?? null
+    moved(chain, view.theta, places, twisted?.cylinders)
     const displacement = whirling.at(view.theta, view.whirl.orders)
-    return { view, panes, slice, places, moved: displacement, load, arrow, palette }
+    return { view, panes, slice, places, moved: displacement, load, arrow, palette, twisted }
+  }
+
+  /** What twists the crank, made where engine or choice have changed. */
+  #twistingOf(choice: TwistChoice): Twisting | null {
+    const machine = this.#machine
+    const { crank } = machine
+    if (!crank || choice.show === 'still') return null
+    if (this.#twisting?.machine !== machine || this.#twisting.choice !== choice) {
+      const twist = twistOf(this.#exhibit, choice)
+      const twisting = twist && new Twisting(this.#exhibit, crank, twist)
+      this.#twisting = { twisting, machine, choice }
+    }
+    return this.#twisting.twisting
   }
 
   /** Whether an instant differs from the last drawn one; drawing without a card is slow. */
@@ -197,7 +223,8 @@ class EngineStage implements Stage {
       ...[load.force, load.couple, load.roll],
     ]
     const pushed = [arrows.force, arrows.couple, arrows.axes, arrows.each, arrows.orders?.join()]
-    const state = [...shown, ...pushed, panes, section, whirl.magnification, whirl.orders?.join()]
+    const whirled = [whirl.magnification, whirl.orders?.join()]
+    const state = [...shown, ...pushed, panes, section, ...whirled, view.twist]
     if (equal(state, this.#drawn)) return false
     this.#drawn = state
     return true
@@ -237,7 +264,8 @@ class EngineStage implements Stage {
     const { width, height, density } = this.#size
     const { magnification, orders } = view.whirl
     const { force, couple, roll } = load
-    const still = [panes, slice, width, height, density, palette, force, couple, roll, arrow]
+    const sizes = [panes, slice, width, height, density, palette, arrow, view.twist]
+    const still = [...sizes, force, couple, roll]
     const state = magnification > 0 ? [...still, magnification, view.theta, orders] : still
     if (equal(state, this.#written)) return
     this.#written = state
@@ -328,6 +356,7 @@ class EngineStage implements Stage {
     return {
       pistons: this.#picture.pistons(),
       pins: this.#picture.pins(),
+      heat: this.#heat(),
       paths: this.#inset.paths,
       panes: this.#panes.map((pane) => {
         const { camera, x, y, width, height } = pane
@@ -335,6 +364,15 @@ class EngineStage implements Stage {
         return { camera, x, y, width, height, scale: pixelsOf(pane), origin: [across, down] }
       }),
     }
+  }
+
+  #heat(): Reading['heat'] {
+    const heat = this.#picture.heat()
+    const { torsion } = this.#exhibit
+    return (torsion?.pieces ?? []).map((_, piece) => {
+      const [red = 0, green = 0, blue = 0, much = 0] = heat.subarray(4 * piece)
+      return much > 0 ? [red, green, blue] : null
+    })
   }
 
   resize(): void {

@@ -2,6 +2,7 @@ import type { Exhibit } from '../exhibit'
 import { message, t } from '../language/messages'
 import type { Plane } from '../phasor'
 import { along, facesAnother } from './extent'
+import { heat } from './heat'
 import { ROLL } from './load'
 import { css, type Palette } from './palette'
 import { type Pane, pixelsOf, placed } from './panes'
@@ -65,6 +66,8 @@ export function write(to: Pen, exhibit: Exhibit, writing: Writing): void {
   }
   const [first] = panes
   if (!first) return
+  if (writing.twisted)
+    heat(to, exhibit, writing.twisted.twist, { ...writing, small: width < WIDE, rim: RIM })
   const corner = { x: axesAt(to, width), y: 0 }
   corner.y = height - (width < NARROW ? 48 + below(first) : 50)
   axes(to, writing, first, sheet ? { x: width - 84 - axesAt(to, width), y: height - 31 } : corner)

@@ -1,6 +1,7 @@
 import { DoubleSide, ShaderMaterial, Vector2, Vector3 } from 'three'
 import { channels, type Palette } from './palette'
 import type { Slice } from './section'
+import { MOST, type Twisted } from './twist'
 
 /**
  * Materials of a technical illustration: a light that stands at the eye's left shoulder, shading
@@ -15,6 +16,27 @@ float along(mat4 instance, vec3 at) {
   return mix((instance * vec4(at, 1.0)).z, instance[3].z, whole);
 }`
 
+/**
+ * A crank that twists: each point is turned with its throw (`mark.x`, from the front), clockwise
+ * seen from the front, and has the colour of its piece (`mark.y`).
+ */
+const TWIST = /* glsl */ `
+#ifdef TWISTING
+attribute vec2 mark;
+uniform float ahead[${MOST}];
+uniform vec4 heat[${MOST + 1}];
+varying vec4 vHeat;
+vec3 twisted(vec3 at) {
+  int place = int(mark.x);
+  float angle = mix(ahead[place], ahead[min(place + 1, ${MOST - 1})], fract(mark.x));
+  float c = cos(angle);
+  float s = sin(angle);
+  return vec3(c * at.x + s * at.y, c * at.y - s * at.x, at.z);
+}
+#else
+vec3 twisted(vec3 at) { return at; }
+#endif`
+
 const CUT = /* glsl */ `
 uniform vec2 section;
 uniform vec3 paper;
@@ -22,16 +44,19 @@ varying float vAlong;
 bool before() { return vAlong > section.y; }
 float faint(float share) { return vAlong < section.x ? share : 0.0; }`
 
-const VERTEX = /* glsl */ `${ALONG}
+const VERTEX = /* glsl */ `${ALONG}${TWIST}
 attribute float tint;
 varying vec3 vNormal;
 varying float vTint;
 void main() {
   mat4 place = viewMatrix * modelMatrix * instanceMatrix;
   vAlong = along(instanceMatrix, position);
-  vNormal = mat3(place) * normal;
+  vNormal = mat3(place) * twisted(normal);
   vTint = tint;
-  gl_Position = projectionMatrix * place * vec4(position, 1.0);
+#ifdef TWISTING
+  vHeat = heat[int(mark.y)];
+#endif
+  gl_Position = projectionMatrix * place * vec4(twisted(position), 1.0);
 }`
 
 const SHADED = /* glsl */ `${CUT}
@@ -40,11 +65,17 @@ uniform vec3 second;
 uniform float dark;
 varying vec3 vNormal;
 varying float vTint;
+#ifdef TWISTING
+varying vec4 vHeat;
+#endif
 void main() {
   if (before()) discard;
   vec3 n = normalize(gl_FrontFacing ? vNormal : -vNormal);
   vec3 key = normalize(vec3(-0.42, 0.62, 0.66));
   vec3 colour = mix(base, second, vTint);
+#ifdef TWISTING
+  colour = mix(colour, vHeat.rgb, vHeat.a);
+#endif
   float lit = dot(n, key) * 0.5 + 0.5;
   vec3 cool = colour * mix(vec3(0.50, 0.54, 0.64), vec3(0.34, 0.37, 0.45), dark);
   vec3 warm = colour * vec3(1.06, 1.04, 1.0) + 0.05;
@@ -55,11 +86,12 @@ void main() {
   gl_FragColor = vec4(mix(shade, paper, faint(0.8)), 1.0);
 }`
 
-const LINE_VERTEX = /* glsl */ `${ALONG}
+const LINE_VERTEX = /* glsl */ `${ALONG}${TWIST}
 attribute mat4 instanceMatrix;
 void main() {
   vAlong = along(instanceMatrix, position);
-  gl_Position = projectionMatrix * viewMatrix * modelMatrix * instanceMatrix * vec4(position, 1.0);
+  vec4 place = instanceMatrix * vec4(twisted(position), 1.0);
+  gl_Position = projectionMatrix * viewMatrix * modelMatrix * place;
   gl_Position.z -= 0.0004 * gl_Position.w;
 }`
 
@@ -120,6 +152,13 @@ export interface Materials extends Readonly<Shaded> {
   readonly glass: ShaderMaterial
   readonly glassLines: ShaderMaterial
   readonly glow: ShaderMaterial
+  /** Of a crank that twists. */
+  readonly twisting: ShaderMaterial
+  readonly twistingLines: ShaderMaterial
+  /** Twists that crank, null for not at all; `sense` is that of the exhibit. */
+  twist(twisted: Twisted | null, sense: number): void
+  /** How it is twisted: radians clockwise by throw, colours by piece. */
+  readonly twisted: { readonly ahead: Float32Array; readonly heat: Float32Array }
   /** Puts on the colours of a palette. */
   dress(palette: Palette, dark: boolean): void
   /** Shows a slice between two places along z, null for everything. */
@@ -150,6 +189,9 @@ export function materials(): Materials {
   const glass = plain(VERTEX, GLASS, cut, 1)
   glass.side = DoubleSide
   const glow = plain(GLOW_VERTEX, GLOW, cut, 1)
+  const twisted = { ahead: new Float32Array(MOST), heat: new Float32Array(4 * (MOST + 1)) }
+  const twisting = twistable(shaded(cut, 0), twisted)
+  const twistingLines = twistable(plain(LINE_VERTEX, PLAIN, cut, 0), twisted)
   return {
     ...opaque,
     lines,
@@ -157,17 +199,27 @@ export function materials(): Materials {
     glass,
     glassLines,
     glow,
+    twisting,
+    twistingLines,
+    twisted,
+    twist: (now, sense) => {
+      for (let place = 0; place < MOST; place++)
+        twisted.ahead[place] = now ? sense * (now.ahead[place] as number) : 0
+      if (now) twisted.heat.set(now.heat)
+      else twisted.heat.fill(0)
+    },
     cut: (slice) => {
       cut.section.value.set(slice?.from ?? EVERYTHING[0], slice?.to ?? EVERYTHING[1])
     },
     dress: (palette, dark) => {
-      for (const name of [...PARTS, ...ARROWS]) {
-        const [base, second = base] = [palette[name]].flat() as [number, number?]
-        colour(opaque[name], 'base', base)
-        colour(opaque[name], 'second', second)
-        set(opaque[name], 'dark', dark ? 1 : 0)
+      const bodies = [...PARTS, ...ARROWS].map((name) => [opaque[name], palette[name]] as const)
+      for (const [body, own] of [...bodies, [twisting, palette.crankshaft] as const]) {
+        const [base, second = base] = [own].flat() as [number, number?]
+        colour(body, 'base', base)
+        colour(body, 'second', second)
+        set(body, 'dark', dark ? 1 : 0)
       }
-      for (const ink of [lines, partLines]) {
+      for (const ink of [lines, partLines, twistingLines]) {
         colour(ink, 'base', palette.edge)
         set(ink, 'opacity', palette.edgeOpacity)
       }
@@ -178,7 +230,8 @@ export function materials(): Materials {
       set(glassLines, 'opacity', dark ? 0.42 : 0.5)
     },
     dispose: () => {
-      for (const material of [...Object.values(opaque), lines, partLines, glassLines, glass, glow])
+      const inks = [lines, partLines, glassLines, twistingLines]
+      for (const material of [...Object.values(opaque), ...inks, twisting, glass, glow])
         material.dispose()
     },
   }
@@ -195,6 +248,16 @@ function shaded(cut: Cut, whole: number): ShaderMaterial {
   // Faces stand back a little, so that the lines on their edges are whole.
   const back = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 }
   return new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: SHADED, uniforms, ...back })
+}
+
+/** The same for a crank that twists. */
+function twistable(
+  material: ShaderMaterial,
+  { ahead, heat }: Materials['twisted'],
+): ShaderMaterial {
+  material.defines = { TWISTING: '' }
+  Object.assign(material.uniforms, { ahead: { value: ahead }, heat: { value: heat } })
+  return material
 }
 
 /** For arrows: seen through everything else, as in a drawing. */

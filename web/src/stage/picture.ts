@@ -5,6 +5,7 @@ import type { Palette } from './palette'
 import type { Pane } from './panes'
 import type { Slice } from './section'
 import type { Reading, Stage, View } from './stage'
+import type { Twisted } from './twist'
 import type { Displacement } from './whirl'
 
 /** All that is known of an instant before it is drawn. */
@@ -18,6 +19,8 @@ export interface Instant {
   /** How the block has moved, not magnified. */
   readonly moved: Displacement
   readonly load: Load
+  /** How the crank is twisted; null where it is drawn as it is. */
+  readonly twisted: Twisted | null
   /** Length of the longest arrow, in the scene's unit. */
   readonly arrow: number
   readonly palette: Palette
@@ -32,6 +35,8 @@ export interface Picture {
   /** Where things stand in what was drawn last, the whirl taken away. */
   pistons(): Reading['pistons']
   pins(): Reading['pins']
+  /** Colours of the pieces of the crank, as `Twisted` has them. */
+  heat(): Float32Array
   size(width: number, height: number, density: number): void
   /** Lets go of what the graphics card has taken back; `show` builds it anew. */
   lose(): void

@@ -1,5 +1,6 @@
 import { BufferAttribute, BufferGeometry, ShapeUtils, Vector2 } from 'three'
 import type { Outline } from './outlines'
+import type { Mark } from './twist'
 
 /** Cosine of the angle between faces below which an edge is sharp and gets a line. */
 const SMOOTH = Math.cos(0.62)
@@ -28,6 +29,16 @@ export class Solid {
   readonly #tints: number[] = []
   readonly #index: number[] = []
   readonly #lines: number[] = []
+  /** Of each point of the faces and of the lines: the throw it turns with, the piece it is of. */
+  readonly #marks: number[] = []
+  readonly #lineMarks: number[] = []
+  #mark: Mark | null = null
+
+  /** Marks the prism that follows as a part of a crank that twists. */
+  marked(mark: Mark | null): this {
+    this.#mark = mark
+    return this
+  }
 
   /** A prism with this outline between two places along z, with holes through it. */
   prism(
@@ -48,7 +59,10 @@ export class Solid {
       [high, true],
     ] as const) {
       const first = this.#positions.length / 3
-      for (const [x, y] of corners) this.#point(x, y, z, 0, 0, front ? 1 : -1, tint)
+      for (const [x, y] of corners) {
+        this.#point(x, y, z, 0, 0, front ? 1 : -1, tint)
+        this.#note(this.#marks, front)
+      }
       for (const [a, b, c] of triangles) {
         this.#index.push(first + a, first + (front ? b : c), first + (front ? c : b))
       }
@@ -77,14 +91,23 @@ export class Solid {
         const [own, next] = [normal(index), normal(index + (end ? 1 : -1))]
         const [nx, ny] = bend(index + end) ? unit(own[0] + next[0], own[1] + next[1]) : own
         this.#point(x, y, low, nx, ny, 0, tint)
+        this.#note(this.#marks, false)
         this.#point(x, y, high, nx, ny, 0, tint)
+        this.#note(this.#marks, true)
       }
       const quad = out > 0 ? [0, 2, 3, 0, 3, 1] : [0, 3, 2, 0, 1, 3]
       this.#index.push(...quad.map((step) => first + step))
       const [a, b] = [corner(index), corner(index + 1)]
       this.#lines.push(a[0], a[1], low, b[0], b[1], low, a[0], a[1], high, b[0], b[1], high)
       if (!bend(index)) this.#lines.push(a[0], a[1], low, a[0], a[1], high)
+      for (const front of [false, false, true, true, ...(bend(index) ? [] : [false, true])])
+        this.#note(this.#lineMarks, front)
     }
+  }
+
+  /** Notes where a point at the rear or front end of a marked prism belongs. */
+  #note(marks: number[], front: boolean): void {
+    if (this.#mark) marks.push(front ? this.#mark.high : this.#mark.low, this.#mark.piece)
   }
 
   /**
@@ -169,6 +192,10 @@ export class Solid {
     faces.setIndex(this.#index)
     const lines = new BufferGeometry()
     lines.setAttribute('position', floats(this.#lines, 3))
+    if (this.#mark) {
+      faces.setAttribute('mark', floats(this.#marks, 2))
+      lines.setAttribute('mark', floats(this.#lineMarks, 2))
+    }
     return { faces, lines }
   }
 }

@@ -1,4 +1,5 @@
 import type { Exhibit, StrokeColours } from '../exhibit'
+import type { TwistChoice } from '../torsion'
 import type { Pen } from './pen'
 
 export type Camera = 'front' | 'plan' | 'side' | 'isometric' | 'orbit'
@@ -33,6 +34,8 @@ export interface View {
   }
   /** Magnification of the free response, 0 for none; orders as above. */
   readonly whirl: { readonly magnification: number; readonly orders: readonly number[] | null }
+  /** What twists the crank of an engine whose torsion is known. */
+  readonly twist: TwistChoice
   /** Cylinder bores as glass, block box, gears: what may be hidden. */
   readonly glass: boolean
   readonly glow: boolean
@@ -47,6 +50,8 @@ export interface Reading {
   readonly pistons: Record<number, [number, number, number]>
   /** Middle of each crank pin, shaft by shaft. */
   readonly pins: [number, number, number][][]
+  /** Colours of the pieces of a crank that twists, front first: red, green, blue; else null. */
+  readonly heat: ([number, number, number] | null)[]
   /** Paths of the crank axis at the ends over a cycle, unmagnified: [up, right]. */
   readonly paths: { readonly front: [number, number][]; readonly rear: [number, number][] }
   /** The views on the stage: where each stands, and pixels to one unit of length. */

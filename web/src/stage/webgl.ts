@@ -15,10 +15,13 @@ import { shafts } from './parts/shafts'
 import type { Instant, Picture } from './picture'
 import type { Slice } from './section'
 import type { Reading } from './stage'
+import { type Crank, crankOf } from './twist'
 
 /** The parts of one engine, as they hang on its block. */
 interface Machine {
   readonly exhibit: Exhibit
+  /** The first shaft, where it can twist. */
+  readonly crank: Crank | null
   readonly block: Block
   readonly moving: readonly Part[]
   readonly pistons: ReturnType<typeof pistons>
@@ -96,11 +99,13 @@ class WebglPicture implements Picture {
     const { scene, sense } = exhibit
     const block = new Block(exhibit.whirl)
     const heads = pistons(block.group, scene, this.#paint)
-    const turning = shafts(block.group, scene, sense, this.#paint)
+    const crank = crankOf(exhibit)
+    const turning = shafts(block.group, scene, sense, this.#paint, crank)
     const shine = glow(block.group, exhibit, colours, this.#paint)
     this.#scene.add(block.group)
     this.#machine = {
       exhibit,
+      crank,
       block,
       moving: [heads, rods(block.group, scene, this.#paint), turning, shine],
       pistons: heads,
@@ -112,13 +117,15 @@ class WebglPicture implements Picture {
     this.#reach = 4 * Math.hypot(...scene.high.map((high, i) => high - (scene.low[i] as number)))
   }
 
-  draw({ view, panes, slice, places, moved, load, arrow, palette }: Instant): void {
+  draw(instant: Instant): void {
+    const { view, panes, slice, places, moved, load, arrow, palette, twisted } = instant
     const machine = this.#machine
     if (!machine) return
     if (palette !== this.#palette) {
       this.#paint.dress(palette, palette !== LIGHT)
       this.#palette = palette
     }
+    this.#paint.twist(twisted, machine.exhibit.sense)
     machine.glow.visible = view.glow
     for (const part of machine.moving) part.move(places, view.theta)
     for (const batch of machine.glass) batch.visible = view.glass
@@ -191,16 +198,22 @@ class WebglPicture implements Picture {
     if (!machine) return []
     return machine.exhibit.scene.shafts.map((shaft, index) => {
       const batch = machine.shafts.drawn[index] as Batch
-      return shaft.throws.map((pin) => {
+      return shaft.throws.map((pin, at) => {
+        const place = index === 0 ? machine.crank?.places[at] : undefined
+        const angle = pin.angle + (this.#paint.twisted.ahead[place ?? -1] ?? 0)
         return this.#read(
           batch,
           0,
-          pin.radius * Math.sin(pin.angle),
-          pin.radius * Math.cos(pin.angle),
+          pin.radius * Math.sin(angle),
+          pin.radius * Math.cos(angle),
           pin.z,
         )
       })
     })
+  }
+
+  heat(): Float32Array {
+    return this.#paint.twisted.heat
   }
 
   /** A point of a drawn thing, [up, right, z], from the matrices it was drawn with. */

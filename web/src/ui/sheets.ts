@@ -7,6 +7,7 @@ import present from './present.css?inline'
 import print from './print.css?inline'
 import style from './style.css?inline'
 import torque from './torque.css?inline'
+import twist from './twist.css?inline'
 
 const sheets = new Map<string, CSSStyleSheet>()
 
@@ -29,6 +30,7 @@ export function adopt(
     style,
     panels,
     torque,
+    twist,
     derivation,
     guide,
     exporting,

@@ -1,5 +1,6 @@
 import type { App } from '../app'
 import type { Exhibit, Vectors } from '../exhibit'
+import { roundFactor } from '../magnification'
 import { Whirling } from '../stage/whirl'
 
 /** Share of the engine's size that the default magnification gives the greatest movement. */
@@ -16,7 +17,7 @@ export function suggestedMagnification(exhibit: Exhibit): number {
   const { centre, shift, tilt, turn } = exhibit.whirl
   const most = greatest(shift) + reach * greatest(tilt) + rim(exhibit, centre) * total(turn)
   if (!(most > 1e-9 * size)) return 0
-  return rounded((SHARE * size) / most)
+  return roundFactor((SHARE * size) / most)
 }
 
 /** How far from the centre of mass the farthest corner of the engine is, seen from the front. */
@@ -34,12 +35,6 @@ function total(signals: readonly (readonly [number, number])[]): number {
 /** At most so far does a sum of turning vectors reach. */
 function greatest({ forward, backward }: Vectors): number {
   return [...forward, ...backward].reduce((sum, [up, right]) => sum + Math.hypot(up, right), 0)
-}
-
-function rounded(value: number): number {
-  const power = 10 ** Math.floor(Math.log10(value))
-  const first = value / power
-  return Number(((first < 1.5 ? 1 : first < 3.5 ? 2 : first < 7.5 ? 5 : 10) * power).toPrecision(1))
 }
 
 /** Whirl on, as it is seen well, or off. */

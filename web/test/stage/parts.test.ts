@@ -13,6 +13,7 @@ import { journals } from '../../src/stage/parts/shafts'
 import { Solid } from '../../src/stage/solid'
 import type { View } from '../../src/stage/stage'
 import { tint, windowsOf } from '../../src/stage/strokes'
+import { twistChoiceOf } from '../../src/torsion'
 import { COLOURS, cylinder, exhibit, shaft } from './engine'
 
 const area = (ring: Outline) =>
@@ -166,6 +167,7 @@ describe('arrows', () => {
       ...arrows,
     },
     whirl: { magnification: 0, orders: null },
+    twist: twistChoiceOf({}),
     glass: true,
     glow: true,
     section: 0,

@@ -4,6 +4,7 @@ import { reach } from '../../src/stage/extent'
 import { Loads } from '../../src/stage/load'
 import { Room } from '../../src/stage/room'
 import type { View } from '../../src/stage/stage'
+import { twistChoiceOf } from '../../src/torsion'
 import { exhibit } from './engine'
 
 const view = (arrows: Partial<View['arrows']>): View => ({
@@ -20,6 +21,7 @@ const view = (arrows: Partial<View['arrows']>): View => ({
     ...arrows,
   },
   whirl: { magnification: 0, orders: null },
+  twist: twistChoiceOf({}),
   glass: true,
   glow: true,
   section: 0,

@@ -5,6 +5,7 @@ import { Batch } from '../batch'
 import type { Materials } from '../materials'
 import { band, circle, gear, type Outline, sector, towards } from '../outlines'
 import { type Shape, Solid } from '../solid'
+import type { Crank, Mark } from '../twist'
 import { toothBearings } from './meshing'
 import type { Part } from './part'
 
@@ -13,11 +14,22 @@ export interface Shafts extends Part {
   readonly drawn: readonly Batch[]
 }
 
-/** Crankshafts, balance shafts and the gears on them; `sense` is that of the exhibit. */
-export function shafts(parent: Group, scene: Scene, sense: number, paint: Materials): Shafts {
-  const turning = scene.shafts.map((shaft) => {
+/**
+ * Crankshafts, balance shafts and the gears on them; `sense` is that of the exhibit. The first shaft
+ * can twist where it is given as a `crank`; gears turn evenly.
+ */
+export function shafts(
+  parent: Group,
+  scene: Scene,
+  sense: number,
+  paint: Materials,
+  crank: Crank | null = null,
+): Shafts {
+  const turning = scene.shafts.map((shaft, index) => {
+    const twists = index === 0 ? crank : null
     const colour = shaft.kind === 'crankshaft' ? paint.crankshaft : paint.balanceShaft
-    const batch = new Batch(parent, shapeOf(shaft), 1, colour, paint.lines)
+    const [own, ink] = twists ? [paint.twisting, paint.twistingLines] : [colour, paint.lines]
+    const batch = new Batch(parent, shapeOf(shaft, twists), 1, own, ink)
     return { batch, shaft, z: 0, start: 0 }
   })
   const drawn = turning.map(({ batch }) => batch)
@@ -44,28 +56,47 @@ export function shafts(parent: Group, scene: Scene, sense: number, paint: Materi
 }
 
 /** A shaft as it stands at theta = 0, its axis at the origin: journals, pins, webs, weights. */
-function shapeOf(shaft: ShaftShown): Shape {
+function shapeOf(shaft: ShaftShown, crank: Crank | null): Shape {
   const solid = new Solid()
   for (const [from, to] of journals(shaft))
-    solid.prism(circle(0, 0, shaft.journal_radius, 36), from, to, 1)
-  for (const pin of shaft.throws) {
+    solid
+      .marked(crank?.journal(from, to) ?? null)
+      .prism(circle(0, 0, shaft.journal_radius, 36), from, to, 1)
+  shaft.throws.forEach((pin, index) => {
     const [x, y] = towards(pin.angle)
     const outline = circle(x * pin.radius, y * pin.radius, pin.pin_radius, 36)
-    solid.prism(outline, pin.pin_from, pin.pin_to, 1)
-  }
+    for (const [from, to, mark] of halves(pin, index, crank))
+      solid.marked(mark).prism(outline, from, to, 1)
+  })
   for (const web of shaft.webs) {
     const pin = shaft.throws[web.throw]
     if (!pin) continue
-    solid.prism(cheek(shaft, pin), web.z_from, web.z_to)
+    solid.marked(crank?.web(web) ?? null).prism(cheek(shaft, pin), web.z_from, web.z_to)
   }
   for (const weight of shaft.weights) {
     const { inner_radius, outer_radius, angle, half_angle, z, thickness } = weight
     const inner =
       shaft.kind === 'crankshaft' ? Math.min(inner_radius, shaft.journal_radius) : inner_radius
     const outline = sector(inner, outer_radius, angle, half_angle)
-    solid.prism(outline, z - thickness / 2, z + thickness / 2)
+    solid.marked(crank?.weight(weight) ?? null).prism(outline, z - thickness / 2, z + thickness / 2)
   }
   return solid.shape()
+}
+
+/** A pin along z as it is drawn: whole, or of a crank that twists in halves, each with its mark. */
+export function halves(
+  { pin_from, pin_to }: ThrowShown,
+  index: number,
+  crank: Crank | null,
+): readonly (readonly [number, number, Mark | null])[] {
+  if (!crank) return [[pin_from, pin_to, null]]
+  const [front, rear] = crank.pin(index)
+  const [low, high] = [Math.min(pin_from, pin_to), Math.max(pin_from, pin_to)]
+  const middle = (low + high) / 2
+  return [
+    [low, middle, rear],
+    [middle, high, front],
+  ]
 }
 
 /** The outline of a web that carries a pin. */

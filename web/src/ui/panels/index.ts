@@ -12,6 +12,7 @@ import { sound } from './Sound'
 import { stars } from './Stars'
 import { strokes } from './Strokes'
 import { torque } from './Torque'
+import { twist } from './Twist'
 import { verdict } from './Verdict'
 import { whirl } from './WhirlPanel'
 
@@ -24,6 +25,7 @@ export const PANELS: readonly Panel[] = [
   torque,
   cylinders,
   bearings,
+  twist,
   strokes,
   sound,
   derivation,
