@@ -18,6 +18,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import shown
+from crankstar.mechanics.gas import cycle
 from crankstar.page.keys import chart_key
 from crankstar.page.printed import printed
 from crankstar.page.records import ChartKey
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from crankstar.dynamics.torsion_response import Response
     from crankstar.mechanics.gas import Cycle
     from crankstar.tables.table import Document
+    from crankstar.tables.table import Table as Values
 
 MOST_POINTS, MOST_CRITICAL = 6, 4
 """Operating points and critical speeds whose vibration is sent."""
@@ -186,7 +188,10 @@ def _vibrations(engine: Engine, found: TorsionAnalysis) -> Iterator[_Driven]:
         if speed is not None:
             yield driven(gas, None, speed)
     for critical in of_note(found.criticals)[:MOST_CRITICAL]:
-        yield driven(found.cycle, critical, critical.speed)
+        gas = found.cycle
+        if gas is not None:
+            gas = cycle(engine, point=gas.name, speed=critical.speed)  # with its friction there
+        yield driven(gas, critical, critical.speed)
 
 
 def _pieces(chain: TorsionChain) -> Iterator[int | None]:
@@ -240,7 +245,7 @@ def torsion_numbers(engine: Engine) -> TorsionNumbers | None:
         stress_unit=Unit(label=unit_text(stress.unit), factor=1e-6 * stress.factor),
         torque_unit=Unit(label=unit_text(torque.unit), factor=torque.factor),
         frequencies=_tables(plain, "modes")[0],
-        criticals=_first(_tables(plain, "criticals")).model_copy(update={"notes": ()}),
+        criticals=_first(printed(replace(each, notes=()) for each in _of(plain, "criticals"))),
         every_critical=_first(_tables(whole, "criticals")),
         chain=_tables(plain, "masses", "sections", "shapes"),
         over_speeds=_tables(plain, "greatest", "barred"),
@@ -250,9 +255,13 @@ def torsion_numbers(engine: Engine) -> TorsionNumbers | None:
     )
 
 
-def _tables(document: Document, *keys: str) -> tuple[Table, ...]:
+def _of(document: Document, *keys: str) -> Iterator[Values]:
     """The tables of a document with these keys."""
-    return printed(table for table in document.tables if table.key in keys)
+    return (table for table in document.tables if table.key in keys)
+
+
+def _tables(document: Document, *keys: str) -> tuple[Table, ...]:
+    return printed(_of(document, *keys))
 
 
 def _first(tables: tuple[Table, ...]) -> Table:
