@@ -230,6 +230,17 @@ def test_without_diameters_there_is_torque_and_without_gas_the_inertia_alone() -
     assert exhibit(load("i6", changes={"torsion": own})).torsion_numbers is not None
 
 
+def test_of_a_crank_that_cannot_twist_the_page_says_so() -> None:
+    engine = load("single", changes={"torsion": {"inertia": "0.03 kg*m^2"}})
+    shown, numbers = sent(engine), torsion_numbers(engine)
+    assert (shown.modes, shown.pieces, numbers and numbers.frequencies.rows) == (
+        *((), (None, None), ()),
+    )
+    assert numbers
+    assert numbers.notes[0].startswith("Nothing twists")
+    assert list(torsion_charts(engine)) == []
+
+
 def test_an_engine_without_the_table_is_told_what_to_give() -> None:
     engine = load("i4")
     assert torsion_shown(engine) is torsion_numbers(engine) is None

@@ -244,7 +244,7 @@ def torsion_numbers(engine: Engine) -> TorsionNumbers | None:
     return TorsionNumbers(
         stress_unit=Unit(label=unit_text(stress.unit), factor=1e-6 * stress.factor),
         torque_unit=Unit(label=unit_text(torque.unit), factor=torque.factor),
-        frequencies=_tables(plain, "modes")[0],
+        frequencies=_first(_tables(plain, "modes")),
         criticals=_first(printed(replace(each, notes=()) for each in _of(plain, "criticals"))),
         every_critical=_first(_tables(whole, "criticals")),
         chain=_tables(plain, "masses", "sections", "shapes"),

@@ -143,11 +143,11 @@ function meaning(
       : t('It swings once a turn: no order meets it in this range of speeds.')
     return `${size} ${often}`
   }
-  const driven = vibrationOf(torsion, vibration)
   const all = t(
     'Pistons and rods follow their pins; gears and balance shafts turn evenly. Uneven running of the whole is in it.',
   )
-  return driven?.gas ? all : `${t('Without gas: this is what the moving parts do alone.')} ${all}`
+  const alone = t('Without gas: this is what the moving parts do alone.')
+  return vibrationOf(torsion, vibration)?.gas ? all : `${alone} ${all}`
 }
 
 /** The torsion of one engine, or what it needs. */
@@ -189,6 +189,7 @@ function Known({ exhibit, torsion, numbers }: Parts) {
           <Coded text={numbers.doubts.join(' ')} />
         </p>
       )}
+      {torsion.modes.length === 0 && <p>{numbers.notes[0]}</p>}
       <DataTable table={numbers.frequencies} />
       <Drawn exhibit={exhibit} figures={['torsion-modes']} />
       <DataTable table={numbers.criticals} />
