@@ -21,6 +21,8 @@ from tests.twisting_engines import CLOCKWISE, COUNTER_CLOCKWISE, FLYWHEEL, twist
 from tests.web.browsing import barriers, too_wide
 from tests.web.engine_page import EIGHT, HANDLE, handle, opened
 from tests.web.overflow import overflows
+from tests.web.serving import Server
+from tests.web.test_editing import dropped
 
 from crankstar import cli
 from crankstar.dynamics.torsion_analysis import torsion
@@ -312,6 +314,31 @@ def test_what_is_chosen_of_the_twist_is_reached_by_keys_and_linked(
     drawn = handle(page, "read().pins[0]")
     opened(page, path, page.evaluate("location.hash.slice(1)"))
     assert handle(page, "read().pins[0]") == drawn
+
+
+def test_an_edited_engine_twists_as_edited_with_its_figures(page: Page, server: Server) -> None:
+    page.goto(f"{server.address}#a=30&tab=twist&twist.show=mode&twist.mode=2")
+    expect(page.locator("p.needs")).to_be_visible()
+    for stiffness in ("0.6 MN*m/rad", "0.3 MN*m/rad"):
+        engine = twisting(CLOCKWISE, stiffness=stiffness)
+        dropped(page, toml(engine))
+        expect(page.get_by_role("tab", name="Edit")).to_have_attribute("aria-selected", "true")
+        page.get_by_role("tab", name="Twist").click()
+        mode = torsion(engine).modes[1]
+        frequency = f"2: {mode.frequency:.4g} Hz"
+        chosen = page.get_by_role("combobox", name="Mode", exact=True).locator("option:checked")
+        expect(chosen).to_have_text(frequency)
+        order = page.get_by_role("combobox", name="Order", exact=True).input_value()
+        star = page.locator(f'figure[data-chart="torsion-star:orders={order}:quantity=mode-2"]')
+        expect(star).to_have_attribute("aria-busy", "false")
+        expect(star.locator("svg, canvas").first).to_be_visible()
+        for figure in ("torsion-modes", "campbell", "torsion-response:quantity=stress"):
+            drawn = page.locator(f'figure[data-chart="{figure}"]')
+            expect(drawn).to_have_attribute("aria-busy", "false")
+            expect(drawn.locator(".wait")).to_have_count(0)
+        angles = [30.0]
+        ahead = 10 * free(engine, 2, float(order), angles)
+        checked_places(engine, read(page, angles), ahead, 1, angles)
 
 
 @pytest.mark.many(first=1)
