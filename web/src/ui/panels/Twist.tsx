@@ -140,7 +140,7 @@ function meaning(
           order: swings,
           rpm: Math.round(met.speed_rpm),
         })
-      : t('It swings once a turn: no order meets it in this range of speeds.')
+      : t('It swings once a turn: no critical speed of it is known.')
     return `${size} ${often}`
   }
   const all = t(
