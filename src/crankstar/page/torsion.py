@@ -86,7 +86,7 @@ def torsion_needs(engine: Engine) -> str:
     """What the torsion of an engine needs, as a sentence; empty where it can be computed.
 
     >>> from crankstar.files.catalog import load
-    >>> torsion_needs(load("v8-flat-plane"))[-45:]
+    >>> torsion_needs(load("v8-flat-plane"))[-44:]
     'give the table [torsion] in the engine file.'
     """
     if engine.torsion is not None:
