@@ -18,6 +18,7 @@ from crankstar import spectra
 from crankstar.engine import motion
 from crankstar.engine.basis import Basis
 from crankstar.engine.checks import MINIMUM_CLEARANCE
+from crankstar.engine.dead_centres import pistons
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.records import Articulation, Cylinder, Rod, Shaft, Weight
@@ -113,6 +114,18 @@ def test_the_series_carried_far_is_exact(ratio: float) -> None:
         <= exact[2].real - float(motion.series(2, ratio=ratio))
         <= 0.4 * ratio**9 / (1 - ratio**2) + 1e-14
     )
+
+
+@given(engines())
+def test_each_cylinder_may_have_angles_of_its_own(engine: Engine) -> None:
+    theta = np.linspace(0, 2 * np.pi, 7)
+    links, _place, lag, ratio = pistons(engine)
+    together = motion.rods(links, ratio[:, None] * theta + lag[:, None])
+    for index in range(len(engine.cylinders)):
+        own = motion.parted(links, motion.chain(links.master, index))
+        alone = motion.rods(own, ratio[index] * theta + lag[index])
+        for ours, theirs in zip(together, alone, strict=True):
+            assert all(np.allclose(a[index], b[-1]) for a, b in zip(ours, theirs, strict=True))
 
 
 @given(engines())

@@ -109,9 +109,10 @@ def roots(master: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def rods(links: Linkage, psi: ArrayLike) -> Rods:
-    """The exact motion at crank angles `psi` [sample], radians clockwise from the cylinder axis.
+    """The exact motion at crank angles `psi`, radians clockwise from the cylinder axis.
 
-    The axis is that of the cylinder at the root of a chain of rods.
+    The axis is that of the cylinder at the root of a chain of rods. The angles are those of all
+    cylinders [sample], or of each [cylinder, sample], the same along a chain.
 
     Raises ValueError with a sentence where a rod cannot reach its cylinder.
     """
@@ -120,13 +121,14 @@ def rods(links: Linkage, psi: ArrayLike) -> Rods:
     if all(index < 0 for index in links.master):
         pin = np.broadcast_to(links.crank_radius, shape)[..., None] * turning
         return _reached(links, slice(None), Path(pin, 1j * pin, -pin))
-    blank = np.zeros((*shape, turning.size), complex)
+    blank = np.zeros((*shape, turning.shape[-1]), complex)
     out = Rods(*(Path(*(blank.copy() for _ in Path._fields)) for _ in Rods._fields))
     for level in _levels(links.master):
         at = list(level)
         master = [links.master[index] for index in at]
         if master[0] < 0:
-            pin = np.broadcast_to(links.crank_radius, shape)[..., at, None] * turning
+            own = turning if turning.ndim == 1 else turning[at]
+            pin = np.broadcast_to(links.crank_radius, shape)[..., at, None] * own
             joint = Path(pin, 1j * pin, -pin)
         else:
             arm = _picked(links.knuckle_radius * np.exp(1j * links.knuckle_angle), shape, at)

@@ -12,6 +12,7 @@ over all pistons of the chamber: one, or two that face each other, on any shafts
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import pi, radians
 
 import numpy as np
@@ -88,10 +89,11 @@ def volumes(engine: Assembly, count: int) -> Volumes:
     )
 
 
+@lru_cache(maxsize=16)
 def piston_rates(engine: Assembly, count: int) -> Real:
     """The share of each piston in V' [cylinder, sample], m^3/rad; its chamber's are their sum.
 
-    At `count` equal steps of a cycle from the dead centre of its chamber.
+    At `count` equal steps of a cycle from the dead centre of its chamber; not to be written to.
 
     >>> from crankstar.files.catalog import load
     >>> shares = piston_rates(load("jumo-205"), 720)[[0, 6]]  # both pistons of chamber 1
@@ -108,4 +110,5 @@ def piston_rates(engine: Assembly, count: int) -> Real:
         for cylinder in own:
             index = place[cylinder.number]
             rates[index] = -outward(links, [index], theta, lag, ratio, area)[1]
+    rates.setflags(write=False)
     return rates

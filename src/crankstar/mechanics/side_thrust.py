@@ -122,21 +122,7 @@ def rods_over(engine: Engine, theta: Real) -> motion.Rods:
     That frame has the axis of the group's root cylinder up and its crank turning clockwise.
     """
     links, _place, lag, ratio = pistons(engine)
-    known: dict[tuple[float, float], motion.Rods] = {}
-    out: motion.Rods | None = None
-    for row in range(len(links.master)):
-        key = (float(ratio[row]), float(lag[row]))
-        if key not in known:
-            known[key] = motion.rods(links, ratio[row] * theta + lag[row])
-        if out is None:
-            out = motion.Rods(
-                *(motion.Path(*(np.zeros_like(part) for part in path)) for path in known[key])
-            )
-        for target, path in zip(out, known[key], strict=True):
-            for values, part in zip(target, path, strict=True):
-                values[row] = part[row]
-    assert out is not None  # noqa: S101  # an engine has a cylinder
-    return out
+    return motion.rods(links, ratio[:, None] * theta + lag[:, None])
 
 
 def _of_inertia(engine: Engine, speed: float | None, theta: Real) -> Real | None:
