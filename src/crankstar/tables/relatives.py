@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import cache
 from itertools import pairwise
 from math import isclose
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -13,13 +14,15 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.files.catalog import load, summaries
+from crankstar.files.catalog import summaries
 from crankstar.language.kept import as_given
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import size
 
+BALANCES = Path(__file__).with_name("piston_balances.tsv")
+"""The piston balance of every engine of the catalog; `catalog_lists.py` writes it."""
 COMPARED = 4
 """Engines that are compared one by one."""
 LISTED = 5
@@ -80,8 +83,8 @@ def relative_lines(engine: Engine) -> list[str]:
     own = piston_balance(engine)
     count = len(engine.chambers)
     rows = [row for row in summaries() if row.cylinders == count and row.cycle == engine.cycle]
-    known = [(row.name, *_of_catalog(row.name)) for row in rows]
-    others = [(name, other) for name, title, other in known if title != engine.name]
+    known = _of_catalog()
+    others = [(row.name, known[row.name]) for row in rows if row.title != engine.name]
     if not others:
         return [
             _n(
@@ -121,10 +124,11 @@ def relative_lines(engine: Engine) -> list[str]:
 
 
 @cache
-def _of_catalog(name: str) -> tuple[str, PistonBalance]:
-    """The title and the balance of an engine of the catalog."""
-    engine = load(name)
-    return engine.name, piston_balance(engine)
+def _of_catalog() -> dict[str, PistonBalance]:
+    """The piston balance of every engine of the catalog by its name."""
+    lines = BALANCES.read_text(encoding="utf-8").splitlines()
+    rows = (line.split("\t") for line in lines)
+    return {name: PistonBalance(*map(float, values)) for name, *values in rows}
 
 
 def _names(names: Sequence[str]) -> str:
