@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from cmath import exp
 from collections.abc import Sequence
+from functools import cache, lru_cache
 from math import copysign, inf, pi
 from typing import NamedTuple
 
@@ -23,6 +24,8 @@ PLACES: tuple[Place, ...] = tuple(
     (farther, turn, abs(turn) / 60 + farther / 14) for farther in FARTHER for turn in ASIDE
 )
 """The places of a label in the order in which they are tried."""
+ROUND = 48
+"""Places that are compared at once."""
 SAME = 1e-9
 """Costs that differ by so little are the same: the first place is taken."""
 NEAREST = tuple(place for place in PLACES if place[0] <= FARTHER[2] and abs(place[1]) <= 25)
@@ -95,16 +98,17 @@ def _point(label: Label, *, theta: float, scale: float) -> tuple[complex, comple
     return (label.place + label.anchor * phase) * scale, label.direction * phase
 
 
+@lru_cache(maxsize=256)  # weights change no order above the first: their engine is drawn as before
 def apart(
-    labels: Sequence[Sequence[Label]],
+    labels: tuple[tuple[Label, ...], ...],
     *,
     theta: float,
     scale: float,
-    strokes: Sequence[tuple[complex, complex]],
+    strokes: tuple[tuple[complex, complex], ...],
     within: Box,
-    around: Sequence[Box] = (),
-    faint: Sequence[tuple[complex, complex]] = (),
-) -> list[Label]:
+    around: tuple[Box, ...] = (),
+    faint: tuple[tuple[complex, complex], ...] = (),
+) -> tuple[Label, ...]:
     """The labels, moved aside from other labels and strokes, with leaders where they are far.
 
     Each is given as the ways in which it may stand, the best first; only that one may be far.
@@ -112,19 +116,19 @@ def apart(
     stand rather than far away; `within` is the rectangle for labels, `around` the occupied
     rectangles. Labels that find no place are left out.
     """
-    taken: list[Box] = list(around)
+    taken: Complex = np.array(around, complex).reshape(-1, 3)
     lines: Complex = np.array([*faint, *strokes], complex).reshape(-1, 2)
     out: list[Label] = []
     for ways in labels[:GREATEST_LABELS]:
         best = _placed(ways, _Ground(taken, lines, len(faint), within, theta, scale))
         if best is not None:
             out.append(best.label)
-            taken.append(best.box)
+            taken = np.concatenate([taken, np.array([best.box], complex)])
             if best.label.led:
                 point, _way = _point(best.label, theta=theta, scale=scale)
                 leader = np.array([[point, leader_end(point, best.box)]])
                 lines = np.concatenate([lines, leader])
-    return out
+    return tuple(out)
 
 
 class _Place(NamedTuple):
@@ -135,9 +139,9 @@ class _Place(NamedTuple):
 
 
 class _Ground(NamedTuple):
-    """What a label is placed among, px: rectangles, and lines of which the first are faint."""
+    """What a label is placed among, px: rows of `Box`, and lines of which the first are faint."""
 
-    taken: Sequence[Box]
+    taken: Complex
     lines: Complex
     faint: int
     within: Box
@@ -148,46 +152,83 @@ class _Ground(NamedTuple):
 def _placed(ways: Sequence[Label], ground: _Ground) -> _Place | None:
     """The cheapest place of a label, of several the first; None where there is none.
 
-    All places are compared at once; only leaders are drawn one by one, the cheapest place first.
+    Places are compared in rounds, the nearest first: none is cheaper than it is far.
     """
-    several = len(ways) if len(ways) > 1 else 0
+    best: tuple[float, int] = (inf, 0)
+    found: Label | None = None
+    for places in _rounds(len(ways)):
+        if places.far[0] > best[0] + SAME:
+            break
+        boxes = _boxes(ways, places, ground)
+        free = np.nonzero(_inside(boxes, ground.within) & ~_met(boxes, ground.taken))[0]
+        cost = places.far[free] + _in_the_way(ways, places.owner[free], boxes[free], ground)
+        for at in np.argsort(cost, kind="stable"):
+            if cost[at] > best[0] + SAME:
+                break
+            place = int(free[at])
+            owner, farther, turn = (values[place].item() for values in places[:3])
+            moved = _moved(ways[owner], farther, turn)
+            whole = round(float(cost[at]) + _cost_of_leader(moved, ground), 9)
+            if (whole, int(places.rank[place])) < best:
+                best, found = (whole, int(places.rank[place])), moved
+    return found and _Place(found, box(found, theta=ground.theta, scale=ground.scale))
+
+
+class _Places(NamedTuple):
+    """Places to try at once [place]: of which way of a label, where, at what cost, which is first.
+
+    How much farther (px) and how far aside (degrees) than it stands, as in `Place`.
+    """
+
+    owner: NDArray[np.int_]
+    farther: Real
+    turn: Real
+    far: Real
+    rank: NDArray[np.int_]
+
+
+@cache
+def _rounds(ways: int) -> tuple[_Places, ...]:
+    """All places of a label of so many ways, the nearest first, in rounds."""
+    several = ways if ways > 1 else 0
     owner = np.repeat([*range(several), 0], [len(NEAREST)] * several + [len(PLACES)])
     places: Real = np.array([*NEAREST * several, *PLACES])
-    boxes = _boxes(ways, owner, places, ground)
-    free = np.nonzero(_inside(boxes, ground.within) & ~_met(boxes, ground.taken))[0]
-    owner, places, boxes = owner[free], places[free], boxes[free]
+    far = places[:, 2] + ANOTHER * owner
+    rank = np.argsort(far, kind="stable")
+    parts = np.array_split(rank, np.arange(ROUND, rank.size, ROUND))
+    return tuple(
+        _Places(owner[part], places[part, 0], places[part, 1], far[part], part) for part in parts
+    )
+
+
+def _in_the_way(
+    ways: Sequence[Label], owner: NDArray[np.int_], boxes: Complex, ground: _Ground
+) -> Real:
+    """What lines through the rectangles of texts cost, and what is near those beside a line."""
     lines, faint = ground.lines[ground.faint :], ground.lines[: ground.faint]
-    cost: Real = places[:, 2] + ANOTHER * owner
-    cost += ACROSS_TEXT * crossed(boxes, lines).sum(axis=1)
-    cost += ACROSS_FAINT * crossed(boxes, faint).any(axis=1)
-    if ways[0].beside:
-        points = np.array([_point(way, theta=ground.theta, scale=ground.scale)[0] for way in ways])
-        wider = boxes + np.array([0, CLEAR, CLEAR])
-        others = _away(points, lines)[owner]
-        cost += NEAR_LINE * (crossed(wider, lines) & others).sum(axis=1)
-        cost += NEAR_LABEL * _met(wider, ground.taken)
-    best = (inf, 0)
-    for rank in np.argsort(cost, kind="stable"):
-        if cost[rank] > best[0] + SAME:
-            break
-        moved = _moved(ways[int(owner[rank])], *places[rank, :2].tolist())
-        with_leader = float(cost[rank]) + _cost_of_leader(moved, ground)
-        best = min(best, (round(with_leader, 9), int(rank)))
-    if not len(cost):
-        return None
-    moved = _moved(ways[int(owner[best[1]])], *places[best[1], :2].tolist())
-    return _Place(moved, box(moved, theta=ground.theta, scale=ground.scale))
+    across = ACROSS_FAINT * crossed(boxes, faint).any(axis=1) if len(faint) else 0.0
+    if not ways[0].beside:
+        return ACROSS_TEXT * crossed(boxes, lines).sum(axis=1) + across
+    wider = boxes + np.array([0, CLEAR, CLEAR])
+    through, near = np.split(crossed(np.concatenate([boxes, wider]), lines), 2)
+    points = np.array([_point(way, theta=ground.theta, scale=ground.scale)[0] for way in ways])
+    others = _away(points, lines)[owner]
+    return (
+        ACROSS_TEXT * through.sum(axis=1)
+        + across
+        + NEAR_LINE * (near & others).sum(axis=1)
+        + NEAR_LABEL * _met(wider, ground.taken)
+    )
 
 
-def _boxes(
-    labels: Sequence[Label], owner: NDArray[np.int_], places: Real, ground: _Ground
-) -> Complex:
-    """The rectangles of labels at places, as rows of `Box`; `owner` is the label of each place."""
+def _boxes(labels: Sequence[Label], places: _Places, ground: _Ground) -> Complex:
+    """The rectangles of labels at places, as rows of `Box`."""
+    owner = places.owner
     shown = [_point(label, theta=ground.theta, scale=ground.scale) for label in labels]
     point, way = np.array(shown, complex)[owner].T
     across, upright = np.array([extent(label) for label in labels])[owner].T
-    turned = way * np.exp(1j * np.radians(places[:, 1]))
-    gap = np.array([label.gap for label in labels])[owner] + places[:, 0]
+    turned = way * np.exp(1j * np.radians(places.turn))
+    gap = np.array([label.gap for label in labels])[owner] + places.farther
     middle = point + (upright + gap) * np.real(turned) + 1j * (across + gap) * np.imag(turned)
     return np.column_stack([middle, across, upright])
 
@@ -263,9 +304,8 @@ def meets(box: Box, other: Box) -> bool:
     )
 
 
-def _met(boxes: Complex, taken: Sequence[Box]) -> NDArray[np.bool_]:
+def _met(boxes: Complex, others: Complex) -> NDArray[np.bool_]:
     """Which rectangles, rows of `Box`, overlap with one of others."""
-    others: Complex = np.array(taken, complex).reshape(-1, 3)
     between = boxes[:, None, 0] - others[:, 0]
     across, upright = (np.real(boxes[:, None, i] + others[:, i]) for i in (1, 2))
     met: NDArray[np.bool_] = np.abs(np.imag(between)) < across + 1
@@ -289,7 +329,7 @@ def crossed(boxes: Sequence[Box] | Complex, lines: Complex) -> NDArray[np.bool_]
     """
     half = (lines[:, 1] - lines[:, 0]) / 2
     up, right = np.real(half), np.imag(half)
-    sizes: Complex = np.array(boxes, complex).reshape(-1, 3)
+    sizes: Complex = np.asarray(boxes, complex).reshape(-1, 3)
     off = lines[:, 0] + half - sizes[:, :1]
     across, upright = np.real(sizes[:, 1:2]), 0.8 * np.real(sizes[:, 2:])
     ahead, aside = np.real(off), np.imag(off)

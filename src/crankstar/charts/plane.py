@@ -168,16 +168,16 @@ def picture(
         (faint if stroke.faint else segments).extend(pairwise(stroke.points))
     aside = 3 if axes is None else 0
     moved = apart(
-        [*plane.choices, *([label] for label in plane.labels)],
+        (*map(tuple, plane.choices), *((label,) for label in plane.labels)),
         theta=theta,
         scale=scale,
-        strokes=[(start * scale, end * scale) for start, end in segments],
+        strokes=tuple((start * scale, end * scale) for start, end in segments),
         within=Box(frame.middle * scale, frame.width / 2 + aside, frame.height / 2),
-        around=[
+        around=(
             *(box(note, theta=theta, scale=scale) for note in plane.notes),
             *(around(dot, scale) for dot in plane.clear if isinstance(dot, Dot)),
-        ],
-        faint=[(start * scale, end * scale) for start, end in faint],
+        ),
+        faint=tuple((start * scale, end * scale) for start, end in faint),
     )
     labels = [*plane.notes, *moved]
     layers = [*_lines(plane.strokes, x, y), *_arrow_layers(shown, scale, x, y)]
