@@ -105,10 +105,13 @@ C = TypeVar("C", bound=Readable)
 
 def notated(chapter: C, notation: Notation) -> C:
     """The chapter in another notation; its formulas then evaluate with the letters of that one."""
-    letters = dict(notation.letters)
-    letters[unit_symbol(chapter.harmonic).name] = notation.unit(chapter.harmonic)
+    letters, unit = dict(notation.letters), unit_symbol(chapter.harmonic)
+    if notation.unit(chapter.harmonic) != unit:
+        letters[unit.name] = notation.unit(chapter.harmonic)
 
     def written(line: Line) -> Line:
+        if not letters and not line.series:
+            return line
         chain = (
             (notation.series(line.series),)
             if line.series
