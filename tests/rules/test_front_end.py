@@ -29,6 +29,11 @@ def test_the_types_of_the_front_end_are_those_of_the_records() -> None:
     assert (WEB / "src" / "exhibit.ts").read_text(encoding="utf-8") == made, "run: make types"
 
 
+def test_the_packed_script_of_a_page_is_that_of_the_bundle() -> None:
+    packed = BUNDLE.with_name(f"{BUNDLE.name}.gz").read_bytes()
+    assert gzip.decompress(packed) == BUNDLE.read_bytes()
+
+
 def test_the_page_and_the_package_carry_the_licences_of_what_they_contain() -> None:
     beside = (BUNDLE.parent / "third-party-licences.txt").read_text(encoding="utf-8")
     inside = BUNDLE.read_text(encoding="utf-8")

@@ -10,7 +10,6 @@ from __future__ import annotations
 import gzip
 import re
 from base64 import b64encode
-from functools import lru_cache
 from hashlib import sha256
 from html import escape
 from pathlib import Path
@@ -67,9 +66,11 @@ document.body.append(script)
 """The script that puts the packed one in the page, and says until it is there that it comes."""
 
 
-@lru_cache(maxsize=1)
 def _packed(script: str) -> str:
-    return b64encode(gzip.compress(script.encode(), 9, mtime=0)).decode()
+    """The script as text, as the bundle has it packed beside it; packed here where it has not."""
+    place = BUNDLE.with_name(f"{BUNDLE.name}.gz")
+    data = place.read_bytes() if place.is_file() else gzip.compress(script.encode(), 9, mtime=0)
+    return b64encode(data).decode()
 
 
 class Shared(NamedTuple):
