@@ -23,6 +23,8 @@ from tests.strategies import LONG, OF_ANY_KIND, engines
 from crankstar import balance
 from crankstar.charts import CHARTS, ChartError
 from crankstar.derive import DerivationError
+from crankstar.derive import derivation as derived
+from crankstar.derive.documents import html_parts
 from crankstar.engine import motion
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
@@ -685,3 +687,14 @@ def test_the_page_knows_which_weights_turn_with_a_throw() -> None:
         (numbers,) = exhibit(of, relatives=False).weight_throws
         assert [numbers.count(number) for number in range(1, 5)] == [2, 2, 2, 2]
         assert len(numbers) == len(of.shafts[0].weights)
+
+
+@pytest.mark.parametrize("name", ["v8-cross-plane", "napier-deltic", "kr250-racer"])
+def test_weights_have_no_part_in_the_derivation_of_an_order_they_do_not_exert(name: str) -> None:
+    """Derived for the page without them; here with them, as the command line does."""
+    weighted = with_web_weights(load(name), factor=0.4)
+    for key, order in (("force:1", 1), ("force:2", 2), ("couple:2", 2), ("couple:4", 4)):
+        quantity = "force" if key.startswith("force") else "couple"
+        (own,) = html_parts([derived(weighted, order, quantity)])
+        assert derivation(weighted, key) == own
+        assert (derivation(load(name), key) == own) is (order > 1)

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from contextlib import suppress
 from fractions import Fraction
-from typing import Any
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
 
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.messages import MessageError, _
+from crankstar.language.messages import MessageError, _, language
 from crankstar.language.quoting import one_line
 from crankstar.page.keys import BEFORE_AND_AFTER
 from crankstar.remedy import fitting
+
+if TYPE_CHECKING:
+    from crankstar.derive.records import Quantity
 
 
 class NoSuchKeyError(MessageError):
@@ -119,17 +123,37 @@ def derivation(engine: Engine, key: str) -> str:
 
     Raises NoSuchKeyError, or DerivationError where it cannot be derived.
     """
-    from crankstar import derive
-    from crankstar.derive.documents import html_parts
-
     quantity, _colon, order = key.partition(":")
     try:
         wanted = Fraction(order) if len(order) < 20 and "e" not in order.lower() else Fraction(0)
     except (ValueError, ZeroDivisionError):
         wanted = Fraction(0)
-    if quantity not in ("force", "couple") or wanted <= 0:
+    if (quantity != "force" and quantity != "couple") or wanted <= 0:
         raise NoSuchKeyError(
             "{key}: there is no such derivation; a key is like force:2",
             key=one_line(key, longest=60),
         )
-    return html_parts([derive.derivation(engine, wanted, quantity=quantity)])[0]
+    return _derived(_exerting(engine, wanted), wanted, quantity, language())
+
+
+@lru_cache(maxsize=64)
+def _derived(engine: Engine, order: Fraction, quantity: Quantity, _language: str) -> str:
+    """A derivation as HTML in the language of the context, which is this one."""
+    from crankstar import derive
+    from crankstar.derive.documents import html_parts
+
+    return html_parts([derive.derivation(engine, order, quantity=quantity)])[0]
+
+
+def _exerting(engine: Engine, order: Fraction) -> Engine:
+    """The engine without weights on crankshafts that exert nothing of this order.
+
+    What is derived of it is the same, and the same as of the engine before it got them.
+    """
+    shafts = tuple(
+        with_values(shaft, weights=())
+        if shaft.throws and abs(shaft.speed_ratio) != order
+        else shaft
+        for shaft in engine.shafts
+    )
+    return engine if shafts == engine.shafts else with_values(engine, shafts=shafts)
