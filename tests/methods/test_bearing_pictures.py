@@ -13,7 +13,7 @@ import crankstar
 from crankstar import charts
 from crankstar.charts.bending import course_of
 from crankstar.charts.drawing import BLUE, GREY, brief
-from crankstar.charts.polar_loads import GAP
+from crankstar.charts.polar_diagrams import GAP
 from crankstar.dynamics.bearings import Model, bearing_loads, bending_moment
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance

@@ -37,17 +37,17 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `elevations` | the crankshaft from the side |
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
 | `polar_grid` | the circles of a polar diagram, with their values |
-| `polar_loads` | the load on each main bearing or crank pin as a polar diagram |
+| `polar_diagrams` | the load on each main bearing or crank pin as a polar diagram |
 | `bending` | the bending moment along the crankshaft |
 | `balance_shafts` | the balance shafts from the front and from the side |
 | `curve_names` | the results of a sweep in the words of the field |
 | `sweeps` | a result over a number of the engine |
 | `contours` | lines along which a result has one value, with their labels |
 | `pair_sweeps` | results over two numbers of the engine, and the front of two results |
-| `amplitudes` | amplitudes over the speed |
+| `amplitude_curves` | amplitudes over the speed |
 | `torsion_words` | what figures of torsion say, and why there are none |
-| `mode_shapes` | the shapes of torsional modes along the chain |
-| `campbell` | natural frequencies and orders over the speed |
+| `modes` | the shapes of torsional modes along the chain |
+| `campbell_diagrams` | natural frequencies and orders over the speed |
 | `torsion_responses` | torsional vibration over the speed |
 | `torsion_stars` | the vectors of the cylinders of an order in a mode |
 | `errata` | a printed formula beside the true one |
@@ -69,42 +69,40 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from crankstar.charts.amplitudes import amplitudes
-from crankstar.charts.balance_shafts import balance_shaft_chart
-from crankstar.charts.bending import bending_chart
-from crankstar.charts.campbell import campbell
-from crankstar.charts.canvas import Canvas, drawn_on
-from crankstar.charts.crank_stars import crank_star
-from crankstar.charts.curve_names import names_of
-from crankstar.charts.curves import over_turn
-from crankstar.charts.cylinder_forces import force_arrows
-from crankstar.charts.drawing import GREY, ChartError, svg
-from crankstar.charts.elevations import shaft_elevation
-from crankstar.charts.errata import judged, over_rods
-from crankstar.charts.estimates import over_ranges
-from crankstar.charts.exhaust_orders import exhaust_order_chart
-from crankstar.charts.firing_rings import firing_ring
-from crankstar.charts.hodographs import hodograph
-from crankstar.charts.mode_shapes import mode_shapes
-from crankstar.charts.pair_sweeps import contours
-from crankstar.charts.paper import Paper, Print, printed
-from crankstar.charts.polar_loads import polar_loads
-from crankstar.charts.pressures import pressure_chart
-from crankstar.charts.registry import CHARTS, Figure, side_by_side
-from crankstar.charts.saving import SUFFIXES, saved, saved_print
-from crankstar.charts.side_thrusts import side_thrust_chart
-from crankstar.charts.spectra import spectrum
-from crankstar.charts.strokes import stroke_chart
-from crankstar.charts.sweeps import swept
-from crankstar.charts.torque import torque_chart
-from crankstar.charts.torsion_responses import torsion_response_chart
-from crankstar.charts.torsion_stars import torsion_star
-from crankstar.charts.vector_stars import polygon, vector_star
-from crankstar.engine.arguments import of_engines
-
 if TYPE_CHECKING:
+    from crankstar.charts.amplitude_curves import amplitudes
+    from crankstar.charts.balance_shafts import balance_shaft_chart
+    from crankstar.charts.bending import bending_chart
+    from crankstar.charts.campbell_diagrams import campbell
+    from crankstar.charts.canvas import Canvas, drawn_on
+    from crankstar.charts.crank_stars import crank_star
+    from crankstar.charts.curve_names import names_of
+    from crankstar.charts.curves import over_turn
+    from crankstar.charts.cylinder_forces import force_arrows
+    from crankstar.charts.drawing import GREY, ChartError, svg
+    from crankstar.charts.elevations import shaft_elevation
+    from crankstar.charts.errata import judged, over_rods
+    from crankstar.charts.estimates import over_ranges
+    from crankstar.charts.exhaust_orders import exhaust_order_chart
+    from crankstar.charts.firing_rings import firing_ring
     from crankstar.charts.fronts import pareto_front
+    from crankstar.charts.hodographs import hodograph
+    from crankstar.charts.modes import mode_shapes
+    from crankstar.charts.pair_sweeps import contours
+    from crankstar.charts.paper import Paper, Print, printed
+    from crankstar.charts.polar_diagrams import polar_loads
+    from crankstar.charts.pressures import pressure_chart
+    from crankstar.charts.registry import CHARTS, Figure, side_by_side
+    from crankstar.charts.saving import SUFFIXES, saved, saved_print
     from crankstar.charts.search_stars import best_stars
+    from crankstar.charts.side_thrusts import side_thrust_chart
+    from crankstar.charts.spectra import spectrum
+    from crankstar.charts.strokes import stroke_chart
+    from crankstar.charts.sweeps import swept
+    from crankstar.charts.torque import torque_chart
+    from crankstar.charts.torsion_responses import torsion_response_chart
+    from crankstar.charts.torsion_stars import torsion_star
+    from crankstar.charts.vector_stars import polygon, vector_star
 
 __all__ = [
     "CHARTS",
@@ -153,12 +151,54 @@ __all__ = [
     "vector_star",
 ]
 
-of_engines(globals(), __all__)
-_LATE = {"best_stars": "search_stars", "pareto_front": "fronts"}
+_HOMES = {
+    "amplitude_curves": ("amplitudes",),
+    "balance_shafts": ("balance_shaft_chart",),
+    "bending": ("bending_chart",),
+    "campbell_diagrams": ("campbell",),
+    "canvas": ("Canvas", "drawn_on"),
+    "crank_stars": ("crank_star",),
+    "curve_names": ("names_of",),
+    "curves": ("over_turn",),
+    "cylinder_forces": ("force_arrows",),
+    "drawing": ("GREY", "ChartError", "svg"),
+    "elevations": ("shaft_elevation",),
+    "errata": ("judged", "over_rods"),
+    "estimates": ("over_ranges",),
+    "exhaust_orders": ("exhaust_order_chart",),
+    "firing_rings": ("firing_ring",),
+    "fronts": ("pareto_front",),
+    "hodographs": ("hodograph",),
+    "modes": ("mode_shapes",),
+    "pair_sweeps": ("contours",),
+    "paper": ("Paper", "Print", "printed"),
+    "polar_diagrams": ("polar_loads",),
+    "pressures": ("pressure_chart",),
+    "registry": ("CHARTS", "Figure", "side_by_side"),
+    "saving": ("SUFFIXES", "saved", "saved_print"),
+    "search_stars": ("best_stars",),
+    "side_thrusts": ("side_thrust_chart",),
+    "spectra": ("spectrum",),
+    "strokes": ("stroke_chart",),
+    "sweeps": ("swept",),
+    "torque": ("torque_chart",),
+    "torsion_responses": ("torsion_response_chart",),
+    "torsion_stars": ("torsion_star",),
+    "vector_stars": ("polygon", "vector_star"),
+}
+"""The module of each name. All are loaded on first use: a figure needs few of them."""
 
 
 def __getattr__(name: str) -> Any:
-    """Figures of a search are loaded when they are asked for, with the exact algebra it needs."""
-    if name not in _LATE:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_LATE[name]}"), name)
+    """Load a name on first use."""
+    for module, public in _HOMES.items():
+        if name in public:
+            globals()[name] = getattr(import_module(f"{__name__}.{module}"), name)
+            import_module("crankstar.engine.arguments").of_engines(globals(), [name])
+            return globals()[name]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    """Names for completion, those not yet loaded included."""
+    return sorted({*globals(), *__all__})

@@ -4,44 +4,39 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from importlib import import_module
+from types import ModuleType
 from typing import Any, get_args
 
-from crankstar.charts.amplitudes import amplitudes
-from crankstar.charts.balance_shafts import balance_shaft_chart
-from crankstar.charts.bending import bending_chart
-from crankstar.charts.campbell import campbell
-from crankstar.charts.crank_stars import crank_star
-from crankstar.charts.curves import over_turn
-from crankstar.charts.cylinder_forces import force_arrows
 from crankstar.charts.drawing import ChartError
-from crankstar.charts.elevations import shaft_elevation
-from crankstar.charts.exhaust_orders import exhaust_order_chart
-from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.grammar import Chart
-from crankstar.charts.hodographs import hodograph
-from crankstar.charts.mode_shapes import mode_shapes
-from crankstar.charts.polar_loads import Loaded, polar_loads
-from crankstar.charts.pressures import PressureView, pressure_chart
-from crankstar.charts.side_thrusts import side_thrust_chart
-from crankstar.charts.spectra import spectrum
-from crankstar.charts.strokes import stroke_chart
-from crankstar.charts.sums import Quantity, Signal
-from crankstar.charts.torque import TorqueView, torque_chart
-from crankstar.charts.torsion_responses import TorsionView, torsion_response_chart
-from crankstar.charts.torsion_stars import TorsionMode, torsion_star
-from crankstar.charts.vector_stars import polygon, vector_star
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure: its function, a line about it, and the values of `quantity`."""
+    """A figure: the module and name of its function, a line about it, the type of `quantity`."""
 
     name: str
-    draw: Callable[..., Chart]
+    place: str
     about: str
-    quantities: tuple[str, ...] = ()
+    kind: str = ""
+
+    @cached_property
+    def _module(self) -> ModuleType:
+        return import_module(f"crankstar.charts.{self.place.partition(':')[0]}")
+
+    @property
+    def draw(self) -> Callable[..., Chart]:
+        """Its function, loaded on first use."""
+        return getattr(self._module, self.place.partition(":")[2])
+
+    @property
+    def quantities(self) -> tuple[str, ...]:
+        """The values of `quantity`."""
+        return get_args(getattr(self._module, self.kind)) if self.kind else ()
 
     @property
     def options(self) -> tuple[str, ...]:
@@ -60,105 +55,125 @@ class Figure:
 
 
 _FIGURES = (
-    Figure("crank-star", crank_star, N_("the throws of the crankshafts, seen from the front")),
+    Figure(
+        "crank-star",
+        "crank_stars:crank_star",
+        N_("the throws of the crankshafts, seen from the front"),
+    ),
     Figure(
         "vector-star",
-        vector_star,
+        "vector_stars:vector_star",
         N_("the vectors of one order of every cylinder, throw and weight"),
-        get_args(Quantity),
+        "Quantity",
     ),
     Figure(
         "polygon",
-        polygon,
+        "vector_stars:polygon",
         N_("the vectors of one order head to tail, with their resultant"),
-        get_args(Quantity),
+        "Quantity",
     ),
     Figure(
         "hodograph",
-        hodograph,
+        "hodographs:hodograph",
         N_("the path of force or couple, of one order or of all"),
-        get_args(Quantity),
+        "Quantity",
     ),
     Figure(
         "over-turn",
-        over_turn,
+        "curves:over_turn",
         N_(
             "force, couple, rolling moment or inertia torque over the crank angle, by "
             "order and in total"
         ),
-        get_args(Signal),
+        "Signal",
     ),
     Figure(
         "amplitudes",
-        amplitudes,
+        "amplitude_curves:amplitudes",
         N_("force, pitch, yaw and rolling moment over the speed, by order and in total"),
     ),
-    Figure("spectrum", spectrum, N_("peak force, couple and rolling moment of each order")),
-    Figure("shaft", shaft_elevation, N_("every shaft from the side, with its weights and arms")),
     Figure(
-        "stroke-chart", stroke_chart, N_("open valves and ignition of each cylinder over one cycle")
+        "spectrum", "spectra:spectrum", N_("peak force, couple and rolling moment of each order")
     ),
-    Figure("firing-ring", firing_ring, N_("the cylinders around a circle at their firing angles")),
+    Figure(
+        "shaft",
+        "elevations:shaft_elevation",
+        N_("every shaft from the side, with its weights and arms"),
+    ),
+    Figure(
+        "stroke-chart",
+        "strokes:stroke_chart",
+        N_("open valves and ignition of each cylinder over one cycle"),
+    ),
+    Figure(
+        "firing-ring",
+        "firing_rings:firing_ring",
+        N_("the cylinders around a circle at their firing angles"),
+    ),
     Figure(
         "exhaust-orders",
-        exhaust_order_chart,
+        "exhaust_orders:exhaust_order_chart",
         N_("the orders of the exhaust pulses of each bank or manifold"),
     ),
     Figure(
         "torque",
-        torque_chart,
+        "torque:torque_chart",
         N_("gas and inertia torque over a cycle: together, by cylinder, by load or by order"),
-        get_args(TorqueView),
+        "TorqueView",
     ),
     Figure(
         "pressure",
-        pressure_chart,
+        "pressures:pressure_chart",
         N_("the pressure in the cylinders over their volume or over the crank angle"),
-        get_args(PressureView),
+        "PressureView",
     ),
     Figure(
         "side-thrust",
-        side_thrust_chart,
+        "side_thrusts:side_thrust_chart",
         N_("how hard the pistons press on their cylinder walls over a cycle"),
     ),
-    Figure("forces", force_arrows, N_("the forces of each cylinder at chosen crank angles")),
+    Figure(
+        "forces",
+        "cylinder_forces:force_arrows",
+        N_("the forces of each cylinder at chosen crank angles"),
+    ),
     Figure(
         "bearing-loads",
-        polar_loads,
+        "polar_diagrams:polar_loads",
         N_("the load on each main bearing or crank pin over a turn, as a polar diagram"),
-        get_args(Loaded),
+        "Loaded",
     ),
     Figure(
         "bending",
-        bending_chart,
+        "bending:bending_chart",
         N_("the bending moment along the crankshaft, with counterweights and without"),
     ),
     Figure(
         "balance-shafts",
-        balance_shaft_chart,
+        "balance_shafts:balance_shaft_chart",
         N_("the balance shafts in their places, with ratio, sense and unbalance"),
     ),
     Figure(
         "torsion-modes",
-        mode_shapes,
+        "modes:mode_shapes",
         N_("how far each mass turns in the first torsional modes, with their nodes"),
     ),
     Figure(
         "campbell",
-        campbell,
+        "campbell_diagrams:campbell",
         N_("torsional frequencies and orders over the speed, and where they meet"),
     ),
     Figure(
         "torsion-response",
-        torsion_response_chart,
+        "torsion_responses:torsion_response_chart",
         N_("torsional vibration over the speed, by order and of all: free end, stress or torque"),
-        get_args(TorsionView),
+        "TorsionView",
     ),
     Figure(
         "torsion-star",
-        torsion_star,
+        "torsion_stars:torsion_star",
         N_("the vectors of the cylinders of orders in a torsional mode, with their sum"),
-        get_args(TorsionMode),
+        "TorsionMode",
     ),
 )
 CHARTS = {figure.name: figure for figure in _FIGURES}
