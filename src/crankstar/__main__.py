@@ -2,7 +2,10 @@
 
 import gc
 import os
+import sys
 
+DRAWN = ("plot", "report")
+"""Verbs for which vl-convert draws."""
 OBJECTS = 500_000
 """New objects before garbage is looked for: loading makes many that stay."""
 
@@ -13,12 +16,18 @@ def main() -> None:
     # it would read what is known of every installed package, to find plug-ins that none here needs
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     try:
+        if sys.argv[1:] and sys.argv[1] in DRAWN:
+            from crankstar.charts.converter import begin
+
+            begin()
         from crankstar.cli import main as run
 
         run()
     except KeyboardInterrupt:
         raise SystemExit(130) from None
     finally:
+        if "crankstar.charts.converter" in sys.modules:
+            sys.modules["crankstar.charts.converter"].end()
         gc.freeze()  # what is left goes with the process, without being looked through
 
 

@@ -9,6 +9,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `grammar` | Vega-Lite as plain data |
 | `letters` | how wide letters are, texts in lines |
 | `canvas` | the room for a figure |
+| `converter` | vl-convert, here or in a process beside this one |
 | `drawing` | colours, panels, the crank angle as a parameter |
 | `crank_angle` | the axis of the crank angle, and the rule at `theta` |
 | `estimates` | the ranges of estimated engines, and the line that marks their figures |

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from html import escape
 from math import degrees, isfinite, pi
 from typing import TYPE_CHECKING, Any
@@ -212,9 +212,18 @@ def brief(value: float) -> str:
 
 def svg(chart: Chart, title: str) -> str:
     """A chart as an SVG with a title for screen readers, coordinates in hundredths of a pixel."""
-    import vl_convert
+    return svg_later(chart, title)()
 
-    drawing = vl_convert.vegalite_to_svg(chart.to_dict())
+
+def svg_later(chart: Chart, title: str) -> Callable[[], str]:
+    """The same; the chart may be drawn while other work is done, until the text is asked for."""
+    from crankstar.charts import converter
+
+    drawing = converter.drawn(chart.to_dict())
+    return lambda: _titled(drawing.result(), title)
+
+
+def _titled(drawing: str, title: str) -> str:
     drawing = re.sub(
         r' (?:xmlns:xlink|version|aria-[\w-]+|role)="[^"]*"', "", drawing[drawing.index("<svg") :]
     )

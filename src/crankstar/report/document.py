@@ -62,7 +62,7 @@ def report(subject: Subject, *, tell: Callable[[str], None] = lambda _: None) ->
     first += front.contents(numbering.entries(sections))
     note = "" if subject.full else paragraph(_(SHORT), "note")
     inner = "\n".join([first + note, *(section.html for section in sections)])
-    return _page(subject.engine.name, inner)
+    return _page(subject.engine.name, drawings.filled(inner))
 
 
 def _figure_one() -> str:

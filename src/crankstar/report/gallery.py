@@ -1,18 +1,16 @@
-"""The figures of a report, each drawn as its page asks for it.
-
-vl-convert draws one picture at a time and holds Python meanwhile: threads would win nothing.
-"""
+"""The figures of a report: composed as its pages ask for them, drawn meanwhile, put in last."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import count
 from typing import Any
 
-from crankstar.charts import CHARTS, GREY, ChartError, over_ranges, side_by_side, svg
+from crankstar.charts import CHARTS, GREY, ChartError, over_ranges, side_by_side
 from crankstar.charts.canvas import Canvas, drawn_on
+from crankstar.charts.drawing import svg_later
 from crankstar.charts.grammar import Chart
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
@@ -21,6 +19,8 @@ from crankstar.report.subject import Subject
 
 NAMED = re.compile(r'(\bid="|url\(#|href="#)')
 """The names of parts in a drawing, which must differ from those of other drawings on the page."""
+PLACE, PLACES = "\ue001{}\ue001", re.compile("\ue001(\\d+)\ue001")
+"""Stands for a drawing on a page."""
 COLUMN = Canvas(width=244.0, stretch=0.75)
 """A figure is as wide as half a page of A4, where its letters have 9 pt."""
 
@@ -30,17 +30,25 @@ class Gallery:
 
     def __init__(self, subject: Subject) -> None:
         self._matter, self._numbers = subject, count()
+        self._drawings: dict[str, Callable[[], str]] = {}
 
     def figure(self, name: str, caption: str, kind: str = "", **options: Any) -> str:
-        """A figure with a caption as HTML; empty if the figure cannot be drawn."""
-        own = f"g{next(self._numbers)}-"
+        """A figure with a caption as HTML, its drawing still to come; empty without any."""
+        own = str(next(self._numbers))
         try:
-            drawing = svg(self._chart(name, **options), f"{self._matter.engine.name}: {name}")
+            chart = self._chart(name, **options)
         except ChartError:
             return ""
-        return figure(
-            NAMED.sub(rf"\g<1>{own}", drawing.replace(GREY, "currentColor")), caption, kind
-        )
+        self._drawings[own] = svg_later(chart, f"{self._matter.engine.name}: {name}")
+        return figure(PLACE.format(own), caption, kind)
+
+    def filled(self, page: str) -> str:
+        """The page with the drawings of its figures."""
+        return PLACES.sub(lambda match: self._drawing(match[1]), page)
+
+    def _drawing(self, number: str) -> str:
+        drawing = self._drawings[number]().replace(GREY, "currentColor")
+        return NAMED.sub(rf"\g<1>g{number}-", drawing)
 
     def _chart(
         self,
