@@ -20,8 +20,8 @@ from crankstar.firing.intervals import firing
 from crankstar.firing.vees import stars as stars_of_vees
 from crankstar.language.search_faults import SENTENCES
 from crankstar.mechanics.balance import balance, total
-from crankstar.options.sequences import SequenceWords, sequences_of
-from crankstar.options.words import SearchWords
+from crankstar.options.sequences import sequences_of
+from crankstar.options.words import SearchWords, SequenceWords
 from crankstar.search import sequence_fronts
 from crankstar.search.faults import SearchError, said
 from crankstar.search.sequence_engines import (

@@ -7,11 +7,11 @@ import re
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
-from importlib.metadata import version
 from itertools import pairwise
 
 from cyclopts import App, CycloptsError
 
+from crankstar import __version__
 from crankstar.cli.complaints import complaint, unwritable
 from crankstar.cli.output import OutputError, abandon, complain, is_file
 from crankstar.cli.system_language import of_system
@@ -77,7 +77,7 @@ app = App(
     name="crankstar",
     help="Compute how a piston engine shakes, why, and what to do about it. ENGINE is a name from "
     "the catalog or a file in TOML, JSON or Excel (.xlsx); - reads standard input.",
-    version=lambda: version("crankstar"),
+    version=__version__,
     help_format="plaintext",
     result_action="return_value",
     suppress_keyboard_interrupt=False,

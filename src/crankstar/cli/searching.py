@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
-from crankstar.cli import sequencing
 from crankstar.cli.options import (
     FLAT,
     Estimating,
@@ -31,7 +30,8 @@ from crankstar.options import charts as chart_request
 from crankstar.options import values as request
 from crankstar.options.forms import ENGINES, PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
 from crankstar.options.values import RequestError, refusal
-from crankstar.options.words import SearchWords
+from crankstar.options.words import SearchWords, SequenceWords
+from crankstar.options.words import sequenced as is_sequenced
 
 if TYPE_CHECKING:
     from crankstar.search.answer import Answer
@@ -60,10 +60,11 @@ def search(
 ) -> int | None:
     """Find better cranks: all arrangements of evenly spaced throws, searched with proof."""
     from crankstar.options import search as options
-    from crankstar.options import sequences
 
-    more = sequences.SequenceWords(**asdict(sequenced))
-    if sequences.named(words, more):
+    more = SequenceWords(**asdict(sequenced))
+    if is_sequenced(words, more):
+        from crankstar.cli import sequencing
+
         about_engine = {"settings": settings, "speed": speed, "estimate": estimate}
         asked = {"work": work, "looks": looks, "form": form}
         return sequencing.searched(cylinders, words, more, **about_engine, **asked)

@@ -14,9 +14,8 @@ from crankstar.options import search as options
 from crankstar.options import sequences
 from crankstar.options import values as request
 from crankstar.options.forms import ENGINES, TABLES, form_of
-from crankstar.options.sequences import SequenceWords
 from crankstar.options.values import RequestError, refusal
-from crankstar.options.words import SearchWords
+from crankstar.options.words import SearchWords, SequenceWords
 
 MOST_THREADS = 64
 LONG_STARS = 300_000_000

@@ -6,7 +6,6 @@ import re
 from types import ModuleType
 from typing import Any, get_args
 
-from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Quantity
 from crankstar.engine.torsion import Chain
@@ -84,6 +83,8 @@ def options(
     if quantity is not None:
         out["quantity"] = request.choice("--quantity", quantity, figure.quantities)
     if model is not None:
+        from crankstar.dynamics.bearings import Model
+
         out["model"] = request.choice("--model", model, get_args(Model))
     if theta is not None:
         angles = request.angles(theta)

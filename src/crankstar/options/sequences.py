@@ -13,7 +13,7 @@ from crankstar.language.messages import _
 from crankstar.options.search import SPELLINGS, amplitude, fraction, gap, limit, measure, order
 from crankstar.options.shapes import STRAIGHT, mode_asked, mode_shape
 from crankstar.options.values import choice, degrees, listed, refuse_unused
-from crankstar.options.words import SearchWords
+from crankstar.options.words import TWIST, SearchWords, SequenceWords
 from crankstar.search.faults import Faults, SearchError, error
 from crankstar.search.options import GREATEST_ORDER, Measure
 from crankstar.search.sequence_engines import shaft_of_engine
@@ -36,29 +36,8 @@ if TYPE_CHECKING:
     from crankstar.dynamics.torsion_modes import Mode
     from crankstar.studies.judged_orders import Judge
 
-TWIST = "twist"
 MOST_ORDERS = 12
 USUAL_GOALS = ("M1", "M2", TWIST)
-
-
-@dataclass(frozen=True)
-class SequenceWords:
-    """The options of a front over stars and sequences beside those of every search, as typed."""
-
-    bank: str | None = None
-    crank_orders: str | None = None
-    why: str | None = None
-    judge: str | None = None
-
-
-def named(words: SearchWords, more: SequenceWords) -> bool:
-    """Whether star and firing sequence are searched together: a bank, twist or an order to judge.
-
-    >>> named(SearchWords(minimise="M1,twist"), SequenceWords())
-    True
-    """
-    goals = listed(words.minimise or "")
-    return TWIST in goals or any((more.bank, more.crank_orders, more.why, more.judge))
 
 
 @dataclass(frozen=True)

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from crankstar.options.values import listed
 from crankstar.options.vocabulary import meaning
+
+TWIST = "twist"
+"""The torsion of several orders as a goal, which chooses the firing sequence as well."""
 
 
 class SearchWords(BaseModel):
@@ -45,3 +50,23 @@ class SearchWords(BaseModel):
     best: int | str | None = Field(default=None, description=meaning("--best"))
     all: bool = Field(default=False, description=meaning("--all"))
     all_with: str | None = Field(default=None, description=meaning("--all-with"))
+
+
+@dataclass(frozen=True)
+class SequenceWords:
+    """The options of a front over stars and sequences beside those of every search, as typed."""
+
+    bank: str | None = None
+    crank_orders: str | None = None
+    why: str | None = None
+    judge: str | None = None
+
+
+def sequenced(words: SearchWords, more: SequenceWords) -> bool:
+    """Whether star and firing sequence are searched together: a bank, twist or an order to judge.
+
+    >>> sequenced(SearchWords(minimise="M1,twist"), SequenceWords())
+    True
+    """
+    goals = listed(words.minimise or "")
+    return TWIST in goals or any((more.bank, more.crank_orders, more.why, more.judge))

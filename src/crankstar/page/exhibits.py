@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from importlib.metadata import version
 from math import lcm, pi
 from typing import Any, NamedTuple
 
-from crankstar import files, spectra
+from crankstar import __version__, files, spectra
 from crankstar.charts.strokes import STROKE_COLOURS
 from crankstar.dynamics.bearings import BearingLoads, bearing_loads
 from crankstar.engine.copies import throws_of_weights, with_values
@@ -94,7 +93,7 @@ def opening(
         glossary=terms(),
         sources=tuple(sources),
         command=command,
-        version=version("crankstar"),
+        version=__version__,
     )
 
 

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from crankstar.engine.engine import Engine
 from crankstar.files import units
-from crankstar.files.estimate import Estimate
 from crankstar.language.messages import N_, _
 from crankstar.tables.ranges import estimated_paths
 from crankstar.tables.table import Column, Document, Remarks, Table, remarks
+
+if TYPE_CHECKING:
+    from crankstar.files.estimate import Estimate
 
 TYPES = {
     "petrol": N_("petrol car"),
