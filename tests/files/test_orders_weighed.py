@@ -116,7 +116,8 @@ def test_orders_are_sorted_by_the_stress_that_each_makes(
     assert run(*arguments, "--row", "1", "-o", place).code == 0
     best = load(place)
     assert list(firing(best).order) == rows[0]["order"]
-    found = torsion(best, speeds=np.linspace(*torsion(best).speeds[[0, -1]], 900))
+    low, *_, high = torsion(best).speeds.tolist()
+    found = torsion(best, speeds=np.linspace(low, high, 900))
     assert found.response is not None
     peak = np.nanmax(stresses(found.response)[0]) / 1e6
     assert peak == pytest.approx(values[0], rel=0.02)

@@ -166,7 +166,9 @@ def test_the_exact_twist_is_the_sum_of_the_vectors_in_a_straight_shape(name: str
 
 
 def test_a_row_of_pistons_without_a_pitch_has_no_exact_twist() -> None:
-    engine = crankstar.load("i4", changes={"layout.positions": ["0 mm", "90 mm", "180.0333331 mm", "270 mm"]})
+    engine = crankstar.load(
+        "i4", changes={"layout.positions": ["0 mm", "90 mm", "180.0333331 mm", "270 mm"]}
+    )
     with pytest.raises(DerivationError, match="no fraction of the length"):
         twist_orders(engine)
 

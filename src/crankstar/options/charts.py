@@ -83,9 +83,7 @@ def options(
     if quantity is not None:
         out["quantity"] = request.choice("--quantity", quantity, figure.quantities)
     if model is not None:
-        from crankstar.dynamics.bearings import Model
-
-        out["model"] = request.choice("--model", model, get_args(Model))
+        out["model"] = _model(model)
     if theta is not None:
         angles = request.angles(theta)
         most = 1 if "theta" in takes else GREATEST_ANGLES
@@ -115,6 +113,13 @@ def options(
     if off is not None:
         out["off"] = request.cylinders_off(off)
     return out
+
+
+def _model(text: str) -> str:
+    """The model of a shaft on its bearings."""
+    from crankstar.dynamics.bearings import Model
+
+    return request.choice("--model", text, get_args(Model))
 
 
 def paper(
