@@ -70,7 +70,7 @@ def page(what: str) -> str:
 def judged(name: str) -> tuple[SequenceFront, Fired]:
     """The front of an engine of the catalog, and its own star and firing order."""
     engine = load(name)
-    goals = SearchWords(minimise="M1,M2,twist,neighbours")
+    goals = SearchWords(minimise="M1,M2,twist,neighbours", mode_shape="straight")
     front = sequence_front(sequences_of(engine, goals, SequenceWords()).question)
     own = fired_of_engine(engine, front.question.shaft)
     if own is None:
