@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 import re
 from collections import defaultdict
 from math import pi
@@ -11,6 +12,12 @@ from pathlib import Path
 
 import pytest
 from tests.commands import Run
+
+from crankstar import charts
+from crankstar.charts.drawing import BLUE, ORANGE
+from crankstar.options.sequences import sequences_of
+from crankstar.options.words import SearchWords, SequenceWords
+from crankstar.search.sequence_fronts import sequence_front
 
 MARINE = """
 format = 1
@@ -138,3 +145,63 @@ def test_what_cannot_be_drawn_is_refused_in_a_sentence(
     assert (ran.code, ran.out) == (2, "")
     assert words in ran.err
     assert [place.name for place in folder.iterdir()] == ["marine.toml"]
+
+
+SEQUENCES = ("search", "v8-cross-plane", "--minimise", "M1,twist,neighbours", "--orders", "0.5,1.5")
+
+
+def test_the_front_over_firing_orders_has_the_numbers_of_its_table(
+    run: Run, tmp_path: Path
+) -> None:
+    place = tmp_path / "front.svg"
+    assert run(*SEQUENCES, "-o", str(place)).code == 0
+    told = json.loads(run(*SEQUENCES, "--json").out)["rows"]
+    texts = [text for _x, _y, _colour, text in TEXT.findall(place.read_text("utf-8"))]
+    for row in told:
+        at = texts.index("-".join(map(str, row["firing_order"])))
+        near = texts[max(0, at - 2) :]
+        assert f"{row['M1']:.4g}" in near
+        assert f"{row['twist']:.4g}" in near
+
+
+def test_stars_of_torsion_are_drawn_beside_the_crank_of_each_row(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "stars.svg"
+    assert run(*SEQUENCES, "--chart", "stars", "-o", str(place)).code == 0
+    told = json.loads(run(*SEQUENCES, "--json").out)["rows"][:3]
+    whole = re.sub("<[^>]*>", " ", place.read_text("utf-8"))
+    for number, row in enumerate(told, 1):
+        assert f"{number}:  {'-'.join(map(str, row['firing_order']))}" in whole
+        for order in ("0.5", "1.5"):
+            assert f"order {order}: sum {row[f'T{order}']:.3g}" in whole
+
+
+def test_the_drawn_vectors_add_up_to_the_drawn_sum() -> None:
+    """Of the arrows in each star the heavy one is the sum of the others, from tail to head."""
+    asked = sequences_of(6, SearchWords(minimise="M1,twist"), SequenceWords(crank_orders="1.5"))
+    front = sequence_front(asked.question)
+    figure = charts.sequence_stars(front, count=2).to_dict()
+    for place, panel in enumerate(figure["vconcat"][:2]):
+        arrows = panel["hconcat"][1]["layer"][1]["data"]["values"]
+        heads: dict[str, complex] = defaultdict(complex)
+        for row in arrows:
+            heads[row["colour"]] += complex(row["endUp"], row["endRight"])
+        assert abs(heads[ORANGE] - heads[BLUE]) < 1e-6
+        assert abs(heads[ORANGE]) == pytest.approx(front.points[place].values[1], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        (("--chart", "stars", "--json"), "--json"),
+        (("--judge", "stress", "--chart", "front"), "--judge"),
+        (("--chart", "front", "--row", "1"), "--chart"),
+        (("--dpi", "200"), "--dpi"),
+    ],
+)
+def test_pictures_of_firing_orders_refuse_what_they_do_not_use(
+    more: tuple[str, ...], words: str, run: Run, tmp_path: Path
+) -> None:
+    ran = run(*SEQUENCES, *more, "-o", str(tmp_path / "x.svg"))
+    assert ran.code == 2
+    assert words in ran.err
+    assert not (tmp_path / "x.svg").exists()

@@ -387,7 +387,7 @@ def test_the_command_gives_the_front_as_json(capsys: pytest.CaptureFixture[str])
     assert tree["rows"][2]["M1_after_counterweights"] == 0
 
 
-@pytest.mark.parametrize("option", ["--best 3", "--chart front", "--uneven 1", "--checkpoint x"])
+@pytest.mark.parametrize("option", ["--best 3", "--scheduler x", "--uneven 1", "--checkpoint x"])
 def test_options_of_other_searches_are_refused(
     option: str, capsys: pytest.CaptureFixture[str]
 ) -> None:

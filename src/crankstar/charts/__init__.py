@@ -58,6 +58,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `front_keys` | the key of a front as a table |
 | `fronts` | the Pareto front of a search: the trade between two objectives |
 | `search_stars` | the best stars of a search side by side |
+| `sequence_stars` | points of a front over stars and firing orders, with stars of torsion |
 | `registry` | the figures by the names under which the command line knows them |
 
 What depends on the crank angle has one parameter, `theta`, in degrees: a slider in HTML and in a
@@ -86,7 +87,7 @@ if TYPE_CHECKING:
     from crankstar.charts.estimates import over_ranges
     from crankstar.charts.exhaust_orders import exhaust_order_chart
     from crankstar.charts.firing_rings import firing_ring
-    from crankstar.charts.fronts import pareto_front
+    from crankstar.charts.fronts import pareto_front, sequence_chart
     from crankstar.charts.hodographs import hodograph
     from crankstar.charts.modes import mode_shapes
     from crankstar.charts.pair_sweeps import contours
@@ -96,6 +97,7 @@ if TYPE_CHECKING:
     from crankstar.charts.registry import CHARTS, Figure, side_by_side
     from crankstar.charts.saving import SUFFIXES, saved, saved_print
     from crankstar.charts.search_stars import best_stars
+    from crankstar.charts.sequence_stars import sequence_stars
     from crankstar.charts.side_thrusts import side_thrust_chart
     from crankstar.charts.spectra import spectrum
     from crankstar.charts.strokes import stroke_chart
@@ -139,6 +141,8 @@ __all__ = [
     "printed",
     "saved",
     "saved_print",
+    "sequence_chart",
+    "sequence_stars",
     "shaft_elevation",
     "side_by_side",
     "side_thrust_chart",
@@ -168,7 +172,7 @@ _HOMES = {
     "estimates": ("over_ranges",),
     "exhaust_orders": ("exhaust_order_chart",),
     "firing_rings": ("firing_ring",),
-    "fronts": ("pareto_front",),
+    "fronts": ("pareto_front", "sequence_chart"),
     "hodographs": ("hodograph",),
     "modes": ("mode_shapes",),
     "pair_sweeps": ("contours",),
@@ -178,6 +182,7 @@ _HOMES = {
     "registry": ("CHARTS", "Figure", "side_by_side"),
     "saving": ("SUFFIXES", "saved", "saved_print"),
     "search_stars": ("best_stars",),
+    "sequence_stars": ("sequence_stars",),
     "side_thrusts": ("side_thrust_chart",),
     "spectra": ("spectrum",),
     "strokes": ("stroke_chart",),

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from itertools import accumulate
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from crankstar.charts.drawing import GREY, Panel, layered
 from crankstar.charts.front_numbers import MOST_LISTED
 from crankstar.charts.grammar import field, of_rows, span
 from crankstar.charts.letters import SMALL, text_width
-from crankstar.charts.search_values import columns, order_lines, values_of
+from crankstar.charts.search_values import FrontPoints, order_lines
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
-
-if TYPE_CHECKING:
-    from crankstar.search.answer import Answer
 
 KEY = 520
 """Greatest width of the key, px; longer firing orders are folded."""
@@ -24,20 +21,19 @@ LINE = 17.0
 """Height of a line of the key, px."""
 
 
-def front_key(answer: Answer) -> Panel:
+def front_key(points: FrontPoints) -> Panel:
     """Number, firing order, values, and neighbours that fire in succession."""
-    heads = columns(answer)
-    names, listed = [head.name for head in heads], answer.rows[:MOST_LISTED]
-    cells = [[number(value, digits=4) for value in values_of(row, heads)] for row in listed]
-    if not any(head.counted for head in heads):
+    names = [head.name for head in points.heads]
+    cells = [[number(value, digits=4) for value in row] for row in points.values[:MOST_LISTED]]
+    if not any(head.counted for head in points.heads):
         names.append(_("neighbours"))
-        cells = [[*own, str(row.neighbours)] for own, row in zip(cells, listed, strict=True)]
+        cells = [[*own, str(n)] for own, n in zip(cells, points.neighbours, strict=False)]
     widths = [
         max(text_width(text, SMALL) for text in column) + 16
         for column in zip(names, *cells, strict=True)
     ]
     room = max(KEY - sum(widths), 120.0)
-    orders = [order_lines(answer.question.stars, row, width=room) for row in listed]
+    orders = [order_lines(order, width=room) for order in points.orders[:MOST_LISTED]]
     longest = max(text_width(line, SMALL) for order in orders for line in order)
     ends = list(accumulate(widths, initial=longest))
     texts = [
@@ -50,8 +46,8 @@ def front_key(answer: Answer) -> Panel:
         texts += [_text(text, end, line, "right") for text, end in zip(row, ends[1:], strict=True)]
         texts += [_text(part, 0, line + further) for further, part in enumerate(order)]
         line += len(order)
-    if len(answer.rows) > MOST_LISTED:
-        more = len(answer.rows) - MOST_LISTED
+    if len(points.values) > MOST_LISTED:
+        more = len(points.values) - MOST_LISTED
         texts.append(_text(_("and {count} more", count=more), 0, line))
         line += 1
     width = ends[-1] - LEFT

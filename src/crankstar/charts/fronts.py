@@ -13,13 +13,19 @@ from crankstar.charts.front_keys import front_key
 from crankstar.charts.front_numbers import DOT, HEIGHT, point_numbers
 from crankstar.charts.grammar import DISC, Chart, constant, field, of_rows
 from crankstar.charts.letters import SMALL, TEXT
-from crankstar.charts.search_values import Column, columns, engine_text, values_of
+from crankstar.charts.search_values import (
+    Column,
+    FrontPoints,
+    points_of,
+    sequence_points,
+    values_of,
+)
 from crankstar.language.messages import _
-from crankstar.search.engines import firing_order
 from crankstar.search.question import Front
 
 if TYPE_CHECKING:
     from crankstar.search.answer import Answer
+    from crankstar.search.sequence_fronts import SequenceFront
 
 CELL = 2.0
 """px: one of the other stars is drawn in a square of this size."""
@@ -36,46 +42,74 @@ def pareto_front(
     with the same two objectives, drawn pale. `logarithmic` axes have a place of their own for 0; by
     default they are used where values span two powers of ten, not for counts. Raises ChartError.
     """
-    heads = columns(answer)
-    if len(heads) < 2:
+    if others is not None and _objectives(others) != _objectives(answer):
+        raise ChartError(_("the other stars have other objectives; the first two must be the same"))
+    points = points_of(answer)
+    _checked(points)
+    pale = [values_of(row, points.heads[:2]) for row in others.rows] if others is not None else []
+    proved = isinstance(answer.question.ask, Front)
+    return _front(points, pale, logarithmic, title="" if proved else _starry(points))
+
+
+def sequence_chart(front: SequenceFront, *, logarithmic: bool | None = None) -> Chart:
+    """The same of a front over stars and firing orders together. Raises ChartError."""
+    points = sequence_points(front)
+    _checked(points)
+    return _front(points, [], logarithmic)
+
+
+def _checked(points: FrontPoints) -> None:
+    """Raises ChartError where there is no front to draw."""
+    if len(points.heads) < 2:
         raise ChartError(
             _(
                 "a front needs two objectives, the search has {count}; draw the stars instead",
-                count=len(heads),
+                count=len(points.heads),
             )
         )
-    if not answer.rows:
+    if not points.values:
         raise ChartError(_("there is no star to draw: the search found none within the limits"))
-    if others is not None and _objectives(others) != _objectives(answer):
-        raise ChartError(_("the other stars have other objectives; the first two must be the same"))
-    points = [values_of(row, heads) for row in answer.rows]
-    pale = [values_of(row, heads[:2]) for row in others.rows] if others is not None else []
+
+
+def _starry(points: FrontPoints) -> str:
+    """The title of stars that are no front."""
+    *first, last = (head.name for head in points.heads)
+    return _("Crank stars by {objectives} and {last}", objectives=", ".join(first), last=last)
+
+
+def _front(
+    points: FrontPoints,
+    pale: Sequence[tuple[float, ...]],
+    logarithmic: bool | None,
+    *,
+    title: str = "",
+) -> Chart:
+    """The figure, under a title that says front where there is none."""
+    heads = points.heads
     measured = [place for place in (0, 1) if not heads[place].counted]
     if logarithmic is None:
-        logarithmic = any(spans_decades([point[place] for point in points]) for place in measured)
-    first, second = ([point[place] for point in (*points, *pale)] for place in (0, 1))
+        logarithmic = any(
+            spans_decades([point[place] for point in points.values]) for place in measured
+        )
+    first, second = ([point[place] for point in (*points.values, *pale)] for place in (0, 1))
     across = axis_of(first, panel_width(), powers=logarithmic and 0 in measured)
     upward = axis_of(second, HEIGHT, powers=logarithmic and 1 in measured)
-    panel, every_number = _front_panel(answer, heads, across, upward, pale)
-    names = {"objectives": ", ".join(head.name for head in heads[:-1]), "last": heads[-1].name}
-    if isinstance(answer.question.ask, Front):
-        title = _("Pareto front of {objectives} and {last}", **names)
-    else:
-        title = _("Crank stars by {objectives} and {last}", **names)
-    subtitle = [engine_text(answer.question.stars)]
+    panel, every_number = _front_panel(points, across, upward, pale)
+    *before, last = (head.name for head in heads)
+    title = title or _(
+        "Pareto front of {objectives} and {last}", objectives=", ".join(before), last=last
+    )
+    subtitle = [points.engine]
     if not every_number:
         subtitle.append(_("numbers where there is room"))
-    return figure([[panel], [front_key(answer)]], title=title, subtitle=subtitle)
+    return figure([[panel], [front_key(points)]], title=title, subtitle=subtitle)
 
 
 def _front_panel(
-    answer: Answer,
-    heads: Sequence[Column],
-    across: Axis,
-    upward: Axis,
-    pale: Sequence[tuple[float, ...]],
+    own: FrontPoints, across: Axis, upward: Axis, pale: Sequence[tuple[float, ...]]
 ) -> tuple[Panel, bool]:
     """The points in a panel, and whether each has its number."""
+    heads, points = own.heads, own.values
     x, y = (channel("x", across, heads[0].title), channel("y", upward, heads[1].title))
     layers: list[Any] = []
     if pale:
@@ -83,13 +117,12 @@ def _front_panel(
         dots = of_rows([_spot(spot, across, upward) for spot in spots])
         style = {**DISC, "opacity": 0.4, "size": 16, "color": GREY}
         layers.append(dots.mark("point", **style).encode(x=x, y=y))
-    points = [values_of(row, heads) for row in answer.rows]
     steps = _steps(points, across, upward) if len(heads) == 2 else []
     if steps:
         line = of_rows(steps).mark("line", color=GREY, strokeWidth=1.3, strokeDash=[5, 3])
         layers.append(line.encode(x=x, y=y, order=field("at:Q")))
     shown = range(len(points)) if len(points) <= MOST_DRAWN else _seen(points, across, upward)
-    rows = [_row(answer, heads, place, across, upward) for place in shown]
+    rows = [_row(own, place, across, upward) for place in shown]
     hints = [field("row:N", title=_("row")), field("order:N", title=_("firing order"))]
     hints += [field(f"value{place}:Q", title=head.title) for place, head in enumerate(heads)]
     dots = of_rows(rows).mark("point", **DISC, size=DOT)
@@ -100,16 +133,13 @@ def _front_panel(
         layers.append(lines.encode(x=x, y=y, x2=field("x2"), y2=field("y2")))
     texts = of_rows(numbers).mark("text", fontSize=SMALL, color=GREY, baseline="middle")
     layers.append(texts.encode(x=x, y=y, text=field("text:N")))
-    return layered(layers, width=panel_width(), height=HEIGHT), len(numbers) == len(answer.rows)
+    return layered(layers, width=panel_width(), height=HEIGHT), len(numbers) == len(points)
 
 
-def _row(
-    answer: Answer, heads: Sequence[Column], place: int, across: Axis, upward: Axis
-) -> dict[str, Any]:
+def _row(own: FrontPoints, place: int, across: Axis, upward: Axis) -> dict[str, Any]:
     """A point: its place, number, firing order and values."""
-    row = answer.rows[place]
-    order = "-".join(map(str, firing_order(answer.question.stars, row.star)))
-    values = values_of(row, heads)
+    order = "-".join(map(str, own.orders[place]))
+    values = own.values[place]
     named = {f"value{column}": value for column, value in enumerate(values)}
     return {**_spot(values, across, upward), "row": place + 1, "order": order, **named}
 

@@ -11,7 +11,7 @@ from crankstar.charts.grammar import Chart
 from crankstar.charts.search_values import columns, engine_text, order_lines, units_text, values_of
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
-from crankstar.search.engines import engine
+from crankstar.search.engines import engine, firing_order
 
 if TYPE_CHECKING:
     from crankstar.search.answer import Answer
@@ -56,7 +56,7 @@ def _panel(answer: Answer, place: int, theta: float) -> Panel:
     ]
     if not any(head.counted for head in heads):
         values.append(_("neighbours {count}", count=row.neighbours))
-    order = order_lines(stars, row, width=half_width() - 20)
+    order = order_lines(firing_order(stars, row.star), width=half_width() - 20)
     words = [f"{place + 1}:  {order[0]}", *order[1:], *_pairs(values)]
     panel, _moved = crank_panel(
         engine(stars, row.star), theta=theta, width=half_width(), room=ROOM, title="\n".join(words)

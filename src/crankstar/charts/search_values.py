@@ -11,10 +11,12 @@ from crankstar.language.messages import _, _n
 from crankstar.language.numbers import numbers_text, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.search.engines import firing_order
+from crankstar.search.shafts import Shaft, followed
 from crankstar.search.stars import Stars
 
 if TYPE_CHECKING:
     from crankstar.search.answer import Answer, AnswerRow
+    from crankstar.search.sequence_fronts import SequenceFront
 
 
 class Column(NamedTuple):
@@ -86,12 +88,58 @@ def units_text(heads: Sequence[Column]) -> str:
     )
 
 
-def order_lines(stars: Stars, row: AnswerRow, *, width: float) -> list[str]:
-    """The firing order of a star in lines of this width, px; all but the last end in a dash."""
+def order_lines(order: Sequence[int], *, width: float) -> list[str]:
+    """A firing order in lines of this width, px; all but the last end in a dash."""
     lines = [""]
-    for place, cylinder in enumerate(firing_order(stars, row.star), 1):
-        piece = f"{cylinder}-" if place < stars.cylinders else str(cylinder)
+    for place, cylinder in enumerate(order, 1):
+        piece = f"{cylinder}-" if place < len(order) else str(cylinder)
         if lines[-1] and text_width(lines[-1] + piece, SMALL) > width:
             lines.append("")
         lines[-1] += piece
     return lines
+
+
+class FrontPoints(NamedTuple):
+    """The points of a front as they are drawn: values [point][column] in the units of the heads.
+
+    `orders` and `neighbours` in succession are those of each point; `engine` is a line of text.
+    """
+
+    heads: tuple[Column, ...]
+    values: tuple[tuple[float, ...], ...]
+    orders: tuple[tuple[int, ...], ...]
+    neighbours: tuple[int, ...]
+    engine: str
+
+
+def points_of(answer: Answer) -> FrontPoints:
+    """Those of a search for stars."""
+    heads, stars = columns(answer), answer.question.stars
+    return FrontPoints(
+        heads,
+        tuple(values_of(row, heads) for row in answer.rows),
+        tuple(firing_order(stars, row.star) for row in answer.rows),
+        tuple(row.neighbours for row in answer.rows),
+        engine_text(stars),
+    )
+
+
+def sequence_points(front: SequenceFront) -> FrontPoints:
+    """Those of a search for stars and firing orders together."""
+    shaft, goals = front.question.shaft, front.question.goals
+    orders = tuple(shaft.firing_order(point.fired) for point in front.points)
+    return FrontPoints(
+        tuple(Column(goal.name, goal.unit, counted=goal.neighbours) for goal in goals),
+        tuple(point.values for point in front.points),
+        orders,
+        tuple(len(followed(shaft, order).neighbours) for order in orders),
+        shaft_text(shaft),
+    )
+
+
+def shaft_text(shaft: Shaft) -> str:
+    """The engine of a shaft in a line."""
+    kind = str(shaft.cylinders)
+    if shaft.rods == 2:  # on each pin
+        kind = f"V{shaft.cylinders}, {abs(float(shaft.bank_angle_deg)):g}°"
+    return f"{kind}, {_(shaft.cycle)}"

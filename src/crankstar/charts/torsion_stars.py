@@ -139,16 +139,47 @@ def _alike(one: _Star, other: _Star) -> bool:
     )
 
 
-def _groups(star: _Star) -> list[list[int]]:
-    """Cylinders whose vectors end at one place; those without length are left out."""
-    longest = float(np.abs(star.vectors).max())
-    groups = gathered(star.vectors.tolist(), NEAR * longest)
-    return [group for group in groups if abs(star.vectors[group[0]]) > NEAR * longest]
+def _panel(star: _Star, numbers: Sequence[int], width: float) -> Panel:
+    title = _(
+        "order {order}: sum {size}\nat {rpm} rpm",
+        order=order_text(star.order),
+        size=brief(abs(star.sum)) if star.sum else "0",
+        rpm=rpm_text(star.speed),
+    )
+    return vectors_panel(star.vectors, star.sum, numbers, width=width, title=title)
 
 
-def _frame(star: _Star, width: float, margin: float) -> Frame:
+def vectors_panel(
+    vectors: Complex, total: complex, numbers: Sequence[int], *, width: float, title: str
+) -> Panel:
+    """Vectors of cylinders, 1 up and i to the right, with their numbers, and their sum."""
+    longest = float(np.abs(vectors).max())
+    groups = [  # cylinders whose vectors end at one place; those without length are left out
+        group
+        for group in gathered(vectors.tolist(), NEAR * longest)
+        if abs(vectors[group[0]]) > NEAR * longest
+    ]
+    words = [numbers_text([numbers[n] for n in group]) for group in groups]
+    frame = _frame(vectors, total, width, max(0.6 * label_margin(words), 24.0))
+    cross = [
+        Stroke((complex(frame.bottom, 0), complex(frame.top, 0)), width=0.6),
+        Stroke((1j * frame.left, 1j * frame.right), width=0.6),
+    ]
+    bar, text = scale_bar(frame, "")
+    arrows = [Arrow(v, colour=BLUE) for v in sorted(vectors.tolist(), key=lambda v: -abs(v))]
+    labels: list[Label] = []
+    for group, said in zip(groups, words, strict=True):
+        tip = complex(vectors[group[0]])
+        labels.append(Label(said, tip, tip / abs(tip), colour=BLUE))
+    if total:
+        arrows.insert(0, Arrow(total, colour=ORANGE, width=4))
+    plane = Plane(tuple(arrows), (*cross, bar), labels=tuple(labels), notes=(text,))
+    return picture(plane, frame, title=title)
+
+
+def _frame(vectors: Complex, total: complex, width: float, margin: float) -> Frame:
     """A square picture with all heads and the head of the sum in it."""
-    ends = np.array([0j, *star.vectors, star.sum])
+    ends = np.array([0j, *vectors, total])
     ups, rights = np.real(ends), np.imag(ends)
     middle = complex(ups.max() + ups.min(), rights.max() + rights.min()) / 2
     reach = max(np.ptp(ups), np.ptp(rights)) / 2 or 1.0
@@ -160,28 +191,3 @@ def _frame(star: _Star, width: float, margin: float) -> Frame:
         own.top + middle.real,
         own.scale,
     )
-
-
-def _panel(star: _Star, numbers: Sequence[int], width: float) -> Panel:
-    words = [numbers_text([numbers[n] for n in group]) for group in _groups(star)]
-    frame = _frame(star, width, max(0.6 * label_margin(words), 24.0))
-    cross = [
-        Stroke((complex(frame.bottom, 0), complex(frame.top, 0)), width=0.6),
-        Stroke((1j * frame.left, 1j * frame.right), width=0.6),
-    ]
-    bar, text = scale_bar(frame, "")
-    arrows = [Arrow(v, colour=BLUE) for v in sorted(star.vectors.tolist(), key=lambda v: -abs(v))]
-    labels: list[Label] = []
-    for group, said in zip(_groups(star), words, strict=True):
-        tip = complex(star.vectors[group[0]])
-        labels.append(Label(said, tip, tip / abs(tip), colour=BLUE))
-    if star.sum:
-        arrows.insert(0, Arrow(star.sum, colour=ORANGE, width=4))
-    title = _(
-        "order {order}: sum {size}\nat {rpm} rpm",
-        order=order_text(star.order),
-        size=brief(abs(star.sum)) if star.sum else "0",
-        rpm=rpm_text(star.speed),
-    )
-    plane = Plane(tuple(arrows), (*cross, bar), labels=tuple(labels), notes=(text,))
-    return picture(plane, frame, title=title)

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import os
+from dataclasses import asdict
+from functools import partial
 from typing import Any
 
 from crankstar.cli.options import Looks, engine_with_tree, write_engine
-from crankstar.cli.output import display, progress, working, writable
+from crankstar.cli.output import complain, display, progress, working, writable, write_result
 from crankstar.cli.search_options import Form, Work, not_compiled
 from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
+from crankstar.options import charts as chart_request
 from crankstar.options import search as options
 from crankstar.options import sequences
 from crankstar.options import values as request
-from crankstar.options.forms import ENGINES, TABLES, form_of
+from crankstar.options.forms import ENGINES, PICTURES, TABLES, form_of, usual_place
 from crankstar.options.values import RequestError, refusal
 from crankstar.options.words import SearchWords, SequenceWords
 
@@ -35,10 +38,14 @@ def searched(
     form: Form,
 ) -> int | None:
     """Find the front over stars and firing sequences, and show it or write a row."""
-    _refused(work, looks, form, speed=speed, estimate=estimate)
-    kind = form_of(
-        form.output, TABLES if form.row is None else ENGINES, json=form.json, csv=form.csv
-    )
+    _refused(work, form, speed=speed, estimate=estimate)
+    kind = _kind(form)
+    paper = None
+    if kind in PICTURES:
+        request.refuse_unused({"--judge": more.judge}, beside=_("a picture"))
+        paper = chart_request.paper(kind, **asdict(looks))
+    else:
+        looks.refuse(_("an engine") if form.row is not None else _("a table"))
     workers = request.within("--workers", work.workers, most=MOST_THREADS) or os.cpu_count() or 1
     tree, about = None, options.whole_number(cylinders)
     if about is None:
@@ -49,6 +56,8 @@ def searched(
     if form.output is not None:
         writable(form.output)
     front = _front(wanted.question, workers, agreed=work.yes)
+    if kind in PICTURES:
+        return _draw(front, cylinders, kind, form, paper)
     judged = _judged(front, wanted)
     if form.row is not None and front.complete:
         _write_row(front, wanted.engine, form.row, form.output, tree)
@@ -67,21 +76,45 @@ def searched(
     return 130
 
 
-def _refused(work: Work, looks: Looks, form: Form, *, speed: str | None, estimate: bool) -> None:
+def _refused(work: Work, form: Form, *, speed: str | None, estimate: bool) -> None:
     """Refuse what only the other searches have. Raises RequestError."""
-    looks.refuse(_("a table"))
     given: dict[str, Any] = {
         "--speed": speed,
         "--estimate": estimate,
         "--scheduler": work.scheduler,
         "--checkpoint": work.checkpoint,
         "--uneven": form.uneven,
-        "--chart": form.chart,
     }
     request.refuse_unused(given, beside="--minimise twist, --bank, --orders, --why, --judge")
     if form.row is not None:
-        request.refuse_unused({"--csv": form.csv, "--json": form.json}, beside="--row")
+        given = {"--csv": form.csv, "--json": form.json, "--chart": form.chart}
+        request.refuse_unused(given, beside="--row")
         request.within("--row", form.row, most=200_000)
+
+
+def _kind(form: Form) -> str:
+    """The form of the answer, or of the engine of a row. Raises RequestError."""
+    if form.row is not None:
+        return form_of(form.output, ENGINES)
+    if form.chart is not None:
+        request.refuse_unused({"--csv": form.csv, "--json": form.json}, beside="--chart")
+        return chart_request.suffix(form.output)
+    return form_of(form.output, (*TABLES, *PICTURES), json=form.json, csv=form.csv)
+
+
+def _draw(front: Any, about: str, kind: str, form: Form, paper: Any) -> int | None:
+    """Write the front, or its first stars, as a picture; none of a search that was stopped."""
+    from crankstar.tables.search_sequences import certificate, heading
+
+    if not front.complete:
+        complain(f"crankstar: {certificate(front)}")
+        return 130
+    drawing, title = chart_request.charts(), heading(front.question)
+    draw = drawing.sequence_stars if form.chart == "stars" else drawing.sequence_chart
+    made = drawing.printed(partial(draw, front), paper, title=title)
+    place = usual_place(about, "search", form.chart or "front", kind=kind)
+    write_result(drawing.saved_print(made, kind, title=title), form.output, place)
+    return None
 
 
 def _front(question: Any, workers: int, *, agreed: bool) -> Any:
