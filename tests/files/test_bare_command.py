@@ -28,6 +28,8 @@ def started(env: dict[str, str]) -> tuple[int, int]:
     """A bare command in a terminal of its own: its process, the other end of the terminal."""
     process, terminal = pty.fork()
     if process == 0:
+        # a suite that was started in the background ignores interrupts, and so would its children
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
         os.execve(COMMAND[0], COMMAND, env)  # noqa: S606
     return process, terminal
 
