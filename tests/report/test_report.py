@@ -12,7 +12,7 @@ import pytest
 from tests.report.reading import Reader, amplitude, plain, vouched
 
 import crankstar
-from crankstar import derive
+from crankstar import derive, spectra
 from crankstar.files import catalog, engine_of
 from crankstar.mechanics.balance import balance
 from crankstar.report import Subject, report
@@ -143,6 +143,18 @@ def test_forces_in_newtons_are_those_of_the_answer_at_the_speed_of_the_engine() 
         assert "[N m]" in heads[-1]
         newton_metres = float(row[-1])
         assert newton_metres == pytest.approx(sizes[float(row[0])], rel=1e-4, abs=1e-6)
+
+
+def test_loads_with_gas_are_those_of_the_bearings_with_the_cycle_of_the_report() -> None:
+    engine = crankstar.load("audi-25-tfsi")
+    loads = crankstar.bearing_loads(engine, cycle=crankstar.cycle(engine, speed=engine.speed))
+    heads, *rows = Reader(written("audi-25-tfsi")).table("Loads on main bearings from gas")
+    assert any("[kN]" in head for head in heads)
+    place = next(n for n, head in enumerate(heads) if head.startswith("greatest"))
+    told = [1e3 * float(row[place]) for row in rows]
+    assert told == pytest.approx(spectra.peaks(loads.load).tolist(), rel=1e-4)
+    assert "over a cycle, with gas" in written("audi-25-tfsi")
+    assert "over a cycle, with gas" not in written("v8-cross-plane")
 
 
 def test_a_short_report_of_many_bearings_draws_the_greatest_loads_and_says_so() -> None:

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from crankstar.charts.canvas import Canvas
-from crankstar.dynamics.bearings import bearing_loads
+from crankstar.dynamics.bearings import BearingError, BearingLoads, bearing_loads
 from crankstar.language.messages import N_, _
+from crankstar.mechanics.gas import cycle
+from crankstar.mechanics.operating_points import GasError
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.bearings import MODELS, peaks
 from crankstar.tables.html import paragraph
 from crankstar.tables.table import Remarks, Table
+from crankstar.tables.torque import load_sentence
 
 FEW = 5
 """Main bearings up to which the short report draws them all."""
@@ -48,6 +53,7 @@ def bearings(subject: Subject, gallery: Gallery) -> str:
             options["most"] = GREATEST
             notes.append(_(REST, count=GREATEST, all=len(loads.bearings)))
         drawn.append(gallery.figure("bearing-loads", caption, "wide low", **options))
+        drawn += _with_gas(subject, gallery, options)
     if loads.bearings and whole:
         caption = _("The bending moment along the crankshaft, with counterweights and without.")
         model = None if subject.full else "determinate"
@@ -59,6 +65,32 @@ def bearings(subject: Subject, gallery: Gallery) -> str:
     return section(_("Bearings"), f"{lead}<div>{tables}</div>{figures(drawn)}", name="bearings")
 
 
+def _with_gas(subject: Subject, gallery: Gallery, options: dict[str, Any]) -> list[str]:
+    """The same loads with the gas of the report's cycle, where it can be computed."""
+    if _loads_with_gas(subject) is None:
+        return []
+    load = load_sentence(cycle(subject.engine, speed=subject.at))
+    caption = _("The load on each main bearing over a cycle, with gas.")
+    if "most" in options:
+        caption = _("The greatest loads on main bearings over a cycle, with gas.")
+    return [gallery.figure("bearing-loads", f"{caption} {load}", "wide low", **options, gas=True)]
+
+
+def _loads_with_gas(subject: Subject) -> BearingLoads | None:
+    """None where the engine file does not say what the gas does, or lacks masses or a speed."""
+    if subject.engine.gas is None:
+        return None
+    try:
+        found = cycle(subject.engine, speed=subject.at)
+        return bearing_loads(subject.engine, speed=subject.at, cycle=found)
+    except (BearingError, GasError):
+        return None
+
+
 def _peaks(subject: Subject) -> list[Table | Remarks]:
-    """The greatest loads."""
-    return [peaks(subject.engine, bearing_loads(subject.engine, speed=subject.at))]
+    """The greatest loads, with gas as well where it is known."""
+    out: list[Table | Remarks] = [
+        peaks(subject.engine, bearing_loads(subject.engine, speed=subject.at))
+    ]
+    gas = _loads_with_gas(subject)
+    return out if gas is None else [*out, peaks(subject.engine, gas, gas=True)]
