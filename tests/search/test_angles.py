@@ -13,7 +13,7 @@ from tests import exhaustive
 from crankstar import spectra
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
-from crankstar.search.angles import STARTS, Task, Term, curve, sentence, terms, uneven
+from crankstar.search.angles import STARTS, Term, curve, sentence, star_task, terms, uneven
 from crankstar.search.engines import engine
 from crankstar.search.faults import SearchError
 from crankstar.search.stars import Stars
@@ -66,7 +66,7 @@ def deviations(order: Any, later_deg: np.ndarray) -> np.ndarray:
 @EVERY
 def test_gradients_are_those_of_finite_differences(name: str) -> None:
     stars, star = STARS[name]
-    task = Task.of(stars, star, terms(stars, couples={1: 1.0, 2: 0.25}, forces={1: 0.3, 2: 2.0}))
+    task = star_task(stars, star, terms(stars, couples={1: 1.0, 2: 0.25}, forces={1: 0.3, 2: 2.0}))
     places = np.random.default_rng(3).normal(size=task.free.shape[1]) * 0.1
     step = 1e-6
     sides = [

@@ -7,6 +7,7 @@ import json
 import os
 import signal
 from fractions import Fraction
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -14,7 +15,7 @@ import numpy as np
 import pytest
 from tests.search import plain_orders as plain
 
-from crankstar import cli, load
+from crankstar import cli, load, spectra
 from crankstar.firing import weighing
 from crankstar.firing.intervals import firing
 from crankstar.firing.vees import stars as stars_of_vees
@@ -32,6 +33,7 @@ from crankstar.search.sequence_engines import (
 )
 from crankstar.search.sequence_fronts import beaten, sequence_front
 from crankstar.search.shafts import Fired, Shaft, followed, shaft_of
+from crankstar.search.uneven_sequences import uneven_sequences
 from crankstar.search.vector_sums import (
     NEIGHBOURS,
     Cap,
@@ -387,14 +389,16 @@ def test_the_command_gives_the_front_as_json(capsys: pytest.CaptureFixture[str])
     assert tree["rows"][2]["M1_after_counterweights"] == 0
 
 
-@pytest.mark.parametrize("option", ["--best 3", "--scheduler x", "--uneven 1", "--checkpoint x"])
+@pytest.mark.parametrize(
+    "option", ["--best 3", "--scheduler x", "--uneven 1", "--checkpoint x", "--row 1 --uneven 200"]
+)
 def test_options_of_other_searches_are_refused(
     option: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit) as ended:
         cli.main(["search", "6", "--minimise", "twist", *option.split()])
     assert ended.value.code == 2
-    assert option.split()[0] in capsys.readouterr().err
+    assert option.split()[-2 if "--row" in option else 0] in capsys.readouterr().err
 
 
 def test_a_row_is_written_as_an_engine_that_is_on_the_front(
@@ -450,3 +454,85 @@ def test_a_bound_that_is_too_tight_would_be_found_out(monkeypatch: pytest.Monkey
     monkeypatch.setattr(f"{__name__}.sequence_front", lambda _: cut)
     with pytest.raises(AssertionError):
         agrees(about)
+
+
+UNEVEN = [
+    (6, 0.0, (1, 5, 3, 6, 2, 4)),
+    (8, 90.0, (1, 8, 4, 3, 6, 5, 7, 2)),
+    (5, 0.0, (1, 2, 4, 5, 3)),
+]
+
+
+@pytest.mark.parametrize(("cylinders", "bank", "order"), UNEVEN)
+def test_uneven_angles_do_what_is_said_in_the_engine_that_is_written(
+    cylinders: int, bank: float, order: tuple[int, ...]
+) -> None:
+    """Forces and couples by mechanics, torsion by the firing angles of that engine."""
+    shaft = shaft_of(cylinders, bank_angle_deg=bank or None)
+    fired = shaft.fired_in(order)
+    sums = [couple(shaft, 1), force(shaft, 1)]
+    sums += [torsion(shaft, Fraction(n, 2), straight(shaft)) for n in (1, 3)]
+    question = SequenceQuestion(shaft, tuple(Goal(one.name, (one,)) for one in sums))
+    curve = uneven_sequences(question, fired, deviations_deg=[4, 12], starts=6)
+    assert [each.deviation_deg for each in curve] == [0, 4, 12]
+    assert curve[0].later_deg == (0.0,) * cylinders
+    assert curve[2].value <= curve[1].value <= curve[0].value
+    found = curve[2]
+    assert found.greatest_deviation_deg <= 12 + 1e-6
+    engine = engine_of(shaft, fired, found.later_deg)
+    own = firing(engine)
+    assert own.order == found.firing_order
+    assert own.intervals_deg == pytest.approx(found.intervals_deg, abs=1e-6)
+    after = {term.sum.name: length for term, length in zip(found.terms, found.after, strict=True)}
+    result = total(balance(engine))
+    for name, spectrum in (("F1", result.force), ("M1", result.couple)):
+        one = spectra.selected(spectrum, [1.0])
+        both_ways = float((abs(one.forward) + abs(one.backward))[0])
+        assert both_ways == pytest.approx(after[name], abs=1e-6)
+    numbers = [number for pin in shaft.numbers for number in pin]
+    shape = dict(zip(numbers, map(float, straight(shaft)), strict=True))
+    at = dict(zip(own.order, np.radians(own.angles_deg), strict=True))
+    for half in (0.5, 1.5):
+        length = abs(sum(a * np.exp(1j * half * at[n]) for n, a in shape.items()))
+        assert length == pytest.approx(after[f"T{half:g}"], abs=1e-6)
+
+
+def test_no_drawn_angles_are_better_than_the_uneven_ones_that_were_found() -> None:
+    shaft = shaft_of(6)
+    fired = shaft.fired_in((1, 5, 3, 6, 2, 4))
+    sums = [couple(shaft, 1), *(torsion(shaft, Fraction(n, 2), straight(shaft)) for n in (3, 5))]
+    question = SequenceQuestion(shaft, tuple(Goal(one.name, (one,)) for one in sums))
+    found = uneven_sequences(question, fired, deviations_deg=[8])[-1]
+    random = np.random.default_rng(3)
+    order = shaft.firing_order(fired)
+    for _ in range(20_000):
+        gaps = 120 + random.uniform(-8, 8, 5)
+        if abs(600 - gaps.sum()) > 8:
+            continue
+        places = np.cumsum([0.0, *gaps])
+        later = dict(zip(order, places, strict=True))
+        value = sum(
+            abs(
+                sum(
+                    float(weight) * np.exp(1j * float(one.order) * np.radians(later[n]))
+                    for n, weight in enumerate(one.weights, 1)
+                )
+                * one.scale
+            )
+            ** 2
+            for one in sums
+        )
+        assert value**0.5 > found.value - 1e-3
+
+
+def test_the_command_writes_an_engine_with_uneven_angles(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    place = tmp_path / "uneven.toml"
+    line = "search 6 --minimise M1,twist,neighbours --row 3 --uneven 5 -o"
+    with pytest.raises(SystemExit) as ended:
+        cli.main([*line.split(), str(place)])
+    assert ended.value.code == 0
+    assert "local optimum" in " ".join(capsys.readouterr().out.split())
+    intervals = firing(load(str(place))).intervals_deg
+    assert sorted(intervals) == pytest.approx([115, 115, 120, 120, 125, 125], abs=0.1)

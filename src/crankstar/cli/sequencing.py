@@ -16,7 +16,7 @@ from crankstar.options import charts as chart_request
 from crankstar.options import search as options
 from crankstar.options import sequences
 from crankstar.options import values as request
-from crankstar.options.forms import ENGINES, PICTURES, TABLES, form_of, usual_place
+from crankstar.options.forms import ENGINES, PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
 from crankstar.options.values import RequestError, refusal
 from crankstar.options.words import SearchWords, SequenceWords
 
@@ -60,7 +60,7 @@ def searched(
         return _draw(front, cylinders, kind, form, paper)
     judged = _judged(front, wanted)
     if form.row is not None and front.complete:
-        _write_row(front, wanted.engine, form.row, form.output, tree)
+        _show_row(front, wanted.engine, form.row, form, tree)
         return None
     from crankstar.tables.search_sequences import ROWS, search_sequences
 
@@ -83,7 +83,6 @@ def _refused(work: Work, form: Form, *, speed: str | None, estimate: bool) -> No
         "--estimate": estimate,
         "--scheduler": work.scheduler,
         "--checkpoint": work.checkpoint,
-        "--uneven": form.uneven,
     }
     request.refuse_unused(given, beside="--minimise twist, --bank, --orders, --why, --judge")
     if form.row is not None:
@@ -94,6 +93,8 @@ def _refused(work: Work, form: Form, *, speed: str | None, estimate: bool) -> No
 
 def _kind(form: Form) -> str:
     """The form of the answer, or of the engine of a row. Raises RequestError."""
+    if form.row is None and form.uneven is not None:
+        raise RequestError("--uneven: name the row to refine, as in --row 2 --uneven 1,2,5")
     if form.row is not None:
         return form_of(form.output, ENGINES)
     if form.chart is not None:
@@ -158,12 +159,30 @@ def _judged(front: Any, wanted: sequences.Sequences) -> dict[Any, dict[Any, floa
     return out
 
 
-def _write_row(front: Any, engine: Any, row: int, output: str | None, tree: Any) -> None:
-    """Write a row as an engine file. Raises RequestError where there is none."""
+def _show_row(front: Any, engine: Any, row: int, form: Form, tree: Any) -> None:
+    """Write a row as an engine file; uneven angles as a table, or the engine of the last one.
+
+    Raises RequestError where there is no such row.
+    """
     from crankstar.search.sequence_engines import engine_of, with_fired
+    from crankstar.search.uneven_sequences import uneven_sequences
+    from crankstar.tables.uneven_angles import uneven_angles
 
     if row > len(front.points):
         raise refusal("--row", row, "the answer has {count} rows", count=len(front.points))
-    fired, shaft = front.points[row - 1].fired, front.question.shaft
-    built = engine_of(shaft, fired) if engine is None else with_fired(engine, shaft, fired)
-    write_engine(built, tree, output)
+    fired, shaft, later = front.points[row - 1].fired, front.question.shaft, ()
+    if form.uneven is not None:
+        with working(_("Refining the angles ...")):
+            deviations = options.deviations(form.uneven)
+            curve = uneven_sequences(front.question, fired, deviations_deg=deviations)
+        if form.output not in STANDARD_OUTPUT or form.output is None:
+            display(uneven_angles(curve))
+        if form.output is None:
+            return
+        later = curve[-1].later_deg
+    built = (
+        engine_of(shaft, fired, later)
+        if engine is None
+        else with_fired(engine, shaft, fired, later)
+    )
+    write_engine(built, tree, form.output)

@@ -6,6 +6,8 @@
 | `stars` | all ways to set cylinders on evenly spaced throws |
 | `sums` | the objectives of a star: vector sums, neighbours in succession |
 | `engines` | a star as an Engine |
+| `shafts` | throws with one rod or two that fire evenly: star and sequence |
+| `vector_sums` | forces, couples and torsion of a shaft with its sequence, and goals |
 | `engine_stars` | the stars of a real engine, in newtons |
 | `question` | stars, objectives and limits of a search |
 | `proof` | exact zeros and equal lengths, in whole numbers |
@@ -27,12 +29,11 @@
 | `run` | a search from beginning to end |
 | `answer` | stars, exact zeros, their number, proof of completeness |
 | `equivalence` | stars with the same moments |
-| `shafts` | throws with one rod or two that fire evenly: star and sequence |
-| `vector_sums` | forces, couples and torsion of a shaft with its sequence, and goals |
 | `sequence_arrays` | records of the loops over stars and sequences |
 | `sign_kernels` | compiled loops over signs, by halves |
 | `sequence_kernels` | compiled loops over stars and the firing sequences of each |
 | `sequence_fronts` | the front over stars and sequences, and what beats an order |
 | `sequence_engines` | a star with its sequence as an Engine, and back |
+| `uneven_sequences` | uneven angles of a star with its firing sequence |
 | `options` | options of a search as values, and its question |
 """

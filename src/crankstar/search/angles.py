@@ -28,7 +28,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 from math import inf, isfinite
 
 import numpy as np
@@ -36,29 +35,28 @@ import numpy as np
 from crankstar.language.faults import Fault
 from crankstar.language.messages import _
 from crankstar.search import descent
-from crankstar.search.descent import NOTHING, Task, Term, succession
+from crankstar.search.descent import NOTHING, Task, Term, star_task, succession
 from crankstar.search.engines import dead_centres_deg, firing_order
 from crankstar.search.faults import SearchError, fault
 from crankstar.search.stars import Star, Stars
-from crankstar.search.sums import couple, force
-from crankstar.spectra import Real
+from crankstar.search.sums import VectorSum, couple, force
 
 STARTS = 24
 """Points from which an optimum is sought, the star itself among them."""
 
 
 @dataclass(frozen=True)
-class Uneven:
-    """Uneven angles of a star, and what they bring. Lengths are those of the terms, in their units.
+class UnevenAngles:
+    """Uneven angles, and what they bring. Lengths are those of the terms, in their units.
 
     deviation_deg: how far each firing interval might leave the even one; later_deg: by how many
-    degrees of crank angle each cylinder comes later to top dead centre than in the star; before,
-    after: length of the sum of each term, even and uneven; value_before, value: what was made
-    least; starts: from how many points it was looked for; agreeing: how many ended here.
+    degrees of crank angle each cylinder comes later to top dead centre than in the even star;
+    before, after: length of the sum of each term, even and uneven; value_before, value: what was
+    made least; starts: from how many points it was looked for; agreeing: how many ended here.
     """
 
-    stars: Stars
-    star: Star
+    firing_order: tuple[int, ...]
+    cycle_deg: float
     terms: tuple[Term, ...]
     deviation_deg: float
     later_deg: tuple[float, ...]
@@ -69,10 +67,29 @@ class Uneven:
     starts: int
     agreeing: int
 
-    @cached_property
-    def firing_order(self) -> tuple[int, ...]:
-        """The cylinders in the order in which they fire, cylinder 1 first."""
-        return firing_order(self.stars, self.star)
+    @property
+    def even_deg(self) -> float:
+        """The even firing interval, degrees."""
+        return self.cycle_deg / len(self.firing_order)
+
+    @property
+    def intervals_deg(self) -> tuple[float, ...]:
+        """From each firing to the next, in firing order, degrees."""
+        later = np.array(self.later_deg)
+        return tuple(float(self.even_deg + by) for by in succession(self.firing_order) @ later)
+
+    @property
+    def greatest_deviation_deg(self) -> float:
+        """How far the most uneven interval is from the even one, degrees."""
+        return max(abs(interval - self.even_deg) for interval in self.intervals_deg)
+
+
+@dataclass(frozen=True)
+class Uneven(UnevenAngles):
+    """Those of a star."""
+
+    stars: Stars
+    star: Star
 
     @property
     def dead_centres_deg(self) -> tuple[float, ...]:
@@ -82,22 +99,6 @@ class Uneven:
             (angle + by - self.later_deg[0]) % 360
             for angle, by in zip(even, self.later_deg, strict=True)
         )
-
-    @property
-    def even_deg(self) -> float:
-        """The even firing interval, degrees."""
-        return (360.0 if self.stars.cycle == "two-stroke" else 720.0) / self.stars.cylinders
-
-    @property
-    def intervals_deg(self) -> tuple[float, ...]:
-        """From each firing to the next, in firing order from cylinder 1, degrees."""
-        later = np.array(self.later_deg)
-        return tuple(float(self.even_deg + by) for by in succession(self.stars, self.star) @ later)
-
-    @property
-    def greatest_deviation_deg(self) -> float:
-        """How far the most uneven interval is from the even one, degrees."""
-        return max(abs(interval - self.even_deg) for interval in self.intervals_deg)
 
 
 def terms(
@@ -158,16 +159,51 @@ def curve(
     faults = list(_faults(stars, wanted, deviations_deg, starts))
     if faults:
         raise SearchError(faults)
-    task = Task.of(stars, star, tuple(wanted))
-    out: list[Uneven] = []
+    order, cycle = firing_order(stars, star), 360.0 if stars.cycle == "two-stroke" else 720.0
+    before = tuple(term.sum.length(star) for term in wanted if isinstance(term.sum, VectorSum))
+    found = solved(
+        star_task(stars, star, wanted), order, cycle, before, deviations_deg=deviations_deg,
+        starts=starts,
+    )  # fmt: skip
+    return tuple(Uneven(**vars(each), stars=stars, star=star) for each in found)
+
+
+def solved(
+    task: Task,
+    order: tuple[int, ...],
+    cycle_deg: float,
+    before: tuple[float, ...],
+    *,
+    deviations_deg: Sequence[float],
+    starts: int,
+) -> list[UnevenAngles]:
+    """The best angles of a task for each deviation, rising; `before` has exact zeros as zeros."""
+    out: list[UnevenAngles] = []
     best = np.zeros(task.free.shape[1])
     for deviation in sorted(set(deviations_deg)):
         best, agreeing = descent.best(task, float(np.radians(deviation)), best, starts)
-        out.append(_read(task, deviation, best, starts, agreeing))
-    return tuple(out)
+        lengths = np.abs(task.vectors(best)[0])
+        after = tuple(float(x) for x in np.where(lengths < NOTHING * task.reach, 0.0, lengths))
+        after = after if best.any() else before
+        out.append(
+            UnevenAngles(
+                order,
+                cycle_deg,
+                task.terms,
+                float(deviation),
+                tuple(float(angle) for angle in np.degrees(task.free @ best)),
+                before,
+                after,
+                _rooted(task, before),
+                _rooted(task, after),
+                starts,
+                agreeing,
+            )
+        )
+    return out
 
 
-def sentence(result: Uneven) -> str:
+def sentence(result: UnevenAngles) -> str:
     """What uneven angles bring and cost, and how far that can be trusted."""
     even = f"{result.even_deg:.5g}"
     lengths = zip(result.terms, result.before, result.after, strict=True)
@@ -195,11 +231,7 @@ def _faults(
     stars: Stars, wanted: Sequence[Term], deviations_deg: Sequence[float], starts: int
 ) -> Iterator[Fault]:
     even = (360 if stars.cycle == "two-stroke" else 720) / stars.cylinders
-    if not deviations_deg:
-        yield fault("uneven", "no-deviation")
-    for deviation in deviations_deg:
-        if not 0 <= deviation < even:
-            yield fault("uneven", "deviation", given=f"{deviation:g}", even=f"{even:.5g}")
+    yield from deviation_faults(deviations_deg, even)
     for term in wanted:
         if not (isfinite(term.weight) and term.weight >= 0):
             yield fault("", "term-weight", sum=term.sum.name, given=f"{term.weight:g}")
@@ -211,29 +243,13 @@ def _faults(
         yield fault("", "starts", given=starts)
 
 
-def _read(task: Task, deviation_deg: float, places: Real, starts: int, agreeing: int) -> Uneven:
-    """The uneven star of some places, exact zeros of the even star as zeros."""
-    before = tuple(term.sum.length(task.star) for term in task.terms)
-    still = not places.any()
-    lengths = np.abs(task.vectors(places)[0])
-    after = (
-        before
-        if still
-        else tuple(float(x) for x in np.where(lengths < NOTHING * task.reach, 0.0, lengths))
-    )
-    return Uneven(
-        task.stars,
-        task.star,
-        task.terms,
-        float(deviation_deg),
-        tuple(float(angle) for angle in np.degrees(task.free @ places)),
-        before,
-        after,
-        _rooted(task, before),
-        _rooted(task, after),
-        starts,
-        agreeing,
-    )
+def deviation_faults(deviations_deg: Sequence[float], even: float) -> Iterator[Fault]:
+    """What is wrong with deviations from an even interval, degrees."""
+    if not deviations_deg:
+        yield fault("uneven", "no-deviation")
+    for deviation in deviations_deg:
+        if not 0 <= deviation < even:
+            yield fault("uneven", "deviation", given=f"{deviation:g}", even=f"{even:.5g}")
 
 
 def _rooted(task: Task, lengths: Sequence[float]) -> float:

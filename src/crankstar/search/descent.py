@@ -6,6 +6,7 @@ with exact gradients.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, pi
@@ -18,6 +19,7 @@ from crankstar.search.engines import firing_order
 from crankstar.search.faults import error
 from crankstar.search.stars import Star, Stars
 from crankstar.search.sums import VectorSum
+from crankstar.search.vector_sums import OrderSum
 from crankstar.spectra import Complex, Real
 
 NOTHING = 1e-9
@@ -30,16 +32,16 @@ ALIKE = 1e-6
 class Term:
     """A vector sum: order per turn, weight (0 only reports it), greatest length."""
 
-    sum: VectorSum
+    sum: VectorSum | OrderSum
     order: Fraction
     weight: float = 1.0
     at_most: float = inf
 
 
-def succession(stars: Stars, star: Star) -> Real:
-    """How each firing interval grows as cylinders come later [firing, cylinder]."""
-    order = [number - 1 for number in firing_order(stars, star)]
-    out = np.zeros((len(order), stars.cylinders))
+def succession(firing_order: Sequence[int]) -> Real:
+    """How each firing interval grows as cylinders come later [firing, cylinder by number]."""
+    order = [number - 1 for number in firing_order]
+    out = np.zeros((len(order), len(order)))
     for row, (this, then) in enumerate(zip(order, [*order[1:], order[0]], strict=True)):
         out[row, this] -= 1
         out[row, then] += 1
@@ -58,14 +60,12 @@ def _free(stars: Stars) -> Real:
 
 @dataclass(frozen=True)
 class Task:
-    """A star and its terms as arrays: amplitude and even phase [term, cylinder], the rest [term].
+    """Terms as arrays: amplitude and even phase [term, cylinder], the rest [term].
 
     free: how cylinders follow the places that may move [cylinder, place]; intervals: how firing
     intervals do [firing, place].
     """
 
-    stars: Stars
-    star: Star
     terms: tuple[Term, ...]
     amplitude: Real
     phase: Real
@@ -73,24 +73,6 @@ class Task:
     weight: Real
     free: Real
     intervals: Real
-
-    @classmethod
-    def of(cls, stars: Stars, star: Star, wanted: tuple[Term, ...]) -> Task:
-        """The arrays of a star and its terms."""
-        free = _free(stars)
-        return cls(
-            stars,
-            star,
-            wanted,
-            amplitude=np.array(
-                [[term.sum.scale * float(w) for w in term.sum.weights] for term in wanted]
-            ),
-            phase=np.array([[2 * pi * float(term.sum.turns[d]) for d in star] for term in wanted]),
-            order=np.array([float(term.order) for term in wanted]),
-            weight=np.array([term.weight for term in wanted]),
-            free=free,
-            intervals=succession(stars, star) @ free,
-        )
 
     def vectors(self, places: Real) -> tuple[Complex, Complex]:
         """The sum of each term [term] and its gradient [term, place]; `places` in radians."""
@@ -116,6 +98,21 @@ class Task:
         """Whether all sums keep their limits."""
         lengths = np.abs(self.vectors(places)[0])
         return bool(np.all(lengths <= [term.at_most for term in self.terms] + NOTHING * self.reach))
+
+
+def star_task(stars: Stars, star: Star, wanted: Sequence[Term]) -> Task:
+    """The task of a star: all that is asked of its sums."""
+    free = _free(stars)
+    sums = [term.sum for term in wanted if isinstance(term.sum, VectorSum)]
+    return Task(
+        tuple(wanted),
+        amplitude=np.array([[each.scale * float(w) for w in each.weights] for each in sums]),
+        phase=np.array([[2 * pi * float(each.turns[d]) for d in star] for each in sums]),
+        order=np.array([float(term.order) for term in wanted]),
+        weight=np.array([term.weight for term in wanted]),
+        free=free,
+        intervals=succession(firing_order(stars, star)) @ free,
+    )
 
 
 def best(task: Task, deviation: float, before: Real, starts: int) -> tuple[Real, int]:

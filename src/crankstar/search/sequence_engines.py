@@ -6,8 +6,9 @@ clockwise seen from the front, so that its pin stands at the bearing -c step fro
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
-from math import pi, radians
+from math import radians
 
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Sizes
 from crankstar.engine.copies import with_throws_turned, with_values
@@ -25,17 +26,29 @@ DECIMALS = 9
 """Of degrees to which dead centres are the same."""
 
 
-def _firing(shaft: Shaft, fired: Fired) -> Firing:
+def _firing(shaft: Shaft, fired: Fired, later_deg: Sequence[float] = ()) -> Firing:
     angles = shaft.angles_deg(fired)
     order = shaft.firing_order(fired)
     even = shaft.cycle_deg / shaft.cylinders
     start = float(angles[order[0]]) % shaft.cycle_deg
-    later = tuple(start + place * even for place in range(len(order)))
-    return Firing(order, later, (even,) * len(order), float(shaft.cycle_deg))
+    later = [later_deg[number - 1] if later_deg else 0.0 for number in order]
+    places = tuple(start + place * even + by for place, by in enumerate(later))
+    following = (*places[1:], places[0] + shaft.cycle_deg)
+    gaps = tuple(then - this for this, then in zip(places, following, strict=True))
+    return Firing(order, places, gaps, float(shaft.cycle_deg))
 
 
-def engine_of(shaft: Shaft, fired: Fired) -> Engine:
+def _throw_angles(shaft: Shaft, fired: Fired, later_deg: Sequence[float] = ()) -> list[float]:
+    """By how much crank angle each throw comes later than that of cylinder 1, radians."""
+    own = [later_deg[pin[0] - 1] if later_deg else 0.0 for pin in shaft.numbers]
+    even = [float(place * shaft.step_deg) for place in fired.star]
+    return [radians(angle + by) for angle, by in zip(even, own, strict=True)]
+
+
+def engine_of(shaft: Shaft, fired: Fired, later_deg: Sequence[float] = ()) -> Engine:
     """The engine of a star and its sequence: radius and masses of one, places in pitches.
+
+    `later_deg`: by how many degrees each cylinder, by number, comes later than in the star.
 
     >>> from crankstar.search.shafts import shaft_of
     >>> cross = shaft_of(8, bank_angle_deg=90)
@@ -52,7 +65,7 @@ def engine_of(shaft: Shaft, fired: Fired) -> Engine:
         relative=("pitch",),
         source=SOURCE,
     )
-    throws = tuple(-radians(float(own * shaft.step_deg)) for own in fired.star)
+    throws = tuple(-angle for angle in _throw_angles(shaft, fired, later_deg))
     behind = tuple(float(shaft.places[0] - place) for place in shaft.places)
     if shaft.rods == 1:
         built = inline(basis, throws=throws, positions=behind)
@@ -63,7 +76,7 @@ def engine_of(shaft: Shaft, fired: Fired) -> Engine:
             for bank, sign in enumerate((1, -1))
         )
         built = vee(basis, banks=banks, throws=throws, positions=behind)
-    return with_order(with_values(built, bore_pitch=1.0), _firing(shaft, fired))
+    return with_order(with_values(built, bore_pitch=1.0), _firing(shaft, fired, later_deg))
 
 
 def shaft_of_engine(engine: Engine) -> Shaft:
@@ -123,15 +136,21 @@ def fired_of_engine(engine: Engine, shaft: Shaft) -> Fired | None:
         return None
 
 
-def with_fired(engine: Engine, shaft: Shaft, fired: Fired) -> Engine:
-    """An engine with its throws turned to a star, weights with them, and a firing sequence."""
+def with_fired(
+    engine: Engine, shaft: Shaft, fired: Fired, later_deg: Sequence[float] = ()
+) -> Engine:
+    """An engine with its throws turned to a star, weights with them, and a firing sequence.
+
+    `later_deg`: by how many degrees each cylinder, by number, comes later than in the star.
+    """
     of = {cylinder.number: cylinder for cylinder in engine.cylinders}
     home = of[shaft.numbers[0][0]]
     zero = engine.throw(home).angle
     turns: dict[tuple[str, int], float] = {}
-    for pin, own in zip(shaft.numbers, fired.star, strict=True):
+    behind = _throw_angles(shaft, fired, later_deg)
+    for pin, own in zip(shaft.numbers, behind, strict=True):
         cylinder = of[pin[0]]
-        angle = zero - engine.sense * own * 2 * pi / shaft.classes
+        angle = zero - engine.sense * own
         turns[cylinder.shaft, cylinder.throw] = angle - engine.throw(cylinder).angle
     known = {
         key: value
@@ -142,5 +161,5 @@ def with_fired(engine: Engine, shaft: Shaft, fired: Fired) -> Engine:
     words = f"{engine.name}, throws turned: fires {'-'.join(map(str, order))}"
     start = dead_centres(engine)[shaft.numbers[0][0]].angle_deg
     values = {"name": words, "firing_order": order, "provenance": known}
-    angles = tuple(radians(angle + start) for angle in _firing(shaft, fired).angles_deg)
+    angles = tuple(radians(angle + start) for angle in _firing(shaft, fired, later_deg).angles_deg)
     return with_throws_turned(engine, turns, **values, firing_angles=angles)

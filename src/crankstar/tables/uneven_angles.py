@@ -8,8 +8,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.mechanics.remains import SOLVED
 from crankstar.search import engine_stars
-from crankstar.search.angles import Term, Uneven, curve, sentence
-from crankstar.search.engines import firing_order
+from crankstar.search.angles import Term, Uneven, UnevenAngles, curve, sentence
 from crankstar.search.faults import error
 from crankstar.search.question import Question
 from crankstar.search.stars import Star, Stars
@@ -56,10 +55,11 @@ def _force(stars: Stars, order: int, engine: Engine | None, speed: float | None)
     )
 
 
-def uneven_angles(curve_: Sequence[Uneven]) -> Document:
+def uneven_angles(curve_: Sequence[UnevenAngles]) -> Document:
     """A row for each deviation: sums, firing intervals, throw angles."""
     first = curve_[0]
-    of_pistons = [term.sum for term in first.terms if term.sum.parts]
+    stars = [term.sum for term in first.terms if isinstance(term.sum, VectorSum)]
+    of_pistons = [one for one in stars if one.parts]
     heads = [
         Column(_("intervals within"), "deg", key="deviation_deg", digits=4, label=True),
         *(
@@ -82,7 +82,11 @@ def uneven_angles(curve_: Sequence[Uneven]) -> Document:
             tuple(round(float(angle), 2) + 0.0 for angle in row)
             for row in (uneven.intervals_deg, uneven.later_deg)
         )
-        of_engine = (vector.of_engine(uneven.star, uneven.later_deg) for vector in of_pistons)
+        of_engine = (
+            vector.of_engine(uneven.star, uneven.later_deg)
+            for vector in of_pistons
+            if isinstance(uneven, Uneven)
+        )
         rows.append((float(uneven.deviation_deg), *lengths, *of_engine, *angles))
     notes = (
         sentence(curve_[-1]),
@@ -92,6 +96,6 @@ def uneven_angles(curve_: Sequence[Uneven]) -> Document:
         ),
         _("Among throw angles with equal couples, those with the least free force are taken."),
     )
-    order = "-".join(map(str, firing_order(first.stars, first.star)))
+    order = "-".join(map(str, first.firing_order))
     table = Table("", tuple(heads), tuple(rows), notes=notes, key="angles")
     return Document(_("Uneven throw angles, firing order {order}", order=order), (table,))
