@@ -125,6 +125,11 @@ def disc(**values: Any) -> list[dict[str, Any]]:
         ({"disc": disc(to="gearbox")}, "torsion.disc.0.to", "disc.no-such-place"),
         ({"disc": disc(to="throw 5")}, "torsion.disc.0.to", "disc.no-such-place"),
         ({"disc": disc(to="flywheel")}, "torsion.disc.0.to", "disc.on-itself"),
+        (
+            {"disc": disc(stiffness=None, damping="0 N*m*s/rad")},
+            "torsion.disc.0.damping",
+            "disc.no-damping",
+        ),
         ({"disc": disc() + disc()}, "torsion.disc.1.name", "disc.same-name"),
         ({"disc": disc(name="Throw 3")}, "torsion.disc.0.name", "disc.place-name"),
         (

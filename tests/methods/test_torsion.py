@@ -19,7 +19,7 @@ from tests.texts import SHORT, spoilt
 from tests.twisting import chains, pendulums, pushes, row
 
 from crankstar import load, spectra
-from crankstar.dynamics.torsion_analysis import torsion
+from crankstar.dynamics.torsion_analysis import resolved, torsion
 from crankstar.dynamics.torsion_chain import TorsionChain, torsion_chain
 from crankstar.dynamics.torsion_criticals import Critical, of_note, strength, stresses
 from crankstar.dynamics.torsion_excitation import Excitation, excitation, firing_phases
@@ -36,6 +36,9 @@ from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.kinetic import inertia, mean_inertia, throw_inertia
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Real
+from crankstar.tables.table import Remarks
+from crankstar.tables.torsion import torsion_document
+from crankstar.tables.torsion_facts import torsion_sentences
 
 SPEED = 150.0
 TORSION: dict[str, Any] = {
@@ -438,3 +441,48 @@ def test_what_counts_of_critical_speeds_does_not_depend_on_the_mass_that_is_1() 
     soft, crank = (each.equilibrium or 0.0 for each in found)
     assert crank < 0.05 * soft
     assert [each.order for each in of_note(found)] == [2, 8]
+
+
+def six_that_twists(**changes: Any) -> Engine:
+    """A six of the catalog with a chain of its own, and what is changed of its file."""
+    disc = {"name": "flywheel", "inertia": "0.3 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
+    own = {"inertia": "0.03 kg*m^2", "stiffness": "0.9 MN*m/rad", "disc": [disc]}
+    return load("bmw-m52b28", changes={"torsion": own, **changes})
+
+
+def test_without_gas_no_critical_speed_is_called_the_strongest() -> None:
+    """Sums of several modes do not compare: they are counted at whatever mass a shape is 1."""
+    found = torsion(load("rolls-royce-six-1928"))
+    assert found.cycle is None
+    assert found.strongest is None
+    assert {each.mode for each in found.noted} == {1}
+    assert max(found.noted, key=lambda each: each.vector_sum or 0).order in (3, 6)
+    assert torsion(six_that_twists()).strongest is not None
+    said = " ".join(torsion_sentences(load("rolls-royce-six-1928")))
+    assert "depends on the gas" in said
+    assert "strongest critical speed is that" not in said
+
+
+def test_one_speed_and_some_orders_change_neither_the_range_nor_the_vibration() -> None:
+    engine = six_that_twists()
+    whole = torsion(engine)
+    for other in (torsion(engine, speed=200.0), torsion(engine, orders=[3.0])):
+        assert whole.response is not None
+        assert other.response is not None
+        assert other.speeds.tolist() == whole.speeds.tolist()
+        assert np.abs(other.response.peak - whole.response.peak).max() == 0
+    assert {each.order for each in torsion(engine, orders=[3.0]).criticals} <= {3.0}
+    assert torsion(engine, speed=200.0).criticals == whole.criticals
+
+
+def test_an_undamped_chain_is_not_asked_at_its_critical_speeds() -> None:
+    disc = {"name": "flywheel", "inertia": "0.3 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
+    own = {"inertia": "0.03 kg*m^2", "stiffness": "0.9 MN*m/rad", "disc": [disc], "loss_factor": 0}
+    engine = load("bmw-m52b28", changes={"torsion": own})
+    found = torsion(engine)
+    assert not found.chain.damped
+    assert resolved(engine, found).speeds.tolist() == found.speeds.tolist()
+    assert torsion(six_that_twists()).chain.damped
+    told = torsion_document(engine, found).parts
+    words = " ".join(line for each in told if isinstance(each, Remarks) for line in each.lines)
+    assert "Nothing damps" in words

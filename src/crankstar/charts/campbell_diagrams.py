@@ -21,7 +21,7 @@ from crankstar.charts.torsion_words import (
 )
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
 from crankstar.dynamics.torsion_chain import TorsionError
-from crankstar.dynamics.torsion_criticals import Critical, of_note, strength
+from crankstar.dynamics.torsion_criticals import Critical, strength
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import N_, _
@@ -77,10 +77,10 @@ def campbell(
         return refused(source, title=title, reason=reason)
     if not found.speeds.size:
         return refused(source, title=title, reason=_(NO_SPEED))
-    marks = found.criticals if asked is not None else of_note(found.criticals)
+    marks = found.criticals if asked is not None else found.noted
     subtitle = [*named_lines(source), *load_lines(found)]
     if asked is not None or isinstance(source, Engine):
-        subtitle += strongest_line(found.criticals)
+        subtitle += strongest_line(found)
     if found.chain.pendulums:
         subtitle.append(_("Level lines: pendulums at rest; marks: pendulums as at their order."))
     rays = asked or [*dict.fromkeys(each.order for each in marks)][:MOST_RAYS]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from math import pi
 
 from crankstar.charts.canvas import names_engine
@@ -10,7 +9,6 @@ from crankstar.charts.drawing import figure, heading
 from crankstar.charts.gas_curves import nothing, without
 from crankstar.charts.grammar import Chart
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis
-from crankstar.dynamics.torsion_criticals import Critical, of_note
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import N_, _
@@ -60,11 +58,13 @@ def rpm_text(speed: float) -> str:
     return number(round(speed * RPM))
 
 
-def strongest_line(criticals: Sequence[Critical]) -> list[str]:
-    """A line about the critical speed that counts for most; none without one."""
-    if not criticals:
+def strongest_line(found: TorsionAnalysis) -> list[str]:
+    """A line about the critical speed that counts for most; which that is, the gas decides."""
+    if not found.criticals:
         return [_("No order meets a mode in this range of speeds.")]
-    top = of_note(criticals)[0]
+    top = found.strongest
+    if top is None:
+        return [_("Which critical speed is the strongest depends on the gas.")]
     return [
         _(
             "Strongest critical speed: order {order} at {rpm} rpm, mode {mode}.",

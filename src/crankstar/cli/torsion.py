@@ -21,7 +21,7 @@ from crankstar.cli.options import (
 from crankstar.cli.output import working
 from crankstar.cli.tabulating import give, words_for
 from crankstar.engine.torsion import Chain
-from crankstar.language.messages import _
+from crankstar.language.messages import _, _n
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
 from crankstar.options.gas import gas_orders
@@ -86,7 +86,9 @@ def torsion(
             each, point=point or "", speed=turning, speeds=over, orders=wanted, modes=most
         )
         if table is not None and table > len(found.modes):
-            raise refusal("--holzer", table, "there are {count} modes", count=len(found.modes))
+            count = len(found.modes)
+            why = _n("there is one mode", "there are {count} modes", count, count=count)
+            raise refusal("--holzer", table, why)
         return torsion_document(
             each, found, modes=most, holzer_of=table, machine=form not in ("txt", "xlsx")
         )

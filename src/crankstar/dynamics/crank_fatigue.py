@@ -155,7 +155,7 @@ def crank_fatigue(engine: Engine, found: TorsionAnalysis) -> Fatigue:
         raise FatigueError(
             "fatigue needs the forces on the crankshaft in N: give {keys}", keys=unknown
         )
-    if found.response is None or found.cycle is None:
+    if found.response is None or found.cycle is None or engine.gas is None:
         raise _without_gas()
     crank = engine.shafts[0]
     torsional = alternating_torque(engine, found)

@@ -14,7 +14,14 @@ from functools import cached_property
 import numpy as np
 
 from crankstar.dynamics.torsion_chain import TorsionChain, torsion_chain
-from crankstar.dynamics.torsion_criticals import Barred, Critical, barred, criticals, stresses
+from crankstar.dynamics.torsion_criticals import (
+    Barred,
+    Critical,
+    barred,
+    criticals,
+    of_note,
+    stresses,
+)
 from crankstar.dynamics.torsion_excitation import Excitation, excitation, firing_phases
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
 from crankstar.dynamics.torsion_response import Response, response
@@ -71,6 +78,24 @@ class TorsionAnalysis:
         return barred(self.speeds, stresses(self.response)[0], limit=self.limit)
 
     @property
+    def noted(self) -> list[Critical]:
+        """Critical speeds of which readers are told, the strongest first.
+
+        Without gas nothing says how strong those of several modes are beside each other: these are
+        those of the first mode, by vector sum.
+        """
+        if self.cycle is not None:
+            return of_note(self.criticals)
+        first = [each for each in self.criticals if each.mode == 1]
+        plain = {each._replace(torque=None, equilibrium=None): each for each in first}
+        return [plain[each] for each in of_note([*plain])]
+
+    @property
+    def strongest(self) -> Critical | None:
+        """The critical speed that counts for most; None without gas, by which that is decided."""
+        return self.noted[0] if self.cycle is not None and self.criticals else None
+
+    @property
     def free_end(self) -> int:
         """The first mass from the front that a shaft holds, of which the amplitude is told."""
         free = self.chain.rings
@@ -88,9 +113,9 @@ def torsion(
 ) -> TorsionAnalysis:
     """The torsional vibration of an engine with a table [torsion], or of a drive line.
 
-    `speed` is one of which more is told, `speeds` are those of the range (rad/s); `modes`: the
-    critical speeds of so many. Raises TorsionError, and GasError for an operating point that the
-    engine has not.
+    `speed` is one of which more is told, `speeds` are those of the range (rad/s); critical speeds
+    are those of `orders`, and of so many `modes`; the response has all orders. Raises TorsionError,
+    and GasError for an operating point that the engine has not.
 
     >>> from crankstar.files.catalog import load
     >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
@@ -103,12 +128,17 @@ def torsion(
     free = torsion_modes(chain)
     if isinstance(source, Chain):
         return _of_chain(source, chain, free, speeds, orders, modes)
-    found, why = _cycle(source, point, speed)
+    found, why = _cycle(source, point, None)
+    if found is None or found.speed is None:
+        found, why = _cycle(source, point, speed)
     wanted, assumed = _range(source, speed, speeds)
     limit = None if source.torsion is None else source.torsion.shear_limit
     if not len(wanted):
         return TorsionAnalysis(chain, free, wanted, (), None, None, found, limit, why)
-    push = excitation(chain, source, found, orders=orders)
+    push = excitation(chain, source, found)
+    own = push
+    if speed is not None:
+        own = excitation(chain, source, _cycle(source, point, speed)[0])
     driven = found is not None or push.inertia is not None
     meeting = orders or [float(k) for k in push.orders if k <= HIGHEST_CRITICAL]
     whole = response(chain, push, speeds=wanted) if driven else None
@@ -126,12 +156,12 @@ def torsion(
             excitation=push if driven else None,
         ),
         response=whole,
-        at=response(chain, push, speeds=np.array([speed])) if driven and speed else None,
+        at=response(chain, own, speeds=np.array([speed])) if driven and speed else None,
         cycle=found,
         limit=limit,
         without_gas=why,
         range_assumed=assumed,
-        exact=_exact(source, chain, push, speed) if driven and speed else None,
+        exact=_exact(source, chain, own, speed) if driven and speed else None,
     )
 
 
@@ -148,7 +178,7 @@ def resolved(engine: Engine, found: TorsionAnalysis) -> TorsionAnalysis:
     True
     """
     more = [each.speed for each in found.criticals]
-    if not more or found.response is None:
+    if not more or found.response is None or not found.chain.damped:  # without bound there
         return found
     speeds = np.union1d(found.speeds, more)
     whole = response(found.chain, excitation(found.chain, engine, found.cycle), speeds=speeds)
@@ -200,10 +230,10 @@ def _range(
     """The speeds of the range, and whether they are assumed about a single one."""
     if len(speeds):
         return np.sort(np.asarray(speeds, float)), False
-    known = {speed, engine.speed}
+    known = {engine.speed}
     if engine.gas is not None:
         known |= {engine.gas.speed, *(point.speed for point in engine.gas.points)}
-    given = sorted(each for each in known if each is not None)
+    given = sorted({each for each in known if each is not None} or ({speed} if speed else set()))
     if not given:
         return np.array([]), False
     if len(given) > 1:

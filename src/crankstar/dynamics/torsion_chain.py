@@ -112,6 +112,12 @@ class TorsionChain:
                 free.add(self.freedom[each.after])
         return frozenset(free)
 
+    @property
+    def damped(self) -> bool:
+        """Whether anything takes work out of a vibration."""
+        of_shafts = any(each.damping or each.loss_factor for each in self.sections)
+        return of_shafts or bool(np.any(self.absolute_damping))
+
     def inertias(self, orders: Sequence[float] | Real = (0.0,)) -> Real:
         """The inertia of each freedom with its pendulums, kg m^2 [order, freedom]."""
         wanted = np.asarray(orders, float)

@@ -89,6 +89,13 @@ def fillet_faults(own: Torsion, engine: Assembly) -> Iterator[Fault]:
     if own.dimensions is None:
         yield Fault(("torsion", "fatigue"), "fatigue.no-dimensions")
         return
+    web = own.dimensions.web_thickness
+    for name in ("pin_fillet", "journal_fillet", "pin_recess", "journal_recess"):
+        length = getattr(own.fatigue, name)
+        if length is not None and length >= web:
+            values = {"value": length * 1e3, "web": web * 1e3}
+            yield Fault(("torsion", "fatigue", name), "fatigue.beyond-web", values)
+            return
     if len(own.fatigue.factors) == len(FACTORS):
         return
     pin = own.dimensions.pin_diameter

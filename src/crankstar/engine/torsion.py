@@ -48,7 +48,7 @@ _THROW = re.compile(r"throw\s*(\d{1,4})", re.IGNORECASE)
 
 Formula = Literal["ker-wilson", "carter", "timoshenko"]
 LossFactor = Annotated[Number, Field(ge=0, le=2)]
-Concentration = Annotated[Number, Field(gt=0, le=50)]
+Concentration = Annotated[Number, Field(ge=1, le=50)]
 """How many times the nominal stress the greatest one is."""
 
 

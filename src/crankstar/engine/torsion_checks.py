@@ -106,13 +106,16 @@ def _tree_faults(
 ) -> Iterator[Fault]:
     """Discs of one name, on nothing, on themselves or on one that comes later."""
     names = tuple(disc.name for disc in discs)
-    known = ", ".join([*(["front", "rear"] if throws else []), *names[:8]]) or "-"
+    ends = ["front", "rear", f"throw 1 ... throw {throws}"] if throws else []
     for index, disc in enumerate(discs):
+        known = ", ".join([*ends, *names[:index][-8:]]) or "-"
         path = (*here, "disc", index)
         if disc.name in names[:index]:
             yield Fault((*path, "name"), "disc.same-name", {"value": seen(disc.name)})
         elif is_place(disc.name):
             yield Fault((*path, "name"), "disc.place-name", {"value": seen(disc.name)})
+        if disc.stiffness is None and disc.damping == 0 and "damping" in disc.model_fields_set:
+            yield Fault((*path, "damping"), "disc.no-damping")
         if disc.stiffness is None and not disc.damping and disc.loss_factor:
             yield Fault((*path, "loss_factor"), "disc.rigid-loss")
         yield from _hollow(disc, path, "diameter", "bore")
@@ -128,6 +131,7 @@ def _tree_faults(
             yield Fault((*path, "to"), "disc.on-itself", values)
         elif found.disc is not None and found.disc > index:
             yield Fault((*path, "to"), "disc.on-a-later", values)
+    known = ", ".join([*ends, *names[:8]]) or "-"
     for index, pendulum in enumerate(pendulums):
         if home(pendulum.on, throws=throws, names=names) is None:
             values = {"value": seen(pendulum.on), "names": known}

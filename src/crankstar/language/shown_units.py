@@ -238,6 +238,10 @@ def dimension(unit: str) -> tuple[str, str]:
     return (name, relative) if name else ("", "")
 
 
+FREQUENCY, STRESS = "Hz", "MPa"
+"""A frequency is no speed of rotation; a stress is shown as a pressure only where one is chosen."""
+
+
 def shown(unit: str, largest: float, *, prefixed: bool = True) -> Shown:
     """The unit for values that are counted in `unit`, `largest` being the greatest of them.
 
@@ -249,6 +253,8 @@ def shown(unit: str, largest: float, *, prefixed: bool = True) -> Shown:
     """
     name, relative = dimension(unit)
     chosen = choice().get(name, ())
+    if unit == FREQUENCY or (unit == STRESS and not chosen):
+        return Shown(unit, 1.0)
     if not name or not (chosen or prefixed):
         return Shown(unit, 1.0)
     own = unit.removesuffix(f"*{relative}") if relative else unit

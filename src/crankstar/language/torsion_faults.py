@@ -65,6 +65,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} kg m², less than rods and pistons alone have there, {moving} kg m²: is "
         "it the bare_inertia of the crankshaft?"
     ),
+    "doubt.throw-length": N_(
+        "{where}: a journal, a pin and two webs are {value} mm long together, and the throws are "
+        "{pitch} mm apart"
+    ),
     "disc.same-name": N_("{where} is {value} twice; give each disc its own name"),
     "disc.place-name": N_(
         "{where} is {value}, which names a place of the crankshaft; give the disc another name"
@@ -78,6 +82,13 @@ SENTENCES: dict[str, str | Plural] = {
     "disc.first-shaft": N_(
         "{where} has no effect: the first disc of a chain hangs on nothing; give it with the disc "
         "that hangs on it"
+    ),
+    "disc.no-damping": N_(
+        "{where} is 0 without a stiffness, so that nothing holds the disc; leave it out where the "
+        "disc turns rigidly with what it hangs on"
+    ),
+    "fatigue.beyond-web": N_(
+        "{where} is {value} mm, in a web that is {web} mm thick; give less than that"
     ),
     "disc.on-nothing": N_(
         "{where} is missing, and so the disc hangs on nothing; say what it hangs on: {names}"

@@ -13,12 +13,14 @@ computed from (`value_doubts`), of the cycle itself (`cycle_doubts`), of the mom
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from math import degrees, pi
 from typing import Any
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS
 from crankstar.engine.proportions import TWO_MASSES
+from crankstar.engine.torsion import CrankDimensions
 from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
 from crankstar.mechanics.gas import Cycle, computable, cycle
@@ -30,6 +32,8 @@ Path = tuple[str | int, ...]
 GREATEST_SPARK_RATIO = 16.0
 LEAST_DIESEL_RATIO = 10.0
 """Compression ratios beyond which spark ignition knocks, and a Diesel does not fire."""
+LONGER = 1.05
+"""Of a throw, journal, pin and webs, over the distance to the next."""
 GREATEST_PEAK = 250e5
 GREATEST_IMEP = 35e5
 """Pa; only racing and research engines have more."""
@@ -157,6 +161,8 @@ def torsion_doubts(engine: Engine) -> Iterator[Fault]:
     ['doubt.throw-inertia']
     """
     own = engine.torsion
+    if own is not None and own.dimensions is not None and "pitch" not in engine.relative:
+        yield from _length_doubts(engine, own.dimensions)
     if own is None or not own.inertia or {"mass", "radius"} & set(engine.relative):
         return
     carried = carried_inertias(engine).tolist()
@@ -167,6 +173,16 @@ def torsion_doubts(engine: Engine) -> Iterator[Fault]:
             values = {"value": value, "moving": float(f"{moving:.3g}")}
             yield Fault(path, "doubt.throw-inertia", values)
             return  # one slip for all
+
+
+def _length_doubts(engine: Engine, own: CrankDimensions) -> Iterator[Fault]:
+    """A journal, a pin and two webs that are longer than from one throw to the next."""
+    places = sorted({throw.z for shaft in engine.shafts for throw in shaft.throws})
+    gaps = [after - before for before, after in pairwise(places)]
+    length = own.journal_length + own.pin_length + 2 * own.web_thickness
+    if gaps and length > LONGER * max(gaps):
+        values = {"value": float(f"{length * 1e3:.4g}"), "pitch": float(f"{max(gaps) * 1e3:.4g}")}
+        yield Fault(("torsion", "dimensions"), "doubt.throw-length", values)
 
 
 def inertia_doubts(engine: Engine) -> Iterator[Fault]:

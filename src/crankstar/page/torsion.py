@@ -174,7 +174,6 @@ def _vibrations(engine: Engine, found: TorsionAnalysis) -> Iterator[_Driven]:
     """At the speeds of operating points, else of the file, then at the strongest critical ones."""
     if found.response is None:
         return
-    from crankstar.dynamics.torsion_criticals import of_note
     from crankstar.dynamics.torsion_excitation import excitation
     from crankstar.dynamics.torsion_response import response
 
@@ -187,7 +186,7 @@ def _vibrations(engine: Engine, found: TorsionAnalysis) -> Iterator[_Driven]:
     for gas, speed in at_speeds or [(found.cycle, engine.speed)]:
         if speed is not None:
             yield driven(gas, None, speed)
-    for critical in of_note(found.criticals)[:MOST_CRITICAL]:
+    for critical in found.noted[:MOST_CRITICAL]:
         gas = found.cycle
         if gas is not None:
             gas = cycle(engine, point=gas.name, speed=critical.speed)  # with its friction there

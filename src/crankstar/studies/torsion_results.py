@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from crankstar.dynamics.torsion_analysis import TorsionAnalysis
     from crankstar.dynamics.torsion_response import Response
 
-UNITS = {"torsion_frequency": "Hz", "torsion_stress": "Pa", "torsion_amplitude": "deg"}
+UNITS = {"torsion_frequency": "Hz", "torsion_stress": "MPa", "torsion_amplitude": "deg"}
 AT_ONCE = 8
 """Speeds whose stresses are computed together."""
 TORSION_WATCHABLE = (*UNITS,)
@@ -40,7 +40,8 @@ def torsion_values(
         raise SweepError("{what} has no orders; leave --orders out", what=what)
 
     def value(engine: Engine, speed: float | None) -> float:
-        return _value(engine, speed if speed_swept else None, what, order)
+        size = _value(engine, speed if speed_swept else None, what, order)
+        return size / 1e6 if what == "torsion_stress" else size
 
     return one_by_one(cases, value, what, shape=shape), UNITS[what]
 

@@ -57,6 +57,7 @@ def search_sequences(
         *_notes(front, len(shown)),
         *([] if mode is None else [mode_sentence(mode)]),
         *(_(JUDGEMENTS[judge]) for judge in known),
+        *([_("Judged is the order that is shown, not others of its ways.")] if known else []),
         certificate(front),
     ]
     told = [

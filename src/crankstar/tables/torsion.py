@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis
-from crankstar.dynamics.torsion_criticals import of_note, stresses
+from crankstar.dynamics.torsion_criticals import stresses
 from crankstar.dynamics.torsion_modes import holzer
 from crankstar.dynamics.torsion_response import Response
 from crankstar.engine.engine import Engine
@@ -123,7 +123,7 @@ def _critical_table(found: TorsionAnalysis, *, machine: bool) -> Table:
     )
     listed = list(found.criticals)
     if not machine:
-        listed = sorted(of_note(found.criticals), key=lambda each: (each.mode, -each.speed))
+        listed = sorted(found.noted, key=lambda each: (each.mode, -each.speed))
     rows: list[tuple[Value, ...]] = [
         (
             each.mode,
@@ -142,6 +142,8 @@ def _critical_table(found: TorsionAnalysis, *, machine: bool) -> Table:
         left,
         count=left,
     )
+    if found.cycle is None and found.chain.cylinders:
+        said = _("Without gas those of the first mode are listed; --json has all.")
     return Table(
         _("Critical speeds"), columns, tuple(rows), (said,) if left else (), key="criticals"
     )
@@ -312,7 +314,12 @@ def _barred_table(found: TorsionAnalysis) -> Table:
 
 def _notes(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
     """What it rests on, and what is left out."""
-    lines = [_("Rigid turns of the whole are left out; a shape is 1 at the first mass.")]
+    lines = [
+        _(
+            "Rigid turns of the whole are left out; a shape is 1 at the first mass that a shaft "
+            "holds."
+        )
+    ]
     if not found.modes:
         lines = [_("Nothing twists: all masses are rigidly coupled, or by a fluid alone.")]
     if found.chain.rings:
@@ -365,6 +372,13 @@ def _doubts(source: Engine | Chain, found: TorsionAnalysis, unfit: str) -> tuple
             _(
                 "Loss factor of the shafts: {value}, assumed; amplitudes at resonance go with it.",
                 value=number(LOSS_FACTOR),
+            )
+        )
+    if found.response is not None and not found.chain.damped:
+        lines.append(
+            _(
+                "Nothing damps: at a critical speed the vibration has no bound, and near one what "
+                "is printed means little; give torsion.damping or torsion.loss_factor."
             )
         )
     if found.without_gas:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import pi
 
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
-from crankstar.dynamics.torsion_criticals import Critical, of_note
+from crankstar.dynamics.torsion_criticals import Critical
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given
 from crankstar.language.messages import _
@@ -36,12 +36,18 @@ def torsion_sentences(engine: Engine, *, speed: float | None = None) -> list[str
     if not found.speeds.size:
         return lines
     low, high = (number(round(float(found.speeds[place]) * RPM)) for place in (0, -1))
-    top = _strongest(found)
     fatigue = fatigue_sentence(engine, found)
     last = [fatigue] if fatigue else []
-    if top is None:
+    if not found.criticals:
         none = _("No critical speed between {low} and {high} rpm.", low=low, high=high)
         return [*lines, none, *last]
+    top = _strongest(found)
+    if top is None:
+        reason = found.without_gas.rstrip(".")
+        why = _(
+            "Which critical speed is the strongest depends on the gas: {reason}.", reason=reason
+        )
+        return [*lines, why, *last]
     sentence = _(
         "Between {low} and {high} rpm the strongest critical speed is that of order {order} with "
         "mode {mode}, at {rpm} rpm.",
@@ -60,9 +66,9 @@ def _hertz(found: TorsionAnalysis, place: int) -> str:
 
 def _strongest(found: TorsionAnalysis) -> Critical | None:
     """The critical speed of the order and mode that the engine as given decides."""
-    if not found.criticals:
+    top = found.strongest
+    if top is None:
         return None
-    top = of_note(found.criticals)[0]
     place = as_given("strongest critical speed", (top.mode, top.order))
     return next((each for each in found.criticals if each[:2] == place), top)
 
@@ -91,8 +97,8 @@ def torsion_comparison(
     rows: list[tuple[Value, ...]] = []
     for name, own in found:
         frequencies = [mode.frequency for mode in own.modes[:MODES]]
-        top = of_note(own.criticals)[:1]
-        last = (top[0].order, top[0].mode, top[0].speed * RPM) if top else (None, None, None)
+        top = own.strongest
+        last = (None, None, None) if top is None else (top.order, top.mode, top.speed * RPM)
         rows.append((name, *frequencies, *[None] * (MODES - len(frequencies)), *last))
     return (Table(_("Torsion"), columns, tuple(rows)),)
 
@@ -105,10 +111,10 @@ def torsion_sizes(
         return []
     found = [torsion(each, speed=speed) for each, speed in zip(engines, speeds, strict=True)]
     firsts = [own.modes[0].frequency if own.modes else None for own in found]
-    tops = [of_note(own.criticals)[:1] for own in found]
+    tops = [own.strongest for own in found]
     rows: list[tuple[str, float | None, list[float | None], str]] = [
         ("torsion_frequency", None, firsts, "Hz"),
-        ("torsion_order", None, [top[0].order if top else None for top in tops], ""),
-        ("torsion_critical", None, [top[0].speed * RPM if top else None for top in tops], "rpm"),
+        ("torsion_order", None, [top and top.order for top in tops], ""),
+        ("torsion_critical", None, [top and top.speed * RPM for top in tops], "rpm"),
     ]
     return rows
