@@ -90,7 +90,12 @@ def torsion(
             why = _n("there is one mode", "there are {count} modes", count, count=count)
             raise refusal("--holzer", table, why)
         return torsion_document(
-            each, found, modes=most, holzer_of=table, machine=form not in ("txt", "xlsx")
+            each,
+            found,
+            modes=most,
+            holzer_of=table,
+            orders=wanted,
+            machine=form not in ("txt", "xlsx"),
         )
 
     with working(_("Computing torsional vibration ...")), words_for(form):

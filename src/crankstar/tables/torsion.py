@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from crankstar.dynamics.torsion_analysis import TorsionAnalysis
+from crankstar.dynamics.torsion_analysis import SAME_ORDER, TorsionAnalysis
 from crankstar.dynamics.torsion_criticals import stresses
 from crankstar.dynamics.torsion_modes import holzer
 from crankstar.dynamics.torsion_response import Response
@@ -45,9 +45,13 @@ def torsion_document(
     *,
     modes: int | None = None,
     holzer_of: int | None = None,
+    orders: Sequence[float] | None = None,
     machine: bool = False,
 ) -> Document:
-    """All of an analysis; `holzer_of` is the mode whose table is wanted. Raises TorsionError."""
+    """All of an analysis; `holzer_of` is the mode whose table is wanted. Raises TorsionError.
+
+    `orders` are those that are told at one speed; by default all of note.
+    """
     chain = found.chain
     shown = found.modes if machine and modes is None else found.modes[: modes or MODES]
     parts: list[Table | Remarks] = []
@@ -72,7 +76,7 @@ def torsion_document(
             _over_speeds(found, found.response) if machine else _worst_table(found, found.response)
         )
     if found.at is not None:
-        parts += [_section_table_at(found.at, found.exact), _order_table(found, found.at)]
+        parts += [_section_table_at(found.at, found.exact), _order_table(found, found.at, orders)]
     heat = found.at or found.response
     if heat is not None and not machine:
         parts.append(_heat_table(heat))
@@ -258,7 +262,9 @@ def _sections(
     return Table(title, tuple(columns), tuple(rows), said, key=key)
 
 
-def _order_table(found: TorsionAnalysis, own: Response) -> Table:
+def _order_table(
+    found: TorsionAnalysis, own: Response, asked: Sequence[float] | None = None
+) -> Table:
     """The free end and the most twisted shaft, order by order, at one speed."""
     worst = int(np.argmax(own.peak[0])) if own.chain.sections else 0
     name = own.chain.section_name(worst) if own.chain.sections else ""
@@ -274,9 +280,13 @@ def _order_table(found: TorsionAnalysis, own: Response) -> Table:
     rows = [
         (float(order), complex(turns[place]), *((complex(torque[place, worst]),) if name else ()))
         for place, order in enumerate(own.orders)
-        if abs(turns[place]) > least
+        if (abs(turns[place]) > least if asked is None else _is_among(order, asked))
     ]
     return Table(_("By order at this speed"), tuple(columns), tuple(rows), key="orders")
+
+
+def _is_among(order: float, asked: Sequence[float]) -> bool:
+    return any(abs(order - each) < SAME_ORDER for each in asked)
 
 
 def _heat_table(own: Response) -> Table:
