@@ -45,7 +45,7 @@ def mode_shapes(source: Engine | Chain) -> Chart:
     if not modes:
         reason = _("Nothing twists: all masses are rigidly coupled, or by a fluid alone.")
         return refused(source, title=title, reason=reason)
-    subtitle = [*named_lines(source), _("turn of each mass, that of the first being 1")]
+    subtitle = [*named_lines(source), _("turn of each mass, 1 at the first that a shaft holds")]
     if np.any(chain.ratio != 1):
         subtitle.append(_("Geared masses: their turn referred to the crankshaft."))
     if chain.estimated:

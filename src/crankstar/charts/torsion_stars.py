@@ -98,7 +98,7 @@ def torsion_star(
     subtitle = [
         *named_lines(engine),
         _("each as long as its throw turns in the mode, at order times firing angle"),
-        _("orange: their sum, the turn of the first mass being 1"),
+        _("orange: their sum, in turns of the first mass that a shaft holds"),
     ]
     title = _(TITLE, number=mode.number, size=hertz(mode.speed))
     return figure(rows, title=title, subtitle=subtitle)
