@@ -9,6 +9,7 @@
 | `drive` | flywheel and load |
 | `oil` | sizes of main bearings and crank pins, and their oil |
 | `torsion` | the crankshaft as it twists: inertias, stiffnesses, discs, dampers, pendulums |
+| `mounts` | what the block stands on: mounts, a foundation on springs of its own |
 | `records` | the frozen records: shafts, throws, weights, cylinders, rods, valves, block |
 | `assembly` | shafts and cylinders put together, and what follows without motion |
 | `basis` | what a layout needs besides angles: name, cycle, firing order, sizes |
@@ -17,6 +18,8 @@
 | `gas_checks` | loads, traces and drives that can be |
 | `fillets` | fillets of a crank throw as ratios, and where they are known |
 | `torsion_checks` | chains that can twist |
+| `rigid_block` | the six freedoms of a rigid block: how it moves, its mass, its springs |
+| `mount_checks` | mounts that hold a block, bodies that can be |
 | `checks` | sizes, numbers and references that must fit each other |
 | `copies` | changed copies of records, each checked again |
 | `motion` | exact motion of pins, rods and pistons, and its harmonics |

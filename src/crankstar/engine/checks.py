@@ -11,10 +11,10 @@ from collections.abc import Iterator, Mapping
 from math import lcm
 from typing import Any
 
-from crankstar.engine import gas_checks, main_bearings, torsion_checks, valves
+from crankstar.engine import gas_checks, main_bearings, mount_checks, torsion_checks, valves
 from crankstar.engine.assembly import Assembly
 from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE
-from crankstar.engine.records import Block, Cylinder, Oil, Shaft
+from crankstar.engine.records import Cylinder, Oil, Shaft
 from crankstar.language.faults import Fault
 from crankstar.language.quoting import seen
 
@@ -23,8 +23,6 @@ MINIMUM_CLEARANCE = 1.001
 
 Nearer to locking forces grow without limit; no real engine is there.
 """
-ROUNDED = 1e-3
-"""Share by which moments of inertia given to a few figures may miss what they must be."""
 GREATEST_CLEARANCE, GREATEST_LENGTH_RATIO = 0.01, 2.0
 """Greatest radial clearance and length of a plain bearing, in diameters."""
 GREATEST_CHAIN = 8
@@ -49,7 +47,7 @@ def faults(engine: Assembly) -> Iterator[Fault]:
     yield from torsion_checks.faults(engine)
     yield from main_bearings.faults(engine)
     yield from _oil_faults(engine.oil)
-    yield from _block_faults(engine.block)
+    yield from mount_checks.faults(engine)
     if len(set(engine.relative)) != len(engine.relative):
         yield Fault(("relative",), "relative.repeated")
 
@@ -70,27 +68,6 @@ def _oil_faults(oil: Oil | None) -> Iterator[Fault]:
         if bearing.length > GREATEST_LENGTH_RATIO * bearing.diameter:
             more = {"value": bearing.length * 1e3}
             yield Fault(("oil", kind, "length"), "oil.length", values | more)
-
-
-def _block_faults(block: Block | None) -> Iterator[Fault]:
-    """Moments of inertia that no body has: each is at most the sum of the two others."""
-    if block is None:
-        return
-    given = {name: getattr(block, name) for name in ("inertia_up", "inertia_right", "inertia_z")}
-    missing = [name for name, value in given.items() if value is None]
-    if 0 < len(missing) < len(given):
-        yield from (Fault(("block", name), "block.inertia-missing") for name in missing)
-    if missing:
-        return
-    name = max(given, key=given.__getitem__)
-    rest = sum(given.values()) - given[name]
-    if given[name] > rest * (1 + ROUNDED):
-        values = {
-            "value": given[name],
-            "others": [other for other in given if other != name],
-            "sum": rest,
-        }
-        yield Fault(("block", name), "block.inertia-impossible", values)
 
 
 def _shaft_faults(engine: Assembly) -> Iterator[Fault]:

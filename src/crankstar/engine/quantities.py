@@ -109,6 +109,11 @@ TURNING_DAMPING = Quantity("torsional damping", "25 N*m*s/rad")
 TurningInertia = Annotated[Number, Field(gt=0), TURNING_INERTIA]
 TurningStiffness = Annotated[Number, Field(gt=0), TURNING_STIFFNESS]
 TurningDamping = Annotated[Number, Field(ge=0), TURNING_DAMPING]
+MountStiffness = Annotated[Number, Field(ge=0), Quantity("stiffness", "200 N/mm")]
+LinearDamping = Annotated[Number, Field(ge=0), Quantity("damping", "150 N*s/m")]
+"""Of a mount: known in N/m and N s/m."""
+Product = Annotated[Number, Quantity("moment of inertia", "0.4 kg*m^2", _MASS | _ACROSS)]
+"""A product of inertia, of either sign."""
 ShearModulus = Annotated[Number, Field(gt=0), Quantity("elastic modulus", "80 GPa")]
 TurningMass = Annotated[Number, Field(gt=0), Quantity("mass", "0.4 kg", least=LEAST)]
 Diameter = Annotated[Number, Field(gt=0), Quantity("length", "60 mm", least=LEAST)]

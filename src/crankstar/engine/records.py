@@ -19,6 +19,8 @@ from crankstar.engine.cylinder_parts import Rod as Rod
 from crankstar.engine.cylinder_parts import required_without_parts
 from crankstar.engine.drive import Drive as Drive
 from crankstar.engine.gas import Gas as Gas
+from crankstar.engine.mounts import Foundation as Foundation
+from crankstar.engine.mounts import Mounts
 from crankstar.engine.oil import Oil as Oil
 from crankstar.engine.provenance import Provenance as Provenance
 from crankstar.engine.quantities import (
@@ -33,6 +35,7 @@ from crankstar.engine.quantities import (
     MovingMass,
     Ordinal,
     Position,
+    Product,
     Rotation,
     Size,
     Speed,
@@ -321,6 +324,20 @@ class Block(Record):
             "flywheel"
         ),
     )
+    product_up_right: Product = Field(
+        default=0.0,
+        description=(
+            "product of inertia: the integral of up times right over the mass, about its centre; "
+            "for mounts, the free response is without"
+        ),
+    )
+    product_up_z: Product = Field(default=0.0, description="the same of up times z")
+    product_right_z: Product = Field(default=0.0, description="the same of right times z")
+
+    @property
+    def products(self) -> tuple[float, float, float]:
+        """The products of inertia: up and right, up and z, right and z."""
+        return self.product_up_right, self.product_up_z, self.product_right_z
 
     @property
     def inertia(self) -> tuple[float, float, float] | None:
@@ -381,6 +398,10 @@ class Identity(Record):
     )
     torsion: Torsion | None = Field(
         default=None, description="the crankshaft as it twists, and what turns with it"
+    )
+    mounts: Mounts = Field(default=(), description="what the block stands on")
+    foundation: Foundation | None = Field(
+        default=None, description="what the mounts stand on, where it gives way; rigid if left out"
     )
     source: Text = Field(default="", description="where the numbers come from")
     notes: Text = Field(default="", description="anything a reader should know")

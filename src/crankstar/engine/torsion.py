@@ -52,7 +52,7 @@ Concentration = Annotated[Number, Field(ge=1, le=50)]
 """How many times the nominal stress the greatest one is."""
 
 
-class _OneOrSeveral:
+class OneOrSeveral:
     """Marks a list that may also be written as the one value of all."""
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
@@ -61,19 +61,19 @@ class _OneOrSeveral:
         return {"anyOf": [listed["items"], listed]}
 
 
-def _as_list(value: Any) -> Any:
+def as_list(value: Any) -> Any:
     """A list of the value, unless it is one."""
     return value if isinstance(value, list | tuple | dict) or value is None else (value,)
 
 
 Inertias = Annotated[
-    tuple[TurningInertia, ...], BeforeValidator(_as_list), _OneOrSeveral(), Field(max_length=256)
+    tuple[TurningInertia, ...], BeforeValidator(as_list), OneOrSeveral(), Field(max_length=256)
 ]
 Stiffnesses = Annotated[
-    tuple[TurningStiffness, ...], BeforeValidator(_as_list), _OneOrSeveral(), Field(max_length=256)
+    tuple[TurningStiffness, ...], BeforeValidator(as_list), OneOrSeveral(), Field(max_length=256)
 ]
 Dampings = Annotated[
-    tuple[TurningDamping, ...], BeforeValidator(_as_list), _OneOrSeveral(), Field(max_length=256)
+    tuple[TurningDamping, ...], BeforeValidator(as_list), OneOrSeveral(), Field(max_length=256)
 ]
 
 

@@ -258,6 +258,8 @@ _OPTIONAL = {
     "drive",
     "oil",
     "torsion",
+    "mounts",
+    "foundation",
     "firing_order",
     "firing_angles",
     "crankshaft",

@@ -41,7 +41,16 @@ FEW = 8
 """Cylinders up to which every possible firing order of an uneven crank is looked at."""
 NEARLY = 0.08
 """Share of the mean interval by which the intervals of nearly even firing differ from it."""
-OF_THE_OLD_CRANK = ("crankshaft", "torsion", "balance_shaft", "block", "cylinders", "notes")
+OF_THE_OLD_CRANK = (
+    "crankshaft",
+    "torsion",
+    "balance_shaft",
+    "block",
+    "mounts",
+    "foundation",
+    "cylinders",
+    "notes",
+)
 """Tables that another number of cylinders makes untrue."""
 NAMES = {
     "inline": "In-line {count}",

@@ -6,13 +6,6 @@ from crankstar.language.messages import N_, Plural
 
 SENTENCES: dict[str, str | Plural] = {
     "relative.repeated": N_("{where} names the same thing twice; name each once"),
-    "block.inertia-missing": N_(
-        "{where} is missing, and other moments of inertia are given; give all three, or none"
-    ),
-    "block.inertia-impossible": N_(
-        "{where} is {value}, more than {others} together ({sum}); a moment of inertia is at most "
-        "the sum of the two others"
-    ),
     "shaft.name-repeated": N_(
         "{where} is {value}, the name of {times} shafts; give each its own name"
     ),

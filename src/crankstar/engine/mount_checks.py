@@ -1,0 +1,124 @@
+"""What must hold of a block on mounts: springs that hold it, a body that can be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from crankstar.engine.assembly import Assembly
+from crankstar.engine.mounts import ALONG, Foundation, Mount
+from crankstar.engine.records import Block
+from crankstar.engine.rigid_block import unrestrained
+from crankstar.language.faults import Fault
+from crankstar.language.quoting import seen
+
+ROUNDED = 1e-3
+"""Share by which moments of inertia given to a few figures may miss what they must be."""
+Path = tuple[str | int, ...]
+
+
+def faults(engine: Assembly) -> Iterator[Fault]:
+    """What is wrong with the block, the mounts and the foundation of an engine."""
+    yield from _block_faults(engine.block)
+    if engine.mounts and engine.relative:
+        keys = {"mass": "cylinder.reciprocating_mass", "radius": "cylinder.stroke"}
+        named = [keys.get(name, "layout.bore_pitch") for name in sorted(engine.relative)]
+        yield Fault(("mounts",), "mounts.relative", {"keys": ", ".join(named)})
+    if engine.mounts:
+        yield from _mount_faults(engine.mounts, ("mounts",))
+    if engine.foundation is not None:
+        yield from _foundation_faults(engine.foundation, standing=bool(engine.mounts))
+
+
+def _block_faults(block: Block | None) -> Iterator[Fault]:
+    """Moments and products of inertia that no body has."""
+    if block is None:
+        return
+    given = {name: getattr(block, name) for name in ("inertia_up", "inertia_right", "inertia_z")}
+    missing = [name for name, value in given.items() if value is None]
+    if 0 < len(missing) < len(given):
+        yield from (Fault(("block", name), "block.inertia-missing") for name in missing)
+    products = ("product_up_right", "product_up_z", "product_right_z")
+    if missing:
+        if any(block.products) and len(missing) == len(given):
+            name = next(name for name in products if getattr(block, name))
+            yield Fault(("block", name), "block.products-alone")
+        return
+    impossible = list(_impossible(("block",), given))
+    yield from impossible
+    if any(block.products) and not impossible:
+        spread = second_moments(tuple(given.values()), block.products)
+        if float(np.linalg.eigvalsh(spread)[0]) < -ROUNDED * float(np.trace(spread)):
+            name = max(products, key=lambda name: abs(getattr(block, name)))
+            values = {"value": getattr(block, name)}
+            yield Fault(("block", name), "block.products-impossible", values)
+
+
+def second_moments(inertia: Sequence[float], products: Sequence[float]) -> np.ndarray:
+    """The integrals of x_i x_j over the mass [up, right, z], which no body has below nought.
+
+    >>> second_moments((3, 4, 5), (0, 0, 0)).diagonal().tolist()
+    [3.0, 2.0, 1.0]
+    """
+    out = np.diag(sum(inertia) / 2 - np.asarray(inertia, float))
+    out[0, 1] = out[1, 0] = products[0]
+    out[0, 2] = out[2, 0] = products[1]
+    out[1, 2] = out[2, 1] = products[2]
+    return out
+
+
+def _impossible(here: Path, given: dict[str, float]) -> Iterator[Fault]:
+    """A moment of inertia greater than the sum of the two others."""
+    name = max(given, key=given.__getitem__)
+    rest = sum(given.values()) - given[name]
+    if given[name] > rest * (1 + ROUNDED):
+        others = [other for other in given if other != name]
+        values = {"value": given[name], "others": others, "sum": rest}
+        yield Fault((*here, name), "block.inertia-impossible", values)
+
+
+def _foundation_faults(own: Foundation, *, standing: bool) -> Iterator[Fault]:
+    here = ("foundation",)
+    if not standing:
+        yield Fault(here, "foundation.alone")
+    names = ("inertia_up", "inertia_right", "inertia_z")
+    yield from _impossible(here, {name: getattr(own, name) for name in names})
+    if own.mounts:
+        yield from _mount_faults(own.mounts, (*here, "mounts"))
+    else:
+        yield Fault((*here, "mounts"), "foundation.no-mounts")
+
+
+def _mount_faults(mounts: Sequence[Mount], here: Path) -> Iterator[Fault]:
+    """Mounts of one name, without stiffness, at one place, or that leave a freedom."""
+    found = [fault for each in _each_fault(mounts, here) for fault in each]
+    yield from found
+    if found:
+        return
+    places = {(each.up, each.right, each.z) for each in mounts}
+    if len(places) == 1:
+        code = "mounts.one" if len(mounts) == 1 else "mounts.one-place"
+        yield Fault(here, code, {"name": seen(mounts[0].name), "count": len(mounts)})
+    elif free := unrestrained(mounts):
+        yield Fault(here, "mounts.free", {"freedoms": ", ".join(free)})
+
+
+def _each_fault(mounts: Sequence[Mount], here: Path) -> Iterator[list[Fault]]:
+    names = [each.name for each in mounts]
+    for index, mount in enumerate(mounts):
+        path, out = (*here, index), []
+        if mount.name in names[:index]:
+            values = {"value": seen(mount.name)}
+            out.append(Fault((*path, "name"), "mounts.same-name", values))
+        for key in ("stiffness", "damping"):
+            count = len(getattr(mount, key))
+            if count not in (0, 1, ALONG):
+                out.append(Fault((*path, key), "mounts.length", {"count": count}))
+        if not any(mount.stiffness):
+            out.append(Fault((*path, "stiffness"), "mounts.no-stiffness"))
+        rising = [each.frequency for each in mount.stiffening]
+        if any(after <= before for before, after in pairwise(rising)):
+            out.append(Fault((*path, "stiffening"), "mounts.stiffening-order"))
+        yield out

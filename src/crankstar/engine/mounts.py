@@ -1,0 +1,152 @@
+"""What an engine stands on: its mounts, and a foundation that gives way on springs of its own.
+
+A mount has three stiffnesses along axes of its own. By default these point up, right and to the
+front; `bearing`, `lean` and `twist` turn them (`engine.rigid_block.mount_axes`).
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import BeforeValidator, Field
+
+from crankstar.engine.cylinder_parts import Record
+from crankstar.engine.quantities import (
+    Angle,
+    BodyInertia,
+    Length,
+    Line,
+    LinearDamping,
+    MountStiffness,
+    MovingMass,
+    Number,
+    Position,
+    Speed,
+)
+from crankstar.engine.torsion import LossFactor, OneOrSeveral, as_list
+
+GREATEST_MOUNTS = 64
+RUBBER_LOSS_FACTOR = 0.1
+"""Assumed of a mount without damping and loss factor, for which the tables say so."""
+ALONG = 3
+"""Axes of a mount."""
+
+MountStiffnesses = Annotated[
+    tuple[MountStiffness, ...],
+    BeforeValidator(as_list),
+    OneOrSeveral(),
+    Field(min_length=1, max_length=ALONG),
+]
+MountDampings = Annotated[
+    tuple[LinearDamping, ...], BeforeValidator(as_list), OneOrSeveral(), Field(max_length=ALONG)
+]
+
+
+class Stiffening(Record):
+    """How much stiffer a mount is at a frequency than under a load that stands still.
+
+    >>> Stiffening(frequency=300.0, factor=1.4).factor
+    1.4
+    """
+
+    frequency: Speed = Field(description="of the vibration", examples=["50 Hz"])
+    factor: Annotated[Number, Field(gt=0, le=100)] = Field(
+        description="stiffness there over that under a load that stands still", examples=[1.4]
+    )
+
+
+class Mount(Record):
+    """An elastic mount between the block and what it stands on.
+
+    >>> own = Mount(name="front left", stiffness=[2e5, 1e5, 1e5], loss_factor=0.1)
+    >>> own.along, own.viscous, own.loss
+    ((200000.0, 100000.0, 100000.0), (0.0, 0.0, 0.0), 0.1)
+    """
+
+    name: Line = Field(description="by which results name it")
+    up: Length = Field(default=0.0, description="height of its middle over the reference shaft")
+    right: Length = Field(
+        default=0.0, description="to the right of the reference shaft, seen from the front"
+    )
+    z: Position = Field(default=0.0, description="along the crankshaft, positive to the front")
+    stiffness: MountStiffnesses = Field(
+        examples=[["200 N/mm", "80 N/mm", "80 N/mm"]],
+        description="along its first, second and third axis, or one for all; 0 where it slides",
+    )
+    bearing: Angle = Field(
+        default=0.0, description="of its first axis in the clock plane, clockwise from up"
+    )
+    lean: Angle = Field(default=0.0, description="of its first axis to the front")
+    twist: Angle = Field(
+        default=0.0, description="of its second axis towards its third, about its first"
+    )
+    damping: MountDampings = Field(
+        default=(),
+        examples=["150 N*s/m"],
+        description="by the speed, along the three axes or one for all",
+    )
+    loss_factor: LossFactor | None = Field(
+        default=None, description="damping by the deflection itself; assumed if both are left out"
+    )
+    stiffening: tuple[Stiffening, ...] = Field(
+        default=(),
+        max_length=64,
+        description=(
+            "of rubber: factors at rising frequencies, straight between them, from 1 at rest, and "
+            "kept beyond the last"
+        ),
+    )
+
+    @property
+    def along(self) -> tuple[float, ...]:
+        """The stiffness along each of its axes, N/m."""
+        return self.stiffness * (ALONG if len(self.stiffness) == 1 else 1)
+
+    @property
+    def viscous(self) -> tuple[float, ...]:
+        """The damping along each of its axes, N s/m."""
+        return (self.damping or (0.0,)) * (ALONG if len(self.damping) < ALONG else 1)
+
+    @property
+    def loss(self) -> float:
+        """Its loss factor, assumed where no damping is given."""
+        if self.loss_factor is not None:
+            return self.loss_factor
+        return 0.0 if self.damping else RUBBER_LOSS_FACTOR
+
+    @property
+    def assumed(self) -> bool:
+        """Whether its loss factor is assumed."""
+        return self.loss_factor is None and not self.damping
+
+
+Mounts = Annotated[tuple[Mount, ...], Field(max_length=GREATEST_MOUNTS)]
+
+
+class Foundation(Record):
+    """What the mounts stand on where it gives way: a rigid body on springs of its own.
+
+    >>> spring = Mount(name="ground", stiffness=[1e7])
+    >>> Foundation(
+    ...     mass=900, inertia_up=80, inertia_right=90, inertia_z=40, mounts=[spring]
+    ... ).inertia
+    (80.0, 90.0, 40.0)
+    """
+
+    mass: MovingMass = Field(description="of the frame or raft", examples=["900 kg"])
+    up: Length = Field(
+        default=0.0, description="height of its centre of mass over the reference shaft"
+    )
+    right: Length = Field(
+        default=0.0, description="its centre of mass to the right of the reference shaft"
+    )
+    z: Position = Field(default=0.0, description="its centre of mass, positive to the front")
+    inertia_up: BodyInertia = Field(description="about the upward axis through its centre of mass")
+    inertia_right: BodyInertia = Field(description="about the axis to the right through it")
+    inertia_z: BodyInertia = Field(description="about the axis along z through it")
+    mounts: Mounts = Field(description="what it stands on itself; the ground below is rigid")
+
+    @property
+    def inertia(self) -> tuple[float, float, float]:
+        """The three moments of inertia: up, right, z."""
+        return self.inertia_up, self.inertia_right, self.inertia_z

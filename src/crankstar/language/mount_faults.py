@@ -1,0 +1,57 @@
+"""The sentences of mistakes in [block], [[mounts]] and [foundation] of an engine."""
+
+from __future__ import annotations
+
+from crankstar.language.messages import N_, Plural
+
+SENTENCES: dict[str, str | Plural] = {
+    "block.inertia-missing": N_(
+        "{where} is missing, and other moments of inertia are given; give all three, or none"
+    ),
+    "block.inertia-impossible": N_(
+        "{where} is {value}, more than {others} together ({sum}); a moment of inertia is at most "
+        "the sum of the two others"
+    ),
+    "block.products-alone": N_(
+        "{where} is given without moments of inertia; give inertia_up, inertia_right and inertia_z "
+        "too"
+    ),
+    "block.products-impossible": N_(
+        "{where} is {value}, which no body with these moments of inertia has; are sign and unit "
+        "right?"
+    ),
+    "mounts.relative": N_(
+        "{where} are given for an engine without masses or sizes, which cannot be set against "
+        "stiffness: give {keys}"
+    ),
+    "mounts.same-name": N_("{where} is {value} twice; give each mount its own name"),
+    "mounts.length": N_(
+        "{where} has {count} values; give one for all three axes of the mount, or three"
+    ),
+    "mounts.no-stiffness": N_(
+        '{where} is nought along every axis; give stiffnesses, such as ["200 N/mm", "80 N/mm", '
+        '"80 N/mm"]'
+    ),
+    "mounts.stiffening-order": N_(
+        "{where} has frequencies that do not rise; list each once, from low to high"
+    ),
+    "mounts.one": N_(
+        "{where} has one mount alone, {name}, about which the block can turn; give mounts at "
+        "different places"
+    ),
+    "mounts.one-place": N_(
+        "{where} has {count} mounts at one place, about which the block can turn; give mounts at "
+        "different places"
+    ),
+    "mounts.free": N_(
+        "{where} leave the block free to move in: {freedoms}; add a mount, or a stiffness that "
+        "holds it there"
+    ),
+    "foundation.alone": N_(
+        "{where} is given without mounts of the engine; give [[mounts]], or leave it out"
+    ),
+    "foundation.no-mounts": N_(
+        "{where} is empty, and so the foundation stands on nothing; give [[foundation.mounts]], or "
+        "leave the foundation out where it is rigid"
+    ),
+}

@@ -1,0 +1,144 @@
+"""The tables [[mounts]] and [foundation], products of inertia, and every mistake in them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from tests.texts import SHORT, spoilt
+
+from crankstar.files import EngineFileError, engine_of, toml, tree_of
+
+BLOCK = {
+    "mass": "138 kg",
+    "up": "112 mm",
+    "inertia_up": "9.6 kg*m^2",
+    "inertia_right": "10.4 kg*m^2",
+    "inertia_z": "4.1 kg*m^2",
+}
+RUBBER = ["200 N/mm", "80 N/mm", "80 N/mm"]
+
+
+def mount(name: str, up: str = "0 mm", right: str = "0 mm", z: str = "0 mm", **more: Any) -> dict:
+    """A mount at a place."""
+    return {"name": name, "up": up, "right": right, "z": z, "stiffness": RUBBER, **more}
+
+
+THREE = [
+    mount("left", right="-300 mm", z="100 mm", bearing="45 deg"),
+    mount("right", right="300 mm", z="100 mm", bearing="-45 deg", loss_factor=0.08),
+    mount(
+        "rear",
+        z="-350 mm",
+        stiffness="150 N/mm",
+        damping="120 N*s/m",
+        stiffening=[{"frequency": "25 Hz", "factor": 1.2}, {"frequency": "100 Hz", "factor": 1.5}],
+    ),
+]
+GROUND = {
+    "mass": "900 kg",
+    "inertia_up": "80 kg*m^2",
+    "inertia_right": "90 kg*m^2",
+    "inertia_z": "60 kg*m^2",
+    "mounts": [
+        mount(f"{right} {z}", right=right, z=z, stiffness="5 kN/mm")
+        for right in ("-0.5 m", "0.5 m")
+        for z in ("-0.6 m", "0.6 m")
+    ],
+}
+
+
+def mistakes(**tables: Any) -> list[tuple[str, str]]:
+    """Where the faults of an engine with such tables are, and which."""
+    with pytest.raises(EngineFileError) as refusal:
+        engine_of(spoilt(SHORT, **tables))
+    return [(".".join(map(str, fault.path)), fault.code) for fault in refusal.value.faults]
+
+
+def test_mounts_are_the_same_written_and_read_back() -> None:
+    engine = engine_of(spoilt(SHORT, block=BLOCK, mounts=THREE, foundation=GROUND))
+    again = engine_of(tree_of(toml(engine)))
+    assert again.mounts == engine.mounts
+    assert again.foundation == engine.foundation
+    assert engine.mounts[0].along == (200e3, 80e3, 80e3)
+    assert engine.mounts[0].assumed
+    assert not engine.mounts[2].assumed
+
+
+@pytest.mark.parametrize(
+    ("tables", "found"),
+    [
+        ({"mounts": [mount("one")]}, [("mounts", "mounts.one")]),
+        ({"mounts": [mount("one"), mount("two")]}, [("mounts", "mounts.one-place")]),
+        (
+            {"mounts": [mount(z, z=z, up="20 mm") for z in ("-200 mm", "0 mm", "200 mm")]},
+            [("mounts", "mounts.free")],
+        ),
+        (
+            {"mounts": [mount("a"), mount("a", stiffness=["1 N/mm", "1 N/mm"])]},
+            [("mounts.1.name", "mounts.same-name"), ("mounts.1.stiffness", "mounts.length")],
+        ),
+        (
+            {"mounts": [*THREE[:2], mount("rear", z="-1 m", stiffness="0 N/mm")]},
+            [("mounts.2.stiffness", "mounts.no-stiffness")],
+        ),
+        (
+            {
+                "mounts": [
+                    *THREE[:2],
+                    mount("rear", z="-1 m", stiffening=[{"frequency": "9 Hz", "factor": 1}] * 2),
+                ]
+            },
+            [("mounts.2.stiffening", "mounts.stiffening-order")],
+        ),
+        ({"foundation": GROUND}, [("foundation", "foundation.alone")]),
+        (
+            {"mounts": THREE, "foundation": {**GROUND, "mounts": []}},
+            [("foundation.mounts", "foundation.no-mounts")],
+        ),
+        (
+            {"mounts": THREE, "foundation": {**GROUND, "inertia_z": "600 kg*m^2"}},
+            [("foundation.inertia_z", "block.inertia-impossible")],
+        ),
+        (
+            {"block": {"mass": "138 kg", "product_up_z": "1 kg*m^2"}},
+            [("block.product_up_z", "block.products-alone")],
+        ),
+        (
+            {"block": {**BLOCK, "product_up_z": "-8 kg*m^2"}},
+            [("block.product_up_z", "block.products-impossible")],
+        ),
+    ],
+)
+def test_a_mistake_in_mounts_is_named_where_it_is(
+    tables: dict[str, Any], found: list[tuple[str, str]]
+) -> None:
+    assert mistakes(**tables) == found
+
+
+def test_mounts_on_a_line_name_the_freedom_that_is_left() -> None:
+    line = [mount(z, z=z) for z in ("-200 mm", "0 mm", "200 mm")]
+    with pytest.raises(EngineFileError, match=r"free to move in: roll; add a mount"):
+        engine_of(spoilt(SHORT, mounts=line))
+
+
+def test_negative_damping_and_unknown_units_are_told_at_once() -> None:
+    wrong = [
+        *THREE[:1],
+        {**THREE[1], "loss_factor": -0.1, "damping": "-5 N*s/m", "stiffness": "3 furlong"},
+        {**THREE[2], "damping": "3 N/mm"},
+    ]
+    where = [place for place, _ in mistakes(mounts=wrong)]
+    assert sorted(where) == [
+        "mounts.1.damping",
+        "mounts.1.loss_factor",
+        "mounts.1.stiffness",
+        "mounts.2.damping",
+    ]
+
+
+def test_an_engine_without_masses_has_no_mounts() -> None:
+    tree = spoilt(SHORT, mounts=THREE)
+    del tree["cylinder"]["reciprocating_mass"], tree["cylinder"]["rotating_mass"]
+    with pytest.raises(EngineFileError, match="give cylinder.reciprocating_mass"):
+        engine_of(tree)
