@@ -103,6 +103,7 @@ MESSAGE_ERRORS = [
     "UnitsError",
     "WeighingError",
     "JudgingError",
+    "MountError",
 ]
 """Errors that are raised with a sentence and its values."""
 PYTHON = Domain(

@@ -140,5 +140,5 @@ def test_negative_damping_and_unknown_units_are_told_at_once() -> None:
 def test_an_engine_without_masses_has_no_mounts() -> None:
     tree = spoilt(SHORT, mounts=THREE)
     del tree["cylinder"]["reciprocating_mass"], tree["cylinder"]["rotating_mass"]
-    with pytest.raises(EngineFileError, match="give cylinder.reciprocating_mass"):
+    with pytest.raises(EngineFileError, match=r"give cylinder\.reciprocating_mass"):
         engine_of(tree)

@@ -1,0 +1,118 @@
+"""An engine on its mounts: all that is asked of it, in one record.
+
+The modes and axes hold at any speed. The engine shakes over a range of speeds: those that are asked
+for, else from the lowest to the highest that the file knows, else about the one that is known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from crankstar.dynamics.mount_excitation import mount_excitation
+from crankstar.dynamics.mount_modes import (
+    Axis,
+    MountMode,
+    elastic_axis,
+    mount_modes,
+    torque_roll_axis,
+)
+from crankstar.dynamics.mount_response import MountResponse, mount_response
+from crankstar.dynamics.mounted_block import MountedBlock, mounted_block, settled
+from crankstar.engine.engine import Engine
+from crankstar.spectra import Real
+
+STEPS = 151
+"""Speeds of a range that is not asked for."""
+SLOWEST, FASTEST = 0.25, 1.1
+"""Of the one speed that is known: the range that is taken."""
+
+
+@dataclass(frozen=True)
+class MountAnalysis:
+    """What stands on mounts, how it would vibrate freely, and how it does.
+
+    `sag` is how it sits down under its weight [freedom], `loads` what each mount bears along its
+    axes (N). `over` is the response over the range of speeds, `at` that at the one that is asked
+    for; None where no speed is known. `point` is the point of the block of which motion is told.
+    """
+
+    block: MountedBlock
+    modes: tuple[MountMode, ...]
+    torque_roll: Axis
+    elastic: Axis
+    sag: Real
+    loads: Real
+    point: tuple[float, float, float]
+    over: MountResponse | None = None
+    at: MountResponse | None = None
+    range_assumed: bool = False
+
+
+def mounts(
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    speeds: Sequence[float] | Real = (),
+    orders: Sequence[float] | None = None,
+    at: Sequence[float] | None = None,
+) -> MountAnalysis:
+    """How an engine shakes on its mounts.
+
+    `point` names an operating point, `speed` is one of which more is told, `speeds` are those of
+    the range (rad/s), `at` is a point of the block (up, right, z), else its centre of mass. Raises
+    MountError without mounts, and GasError for an operating point that the engine has not.
+
+    >>> from crankstar.files.catalog import load
+    >>> places = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
+    >>> rubber = [{"name": n, "right": r, "z": z, "stiffness": "50 N/mm"} for n, r, z in places]
+    >>> five = load("audi-25-tfsi", changes={"mounts": rubber, "block": {"mass": "150 kg"}})
+    >>> found = mounts(five, speeds=[80, 600])
+    >>> len(found.modes), found.over.mount_force.shape[2:]
+    (6, (3, 3))
+
+    The faster it runs, the less of what shakes it goes through the mounts:
+
+    >>> bool((found.over.transmissibility[1] < found.over.transmissibility[0]).all())
+    True
+    """
+    block = mounted_block(engine)
+    wanted, assumed = _range(engine, speed, speeds)
+    sag, loads = settled(block)
+
+    def shaken(turning: Real) -> MountResponse:
+        push = mount_excitation(block, engine, speeds=turning, point=point, orders=orders)
+        return mount_response(block, push)
+
+    return MountAnalysis(
+        block=block,
+        modes=mount_modes(block),
+        torque_roll=torque_roll_axis(block),
+        elastic=elastic_axis(block),
+        sag=sag,
+        loads=loads,
+        point=block.body.centre if at is None else (at[0], at[1], at[2]),
+        over=shaken(wanted) if wanted.size else None,
+        at=None if speed is None else shaken(np.array([speed])),
+        range_assumed=assumed,
+    )
+
+
+def _range(
+    engine: Engine, speed: float | None, speeds: Sequence[float] | Real
+) -> tuple[Real, bool]:
+    """The speeds of the range, and whether they are assumed about a single one."""
+    if len(speeds):
+        return np.unique(np.asarray(speeds, float)), False
+    known = {speed, engine.speed}
+    if engine.gas is not None:
+        known |= {engine.gas.speed, *(each.speed for each in engine.gas.points)}
+    given = sorted(each for each in known if each is not None)
+    if not given:
+        return np.array([]), False
+    if len(given) > 1:
+        return np.linspace(given[0], given[-1], STEPS), False
+    return np.linspace(SLOWEST * given[0], FASTEST * given[0], STEPS), True

@@ -1,0 +1,173 @@
+"""How a block on its mounts shakes: motion of its points, force in the mounts and on the ground.
+
+With q(k w) the steady answer of `mounted_block` to the force Q of order k at the crank speed w:
+
+    displacement of a point = T q        velocity = i k w T q           T of engine.rigid_block
+    force in a mount, along its axes = (k_s (1 + i eta) + i k w c) B q
+    force on the ground = sum of T' A' of the forces in the mounts that stand on it
+
+rms over a cycle: sqrt(sum of |a|^2 / 2) over orders and axes; the peak is the greatest length at
+at least `ANGLES` angles of it, all orders with their phases. The transmissibility of a mount is the
+rms force in it over that which the same forces would give if they changed so slowly that the block
+had no inertia; of one mass on one spring it is the usual ratio of force passed on to force put in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.dynamics.mount_excitation import MountExcitation
+from crankstar.dynamics.mounted_block import SIX, MountedBlock, dynamic_stiffness
+from crankstar.engine.rigid_block import held, moved
+from crankstar.spectra import Complex, Real
+
+ANGLES = 720
+"""Angles of a cycle at which peaks are looked for, at least."""
+OF_A_WAVE = 12
+"""Angles of a period of the highest order."""
+
+
+@dataclass(frozen=True)
+class MountResponse:
+    """The steady vibration: `motion` of the freedoms [speed, order, freedom], m and rad."""
+
+    block: MountedBlock
+    excitation: MountExcitation
+    motion: Complex
+
+    @property
+    def speeds(self) -> Real:
+        """Crank speeds, rad/s."""
+        return self.excitation.speeds
+
+    @property
+    def orders(self) -> Real:
+        """Crank orders."""
+        return self.excitation.orders
+
+    @property
+    def vibration(self) -> Real:
+        """Angular frequency of each order at each speed, rad/s."""
+        return np.multiply.outer(self.speeds, self.orders)
+
+    def displacement(self, point: Sequence[float]) -> Complex:
+        """Of a point (up, right, z) of the block, m [speed, order, axis]."""
+        return self.motion[..., :SIX] @ moved(np.asarray(point, float) - self.block.centres[0]).T
+
+    def velocity(self, point: Sequence[float]) -> Complex:
+        """Of a point of the block, m/s [speed, order, axis]."""
+        return 1j * self.vibration[..., None] * self.displacement(point)
+
+    @cached_property
+    def _rate(self) -> Complex:
+        """Force of each mount per deflection [speed, order, mount, axis]."""
+        lossy = self.block.lossy(self.vibration)[..., None] * self.block.along
+        return lossy + 1j * self.vibration[..., None, None] * self.block.viscous
+
+    @cached_property
+    def deflection(self) -> Complex:
+        """Of each mount along its axes, m [speed, order, mount, axis]."""
+        return _along(self.block, self.motion)
+
+    @cached_property
+    def mount_force(self) -> Complex:
+        """In each mount along its axes, N [speed, order, mount, axis]."""
+        return self._rate * self.deflection
+
+    @cached_property
+    def ground_force(self) -> Complex:
+        """Force and moment about G on the ground, as on the freedoms [speed, order, 6]."""
+        block = self.block
+        standing = block.mounts[block.to_ground]
+        arms = held(standing, centre=block.centres[0])
+        flat = self.mount_force[:, :, block.to_ground].reshape(*self.motion.shape[:2], -1)
+        return flat @ arms.reshape(-1, SIX)
+
+    @cached_property
+    def transmissibility(self) -> Real:
+        """Of each mount of the block [speed, mount]; nan where nothing pushes."""
+        block, push = self.block, _padded(self.block, self.excitation.push)
+        slow = np.linalg.solve(block.stiffness, push.reshape(-1, block.freedoms).T).T
+        still = block.along * _along(block, slow.reshape(push.shape))
+        least = np.sqrt((np.abs(still) ** 2).sum(axis=(1, 3)))
+        force = np.sqrt((np.abs(self.mount_force) ** 2).sum(axis=(1, 3)))
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.where(least > 0, force / least, np.nan)[:, : block.of_block]
+
+    @property
+    def power(self) -> Real:
+        """The power that the forces put in, W [speed]."""
+        rate = 1j * self.vibration[..., None] * self.motion[..., :SIX]
+        return np.real(self.excitation.push * np.conj(rate)).sum(axis=(1, 2)) / 2
+
+    @property
+    def heat(self) -> Real:
+        """The power that each mount turns into heat, W [speed, mount]."""
+        rate = 1j * self.vibration[..., None, None] * self.deflection
+        return np.real(self.mount_force * np.conj(rate)).sum(axis=(1, 3)) / 2
+
+
+def mount_response(block: MountedBlock, excitation: MountExcitation) -> MountResponse:
+    """The steady vibration of a block at the speeds and orders of what shakes it.
+
+    One force up on four mounts in the plane of the centre of mass is one mass on one spring:
+
+    >>> from crankstar.dynamics.mounted_block import mounted_block
+    >>> from crankstar.files.catalog import load
+    >>> at = [(r, z) for r in ("-0.3 m", "0.3 m") for z in ("-0.2 m", "0.2 m")]
+    >>> rubber = {"stiffness": "100 N/mm", "loss_factor": 0}
+    >>> mounts = [{"name": f"{r} {z}", "right": r, "z": z, **rubber} for r, z in at]
+    >>> own = {"mounts": mounts, "block": {"mass": "160 kg", "z": "0 m"}}
+    >>> up = np.array([[1.0, 0, 0, 0, 0, 0]])
+    >>> push = MountExcitation(np.array([100.0]), np.array([1.0]), up, np.zeros((1, 1, 6)))
+    >>> found = mount_response(mounted_block(load("audi-25-tfsi", changes=own)), push)
+    >>> found.transmissibility.round(9).tolist()  # 1/((100/50)^2 - 1)
+    [[0.333333333, 0.333333333, 0.333333333, 0.333333333]]
+    """
+    push = _padded(block, excitation.push)
+    frequencies = np.multiply.outer(excitation.speeds, excitation.orders)
+    stiff = dynamic_stiffness(block, frequencies=frequencies.ravel())
+    motion = np.linalg.solve(stiff, push.reshape(-1, block.freedoms, 1))
+    return MountResponse(block, excitation, motion.reshape(push.shape))
+
+
+def rms(amplitudes: Complex) -> Real:
+    """Over a cycle, of amplitudes [speed, order, axis]: all orders and axes together [speed].
+
+    >>> rms(np.array([[[3.0], [4.0j]]])).round(6).tolist()  # sqrt((9 + 16) / 2)
+    [3.535534]
+    """
+    return np.sqrt((np.abs(amplitudes) ** 2).sum(axis=(1, 2)) / 2)
+
+
+def peak(amplitudes: Complex, *, orders: Real) -> Real:
+    """The greatest length over a cycle of a vector by its amplitudes [speed, order, axis]: [speed].
+
+    >>> peak(np.array([[[3.0], [4.0]]]), orders=np.array([1.0, 2.0])).tolist()
+    [7.0]
+    """
+    common = orders * spectra.period(spectra.real_signal(orders, np.zeros(orders.size)))
+    count = max(ANGLES, OF_A_WAVE * round(float(common.max(initial=1.0))))
+    theta = np.arange(count) * (2 * np.pi / count)
+    wave = np.exp(1j * np.multiply.outer(theta, common))
+    turns = np.concatenate([np.real(wave), -np.imag(wave)], axis=1)
+    parts = np.concatenate([np.real(amplitudes), np.imag(amplitudes)], axis=1)
+    course = turns @ parts
+    return np.sqrt((course**2).sum(axis=-1).max(axis=-1))
+
+
+def _padded(block: MountedBlock, push: Complex) -> Complex:
+    """Forces on the six freedoms of the block as on all freedoms."""
+    more = block.freedoms - push.shape[-1]
+    return np.concatenate([push, np.zeros((*push.shape[:-1], more))], axis=-1).astype(complex)
+
+
+def _along(block: MountedBlock, motion: Complex) -> Complex:
+    """The deflection of each mount along its axes [..., mount, axis]."""
+    flat = block.arms.reshape(-1, block.freedoms)
+    return (motion @ flat.T).reshape(*motion.shape[:-1], *block.arms.shape[:2])
