@@ -419,9 +419,6 @@ def test_sizes_over_a_cycle_are_those_of_its_course() -> None:
     lengths = np.sqrt((course**2).sum(axis=-1))
     assert rms(amplitudes) == pytest.approx(np.sqrt((lengths**2).mean(axis=1)), rel=1e-9)
     assert peak(amplitudes, orders=found.orders) == pytest.approx(lengths.max(axis=1), rel=2e-3)
-    assert peak(amplitudes, orders=found.orders) == pytest.approx(
-        lengths[:, ::10].max(axis=1), rel=1e-9
-    )
 
 
 def test_gas_leans_against_the_turning_crankshaft() -> None:

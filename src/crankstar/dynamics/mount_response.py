@@ -26,7 +26,7 @@ from crankstar.dynamics.mounted_block import SIX, MountedBlock, dynamic_stiffnes
 from crankstar.engine.rigid_block import held, moved
 from crankstar.spectra import Complex, Real
 
-ANGLES = 720
+ANGLES = 360
 """Angles of a cycle at which peaks are looked for, at least."""
 OF_A_WAVE = 12
 """Angles of a period of the highest order."""
@@ -91,9 +91,10 @@ class MountResponse:
     @cached_property
     def transmissibility(self) -> Real:
         """Of each mount of the block [speed, mount]; nan where nothing pushes."""
-        block, push = self.block, _padded(self.block, self.excitation.push)
-        slow = np.linalg.solve(block.stiffness, push.reshape(-1, block.freedoms).T).T
-        still = block.along * _along(block, slow.reshape(push.shape))
+        block = self.block
+        bearing = (block.arms * block.along[..., None]).reshape(-1, block.freedoms)
+        share = np.linalg.solve(block.stiffness, bearing.T)[:SIX]
+        still = (self.excitation.push @ share).reshape(self.mount_force.shape)
         least = np.sqrt((np.abs(still) ** 2).sum(axis=(1, 3)))
         force = np.sqrt((np.abs(self.mount_force) ** 2).sum(axis=(1, 3)))
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -157,8 +158,9 @@ def peak(amplitudes: Complex, *, orders: Real) -> Real:
     wave = np.exp(1j * np.multiply.outer(theta, common))
     turns = np.concatenate([np.real(wave), -np.imag(wave)], axis=1)
     parts = np.concatenate([np.real(amplitudes), np.imag(amplitudes)], axis=1)
-    course = turns @ parts
-    return np.sqrt((course**2).sum(axis=-1).max(axis=-1))
+    flat = np.moveaxis(parts, 1, 0).reshape(turns.shape[1], -1)
+    course = (turns @ flat).reshape(count, *amplitudes.shape[::2])
+    return np.sqrt(np.einsum("tsa,tsa->ts", course, course).max(axis=0))
 
 
 def _padded(block: MountedBlock, push: Complex) -> Complex:

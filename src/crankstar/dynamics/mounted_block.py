@@ -158,16 +158,13 @@ def dynamic_stiffness(block: MountedBlock, *, frequencies: Real) -> Complex:
     """-w^2 M + i w C + K(w) at angular frequencies w (rad/s), [w, freedom, freedom]."""
     at = np.asarray(frequencies, float)
     size = block.freedoms
-    each = block.each_stiffness.reshape(-1, size * size).astype(complex)
-    if block.stiffens:
-        springs = (block.lossy(at) @ each).reshape(-1, size, size)
-    else:
-        springs = (block.lossy(0.0) @ each).reshape(1, size, size)
-    w = at[:, None, None]
-    springs = springs - w**2 * block.mass
-    if block.viscous.any():
-        springs = springs + 1j * w * block.damping
-    return springs
+    each = block.each_stiffness.reshape(-1, size * size)
+    loss = np.array([[own.loss] for own in block.mounts])
+    factor = block.stiffening(at if block.stiffens else np.zeros(1))
+    out = np.empty((at.size, size * size), complex)
+    out.real = np.einsum("fm,mk->fk", factor, each) - at[:, None] ** 2 * block.mass.ravel()
+    out.imag = np.einsum("fm,mk->fk", factor, loss * each) + at[:, None] * block.damping.ravel()
+    return out.reshape(-1, size, size)
 
 
 def settled(block: MountedBlock) -> tuple[Real, Real]:
