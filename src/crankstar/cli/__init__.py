@@ -11,6 +11,7 @@
 | `speed_ranges` | what `analyze --speeds` prints |
 | `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
 | `torque` | torque |
+| `mounts` | mounts |
 | `torsion` | torsion |
 | `estimating` | estimate |
 | `deriving` | derive, errata |

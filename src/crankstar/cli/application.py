@@ -54,6 +54,7 @@ VERBS = {
     "export": "exporting:export",
     "grade": "workshop:grade",
     "list": "inspect:list_engines",
+    "mounts": "mounts:mounts",
     "new": "files:new",
     "orders": "firing:orders",
     "page": "showing:page",

@@ -32,6 +32,10 @@ STIFFEST = 1.01
 """Above the highest frequency that the greatest stiffening could give: where a mode is sought."""
 
 
+ROUNDING = 1e-12
+"""Metres, or of a unit direction: rounding error."""
+
+
 class MountMode(NamedTuple):
     """A natural mode: rad/s, shape with a' M a = 1, shares of energy, damping ratio."""
 
@@ -150,7 +154,13 @@ def elastic_axis(block: MountedBlock) -> Axis:
     shift, way = motion[:3], _vector(motion[3:])
     size = float(way @ way)
     point = block.centres[0] + np.cross(way, shift) / size
-    return Axis(point, way / np.sqrt(size), float(way @ shift) / size)
+    advance = float(way @ shift) / size
+    return Axis(_clear(point), _clear(way / np.sqrt(size)), float(_clear(np.array(advance))))
+
+
+def _clear(values: Real) -> Real:
+    """Places and directions with what is only rounding error set to zero."""
+    return np.where(np.abs(values) < ROUNDING, 0.0, values)
 
 
 def _vector(turn: Real) -> Real:

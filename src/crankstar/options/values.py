@@ -281,15 +281,15 @@ def grouping(text: str | None) -> Any:
     return text and choice("--by", text, get_args(Grouping))
 
 
-def reference(text: str | None, engine: Engine) -> Reference | None:
-    """A point of reference in the units of the engine."""
+def reference(text: str | None, engine: Engine, *, option: str = "--reference") -> Reference | None:
+    """A point of reference, or another of the engine, in its units."""
     if text is None:
         return None
     parts = [part.strip() for part in text.split(",")]
     example = _('as in "-120 mm" (z) or "0 mm, 35 mm, 0 mm" (z, up, right)')
     if len(parts) not in (1, 3):
-        raise refusal("--reference", text, "give z, or z, up and right, {example}", example=example)
-    return Reference(*places("--reference", parts, [POSITION, LENGTH, LENGTH], engine, example))
+        raise refusal(option, text, "give z, or z, up and right, {example}", example=example)
+    return Reference(*places(option, parts, [POSITION, LENGTH, LENGTH], engine, example))
 
 
 def planes(option: str, text: str, engine: Engine) -> list[float]:

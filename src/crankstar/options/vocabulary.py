@@ -20,6 +20,12 @@ _MOST = {
         "Arrows on the engine with commas, of force and couple, or none (default: force,couple).",
         ("--no-arrows", "--forces"),
     ),
+    "--at": Option(
+        "text",
+        'Point of the block whose vibration is told: z, or z, up and right, such as "-120 mm" or '
+        '"300 mm, 200 mm, 0 mm" (default: its centre of mass).',
+        ("--grip", "--place"),
+    ),
     "--at-radius": Option(
         "text",
         'Radius at which it is drilled, such as "80 mm": of the rim, or of the axis of an axial '

@@ -1,0 +1,81 @@
+"""The verb mounts: how an engine shakes on its mounts."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+from crankstar.cli.options import (
+    Csv,
+    Json,
+    Output,
+    Settings,
+    Speed,
+    loaded_engine,
+    option,
+    together,
+)
+from crankstar.cli.output import working
+from crankstar.cli.tabulating import give, words_for
+from crankstar.language.messages import _
+from crankstar.options import values as request
+from crankstar.options.forms import TABLES, form_of
+from crankstar.options.gas import gas_orders
+from crankstar.options.refusals import refusal
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
+
+HELP = "Name from the catalog, or engine file with [[mounts]]; - for standard input."
+MOST_SPEEDS = 2000
+
+
+def mounts(
+    engine: Annotated[str, Parameter(help=HELP)],
+    /,
+    *,
+    point: Annotated[str | None, option("--point")] = None,
+    speed: Speed = None,
+    speeds: Annotated[str | None, option("--speeds", "Default: those of the file.")] = None,
+    at: Annotated[str | None, option("--at")] = None,
+    orders: Annotated[str | None, option("--orders", "Default: up to 24.")] = None,
+    settings: Settings = None,
+    json: Json = False,
+    csv: Csv = False,
+    output: Output = None,
+) -> None:
+    """Compute how an engine shakes on its mounts: modes, motion of a point, forces passed on."""
+    from crankstar.dynamics.mount_analysis import mounts as analysis
+    from crankstar.tables.mounts import mounts_document
+
+    form = form_of(output, TABLES, json=json, csv=csv)
+    if speed is not None and ".." in speed and speeds is None:
+        speed, speeds = None, speed
+    loaded, turning, over, wanted = together(
+        partial(loaded_engine, engine, settings),
+        partial(request.speed, speed),
+        partial(_speeds, speeds),
+        partial(gas_orders, None if orders and orders.strip() == "all" else orders),
+    )
+    with working(_("Computing the vibration on the mounts ...")), words_for(form):
+        found = analysis(
+            loaded, point=point or "", speed=turning, speeds=over, orders=wanted, at=_at(at, loaded)
+        )
+        document = mounts_document(loaded, found, machine=form not in ("txt", "xlsx"))
+    give(document, output, form=form)
+
+
+def _at(text: str | None, engine: Engine) -> tuple[float, float, float] | None:
+    """The point of --at as up, right, z. Raises RequestError."""
+    place = request.reference(text, engine, option="--at")
+    return None if place is None else (place.up, place.right, place.z)
+
+
+def _speeds(text: str | None) -> list[float]:
+    """The speeds of --speeds, rad/s. Raises RequestError or SweepError."""
+    found = [] if text is None else request.speeds(text)
+    if len(found) > MOST_SPEEDS:
+        raise refusal("--speeds", text or "", "give up to {most} speeds", most=MOST_SPEEDS)
+    return found

@@ -1,0 +1,341 @@
+"""An engine on its mounts as tables: mounts, natural modes, axes, vibration and forces by speed."""
+
+from __future__ import annotations
+
+from math import degrees, pi
+from typing import Any
+
+import numpy as np
+
+from crankstar.dynamics.mount_analysis import MountAnalysis
+from crankstar.dynamics.mount_modes import Axis
+from crankstar.dynamics.mount_response import MountResponse, peak, rms
+from crankstar.dynamics.mounted_block import SIX
+from crankstar.engine.engine import Engine
+from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
+from crankstar.engine.rigid_block import FREEDOMS
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.spectra import Complex, Real
+from crankstar.tables.headings import heading
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+
+RPM = 30 / pi
+MM, UM = 1e3, 1e6
+ROWS = 13
+"""Speeds that are shown to readers; all are in JSON and CSV."""
+NAMES = {
+    "up": N_("up"),
+    "right": N_("right"),
+    "z": N_("along"),
+    "yaw": N_("yaw"),
+    "pitch": N_("pitch"),
+    "roll": N_("roll"),
+}
+"""The freedoms as headings."""
+
+
+def mounts_document(engine: Engine, found: MountAnalysis, *, machine: bool = False) -> Document:
+    """All of an analysis."""
+    parts: list[Table | Remarks] = [] if machine else [heading(engine)]
+    modes = _mode_table(found, machine=machine)
+    standing = _mount_table(found)
+    parts += [modes, standing] if machine else [standing, modes]
+    parts.append(_axis_table(found))
+    if found.over is not None:
+        parts.append(_speed_table(found, found.over, machine=machine))
+    if found.at is not None:
+        parts += [_order_table(found, found.at), _force_table(found.at)]
+    if not machine:
+        parts += [*remarks(*_notes(found), kind="note"), *remarks(*_doubts(found), kind="doubt")]
+    return Document(engine.name, tuple(parts), _facts(engine, found))
+
+
+def _facts(engine: Engine, found: MountAnalysis) -> dict[str, Any]:
+    block, known = found.block, found.over or found.at
+    return {
+        "format": 1,
+        "engine": engine.name,
+        "mass": block.body.mass,
+        "centre": list(block.body.centre),
+        "inertia": block.mass[3:SIX, 3:SIX].tolist(),
+        "point": list(found.point),
+        "freedoms": list(FREEDOMS),
+        "without_gas": (known.excitation.without_gas or None) if known else None,
+        "assumed": [
+            *(["block"] if block.body.assumed else []),
+            *(f"{each.name}.loss_factor" for each in block.mounts if each.assumed),
+        ],
+        "units": {
+            "displacement": "um",
+            "velocity": "mm/s",
+            "force": "N",
+            "moment": "N*m",
+            "sag": "mm, mrad",
+            "place": "mm",
+            "stiffness": "N/mm",
+        },
+        "sag": (found.sag * MM).tolist(),
+    }
+
+
+def _mount_table(found: MountAnalysis) -> Table:
+    """The mounts, where they are, how stiff, and what each bears at rest."""
+    columns = (
+        Column(_("mount"), kind="text", key="name", label=True),
+        Column(_("up"), "mm", key="up"),
+        Column(_("right"), "mm", key="right"),
+        Column(_("along"), "mm", key="z"),
+        Column(_("stiffness along its axes"), "N/mm", kind="list", key="stiffness", fixed=True),
+        Column(_("loss factor"), key="loss_factor"),
+        Column(_("load at rest"), "N", key="load"),
+    )
+    rows = tuple(
+        (
+            each.name,
+            each.up * MM,
+            each.right * MM,
+            each.z * MM,
+            tuple(value / MM for value in each.along),
+            each.loss,
+            float(np.linalg.norm(load)),
+        )
+        for each, load in zip(found.block.mounts, found.loads, strict=True)
+    )
+    title = _("Mounts") if found.block.freedoms == SIX else _("Mounts, and those of the foundation")
+    return Table(title, columns, rows, key="mounts")
+
+
+def _mode_table(found: MountAnalysis, *, machine: bool) -> Table:
+    """Natural frequencies, with the share of each freedom in the kinetic energy."""
+    shown = [Column(_(NAMES[name]), "%", digits=3, fixed=True) for name in FREEDOMS if not machine]
+    columns = (
+        Column(_("mode"), key="mode", label=True),
+        Column(_("frequency"), "Hz", key="frequency_hz", fixed=True),
+        Column(_("per minute"), "1/min", fixed=True),
+        Column(_("damping ratio"), key="damping_ratio", digits=3),
+        *shown,
+        Column("", kind="list", key="shape", machine=True),
+        Column("", kind="list", key="energy", machine=True),
+    )
+    rows: list[tuple[Value, ...]] = []
+    for index, mode in enumerate(found.modes):
+        shares = tuple(round(100 * float(share), 1) + 0.0 for share in mode.energy[:SIX])
+        rows.append(
+            (
+                index + 1,
+                mode.frequency,
+                mode.frequency * 60,
+                mode.damping,
+                *(() if machine else shares),
+                tuple(mode.shape.tolist()),
+                tuple(mode.energy.tolist()),
+            )
+        )
+    said = _("Shares of the freedoms of the block in the kinetic energy of each mode.")
+    return Table(_("Natural modes"), columns, tuple(rows), (said,), key="modes")
+
+
+def _axis_table(found: MountAnalysis) -> Table:
+    """The torque-roll axis and the elastic axis."""
+    columns = (
+        Column(_("axis"), kind="text", label=True),
+        Column("", kind="text", key="name", machine=True),
+        Column(_("up"), "mm", key="up"),
+        Column(_("right"), "mm", key="right"),
+        Column(_("along"), "mm", key="z"),
+        Column(_("from the crankshaft"), "deg", key="angle_deg"),
+        Column("", kind="list", key="direction", machine=True),
+        Column(_("advance"), "mm/rad", key="advance", fixed=True),
+    )
+
+    def row(shown: str, name: str, axis: Axis) -> tuple[Value, ...]:
+        place = (float(each) * MM for each in axis.point)
+        way = tuple(axis.direction.tolist())
+        return (shown, name, *place, degrees(axis.from_crank), way, axis.advance * MM)
+
+    rows = (
+        row(_("torque-roll axis"), "torque_roll", found.torque_roll),
+        row(_("elastic axis"), "elastic", found.elastic),
+    )
+    return Table(_("Axes"), columns, rows, key="axes")
+
+
+def _speed_table(found: MountAnalysis, own: MountResponse, *, machine: bool) -> Table:
+    """Vibration of the point, force on the ground and in the mounts, speed by speed."""
+    columns = (
+        Column(_("speed"), "rpm", key="speed_rpm", label=True),
+        Column(_("displacement, rms"), "um", key="displacement_rms", fixed=True),
+        Column(_("peak"), "um", key="displacement_peak", fixed=True),
+        Column(_("velocity, rms"), "mm/s", key="velocity_rms", fixed=True),
+        Column(_("peak"), "mm/s", key="velocity_peak", fixed=True, optional=2),
+        Column(_("force on the ground, rms"), "N", key="force_rms"),
+        Column(_("peak"), "N", key="force_peak", optional=2),
+        Column(_("moment, rms"), "N*m", key="moment_rms"),
+        Column(_("worst mount, rms"), "N", optional=1),
+        Column(_("its transmissibility"), optional=1, digits=3),
+        Column("", "N", kind="list", key="mount_force_rms", machine=True, fixed=True),
+        Column("", "N", kind="list", key="mount_force_peak", machine=True, fixed=True),
+        Column("", kind="list", key="transmissibility", machine=True),
+    )
+    displacement, velocity = own.displacement(found.point), own.velocity(found.point)
+    force, moment = own.ground_force[..., :3], own.ground_force[..., 3:]
+    each_rms, each_peak = _of_mounts(own)
+    cells = np.column_stack(
+        [
+            own.speeds * RPM,
+            UM * rms(displacement),
+            UM * peak(displacement, orders=own.orders),
+            MM * rms(velocity),
+            MM * peak(velocity, orders=own.orders),
+            rms(force),
+            peak(force, orders=own.orders),
+            rms(moment),
+        ]
+    )
+    through = own.transmissibility
+    chosen = range(own.speeds.size)
+    if not machine and own.speeds.size > 2 * ROWS:
+        chosen = np.unique(np.linspace(0, own.speeds.size - 1, ROWS).round().astype(int)).tolist()
+    rows: list[tuple[Value, ...]] = []
+    for place in chosen:
+        worst = int(np.argmax(each_rms[place]))
+        rows.append(
+            (
+                *map(float, cells[place]),
+                float(each_rms[place, worst]),
+                _known(through[place])[worst],
+                tuple(each_rms[place].tolist()),
+                tuple(each_peak[place].tolist()),
+                _known(through[place]),
+            )
+        )
+    said = _worst_notes(cells) if len(rows) > 1 else ()
+    return Table(_("Vibration over the speeds"), columns, tuple(rows), said, key="speeds")
+
+
+def _worst_notes(cells: Real) -> tuple[str, ...]:
+    """At the slowest speed, and where the point shakes most."""
+    top = int(np.argmax(cells[:, 3]))
+    return (
+        _(
+            "At the slowest speed, {rpm} rpm, the point moves by {size} um rms; it shakes most at "
+            "{worst} rpm: {velocity} mm/s rms.",
+            rpm=number(float(cells[0, 0])),
+            size=number(float(f"{cells[0, 1]:.4g}")),
+            worst=number(float(round(cells[top, 0]))),
+            velocity=number(float(f"{cells[top, 3]:.4g}")),
+        ),
+    )
+
+
+def _of_mounts(own: MountResponse) -> tuple[Real, Real]:
+    """The force in each mount of the block, rms and peak, N [speed, mount]."""
+    mounts = range(own.block.of_block)
+    each = [own.mount_force[:, :, index] for index in mounts]
+    return (
+        np.column_stack([rms(force) for force in each]),
+        np.column_stack([peak(force, orders=own.orders) for force in each]),
+    )
+
+
+def _known(values: Real) -> tuple[float | None, ...]:
+    return tuple(None if np.isnan(each) else float(each) for each in values)
+
+
+def _order_table(found: MountAnalysis, own: MountResponse) -> Table:
+    """Motion of the point and force on the ground at one speed, order by order."""
+    columns = (
+        Column(_("order"), key="order", label=True),
+        Column(_("up"), "um", kind="wave", key="up", fixed=True),
+        Column(_("right"), "um", kind="wave", key="right", fixed=True),
+        Column(_("along"), "um", kind="wave", key="z", fixed=True),
+        Column(_("roll"), "deg", kind="wave", key="roll_deg"),
+        Column(_("force on the ground, rms"), "N", key="force_rms"),
+    )
+    moved = UM * own.displacement(found.point)[0]
+    roll: Complex = own.motion[0, :, 5] * (180 / pi)
+    force = np.sqrt((np.abs(own.ground_force[0, :, :3]) ** 2).sum(axis=-1) / 2)
+    size = np.abs(moved).max(axis=-1)
+    least = 1e-3 * float(size.max(initial=0.0))
+    rows: list[tuple[Value, ...]] = [
+        (float(order), *map(complex, moved[place]), complex(roll[place]), float(force[place]))
+        for place, order in enumerate(own.orders)
+        if size[place] > least
+    ]
+    title = _("By order at {rpm} rpm", rpm=number(float(own.speeds[0] * RPM)))
+    return Table(title, columns, tuple(rows), key="orders")
+
+
+def _force_table(own: MountResponse) -> Table:
+    """The force in each mount at one speed, along its own axes."""
+    columns = (
+        Column(_("mount"), kind="text", key="name", label=True),
+        Column(_("along its axes, rms"), "N", kind="list", key="rms_along", fixed=True),
+        Column(_("rms"), "N", key="rms"),
+        Column(_("peak"), "N", key="peak"),
+        Column(_("transmissibility"), key="transmissibility", digits=3),
+        Column(_("heat"), "W", key="heat", fixed=True),
+    )
+    along = np.sqrt((np.abs(own.mount_force[0]) ** 2).sum(axis=0) / 2)
+    each_rms, each_peak = _of_mounts(own)
+    through, heat = _known(own.transmissibility[0]), own.heat[0]
+    rows = tuple(
+        (
+            own.block.mounts[index].name,
+            tuple(float(f"{value:.5g}") for value in along[index]),
+            float(each_rms[0, index]),
+            float(each_peak[0, index]),
+            through[index],
+            float(heat[index]),
+        )
+        for index in range(own.block.of_block)
+    )
+    title = _("Force in the mounts at {rpm} rpm", rpm=number(float(own.speeds[0] * RPM)))
+    return Table(title, columns, rows, key="mounts_at_speed")
+
+
+def _notes(found: MountAnalysis) -> list[str]:
+    """What it rests on, and what is left out."""
+    up, right, along = (number(round(each * MM, 6)) for each in found.point)
+    sag = number(float(f"{-found.sag[0] * MM:.4g}"))
+    lines = [_("Under its weight the block sits down by {sag} mm at its centre of mass.", sag=sag)]
+    if found.over is None and found.at is None:
+        lines.append(_("Without a speed nothing shakes it: give --speeds, or speed in the file."))
+        return lines
+    lines.append(
+        _(
+            "Vibration is that of the point {up} mm up, {right} mm to the right, {along} mm along; "
+            "see --at.",
+            up=up,
+            right=right,
+            along=along,
+        )
+    )
+    if found.range_assumed:
+        lines.append(_("The range of speeds is taken about the one that is known; see --speeds."))
+    lines.append(
+        _(
+            "The block is rigid, its motion small; the crankshaft runs on evenly. The mean torque, "
+            "what the driveline does, and the gyroscopic moment of the crankshaft are left out."
+        )
+    )
+    return lines
+
+
+def _doubts(found: MountAnalysis) -> list[str]:
+    """What is assumed, and what is missing."""
+    lines = list(found.block.body.assumed)
+    if any(each.assumed for each in found.block.mounts):
+        lines.append(
+            _(
+                "Loss factor of mounts without damping: {value}, assumed; vibration at resonance "
+                "goes with it.",
+                value=number(RUBBER_LOSS_FACTOR),
+            )
+        )
+    known = found.over or found.at
+    if known is not None and known.excitation.without_gas:
+        reason = known.excitation.without_gas.rstrip(".")
+        lines.append(_("Without gas: {reason}.", reason=reason))
+    return lines
