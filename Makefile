@@ -106,6 +106,7 @@ bench: $(READY) front-end chromium
 	$(BIN)/python benchmarks/run.py
 	$(BIN)/python benchmarks/gas.py
 	$(BIN)/python benchmarks/torsion.py
+	$(BIN)/python benchmarks/mounts.py
 	$(BIN)/python benchmarks/page.py
 
 clean:

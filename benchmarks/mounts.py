@@ -46,7 +46,7 @@ SIX: dict[str, Any] = {
             "bearing": f"{-side * 40} deg",
             "loss_factor": 0.1,
             "damping": "200 N*s/m",
-            "stiffening": [{"frequency": "50 Hz", "factor": 1.3}],
+            "rubber": [{"frequency": "50 Hz", "factor": 1.3}],
         }
         for side in (-1, 1)
         for z in (-500, 0, 450)

@@ -22,7 +22,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from crankstar.engine import engine, gas, layouts, oil, records, torsion
+from crankstar.engine import engine, gas, layouts, mounts, oil, records, torsion
 from crankstar.engine.basis import BalanceShaft, Crankshaft, CrankWeight, Override, Sizes
 from crankstar.engine.records import Record
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
@@ -61,6 +61,9 @@ TABLES: dict[str, type[Record]] = {
     "disc": torsion.Disc,
     "pendulum": torsion.Pendulum,
     "chain": torsion.Chain,
+    "mount": mounts.Mount,
+    "stiffening": mounts.Stiffening,
+    "foundation": mounts.Foundation,
     "provenance": records.Provenance,
     **{kind: _layout(kind) for kind in layouts.LAYOUTS},
     "bank": layouts.Bank,
@@ -91,6 +94,9 @@ SECTIONS: dict[type[Record], str] = {
     torsion.CrankFatigue: "[fatigue](#torsion)",
     torsion.Disc: "[discs](#torsion)",
     torsion.Pendulum: "[pendulums](#torsion)",
+    mounts.Mount: "[mounts](#mounts)",
+    mounts.Stiffening: "[rubber](#mounts)",
+    mounts.Foundation: "[foundation](#foundation)",
     records.Shaft: "[a shaft](#a-shaft)",
     records.Throw: "[a throw](#a-throw)",
     records.Weight: "[a weight](#a-weight)",

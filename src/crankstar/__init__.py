@@ -25,7 +25,7 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `derive/` | exact closed forms step by step; their `algebra/`; `errata/` of published formulas |
 | `remedy/` | what is sized and added so that it shakes less: weights, shafts; gives an Engine |
 | `files/` | outside data to Engine and back: TOML, JSON, units; schema, starters, the catalog |
-| `dynamics/` | what the excitation does: free block, uneven running, bearings and oil, twist |
+| `dynamics/` | what the excitation does: block, mounts, uneven running, bearings and oil, twist |
 | `mechanics/` | excitation by cause: inertia, gas; what counts as zero, which orders are shown |
 | `firing/` | firing orders and intervals, given or found; strokes, exhaust; V engines |
 | `engine/` | records, what makes them valid, quantities, layouts, motion, changed copies |
@@ -48,6 +48,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from crankstar.derive import derivation, family, signs
     from crankstar.dynamics.bearings import BearingLoads, Bending, bearing_loads, bending_moment
+    from crankstar.dynamics.mount_analysis import MountAnalysis, mounts
     from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
     from crankstar.dynamics.uneven import Running, driven, flywheel_for
     from crankstar.dynamics.whirl import whirl
@@ -74,6 +75,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "dynamics.whirl": ("whirl",),
     "dynamics.torsion_analysis": ("TorsionAnalysis", "torsion"),
+    "dynamics.mount_analysis": ("MountAnalysis", "mounts"),
     "dynamics.uneven": ("Running", "driven", "flywheel_for"),
     "dynamics.bearings": ("BearingLoads", "Bending", "bearing_loads", "bending_moment"),
     "derive": ("derivation", "family", "signs"),
@@ -109,6 +111,7 @@ __all__ = [
     "EngineFileError",
     "GasTorque",
     "Mechanism",
+    "MountAnalysis",
     "Reference",
     "Rod",
     "Running",
@@ -130,6 +133,7 @@ __all__ = [
     "gas_torque",
     "grouped",
     "load",
+    "mounts",
     "names",
     "of_parts",
     "side_thrust",

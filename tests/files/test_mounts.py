@@ -32,7 +32,7 @@ THREE = [
         z="-350 mm",
         stiffness="150 N/mm",
         damping="120 N*s/m",
-        stiffening=[{"frequency": "25 Hz", "factor": 1.2}, {"frequency": "100 Hz", "factor": 1.5}],
+        rubber=[{"frequency": "25 Hz", "factor": 1.2}, {"frequency": "100 Hz", "factor": 1.5}],
     ),
 ]
 GROUND = {
@@ -86,10 +86,10 @@ def test_mounts_are_the_same_written_and_read_back() -> None:
             {
                 "mounts": [
                     *THREE[:2],
-                    mount("rear", z="-1 m", stiffening=[{"frequency": "9 Hz", "factor": 1}] * 2),
+                    mount("rear", z="-1 m", rubber=[{"frequency": "9 Hz", "factor": 1}] * 2),
                 ]
             },
-            [("mounts.2.stiffening", "mounts.stiffening-order")],
+            [("mounts.2.rubber", "mounts.rubber-order")],
         ),
         ({"foundation": GROUND}, [("foundation", "foundation.alone")]),
         (

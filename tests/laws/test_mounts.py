@@ -399,7 +399,7 @@ def test_the_block_sits_down_under_its_weight_in_balance() -> None:
 def test_a_mode_of_mounts_that_stiffen_is_at_its_own_frequency() -> None:
     """With s = 1 + a w the bounce solves m w^2 = 4 k (1 + a w)."""
     k, a = 2e5, 2e-3
-    rubber = {"stiffness": [k], "stiffening": [{"frequency": 1000.0, "factor": 1 + 1000.0 * a}]}
+    rubber = {"stiffness": [k], "rubber": [{"frequency": 1000.0, "factor": 1 + 1000.0 * a}]}
     modes = mount_modes(mounted_block(v8(square(0.3, 0.2, **rubber))))
     bounce = (4 * k * a + np.sqrt((4 * k * a) ** 2 + 16 * MASS * k)) / (2 * MASS)
     [own] = [mode for mode in modes if mode.energy[0] > 0.99]

@@ -35,8 +35,8 @@ MORE: dict[str, dict[str, Any]] = {
 }
 """What the functions need besides an engine."""
 GAS = ("cycle", "driven", "flywheel_for", "side_thrust")
-OWN = {"load", "names", "widget"}
-"""They load engines themselves."""
+OWN = {"load", "mounts", "names", "widget"}
+"""They load engines themselves, or ask for more of one than others have."""
 
 
 BANKS: Any = "banks"

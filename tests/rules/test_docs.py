@@ -307,7 +307,7 @@ NO_TERMS = {
     *("greatest pressure", "mean pressure", "least film", "eccentricity"),
     *("free end", "torque in {shaft}", "sum of amplitudes", "by order at this speed"),
     *("strongest order", "its mode", "pendulums", "pendulum on", "count", "mass of one", "length"),
-    *("radius of the pivot", "holds back order"),
+    *("radius of the pivot", "holds back order", "along"),
 }
 """Headings that are plain words."""
 

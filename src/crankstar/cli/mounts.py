@@ -63,7 +63,8 @@ def mounts(
         found = analysis(
             loaded, point=point or "", speed=turning, speeds=over, orders=wanted, at=_at(at, loaded)
         )
-        document = mounts_document(loaded, found, machine=form not in ("txt", "xlsx"))
+        machine = form not in ("txt", "xlsx")
+        document = mounts_document(loaded, found, machine=machine, every=form != "txt")
     give(document, output, form=form)
 
 

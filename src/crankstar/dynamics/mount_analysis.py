@@ -37,6 +37,14 @@ class MountAnalysis:
     `sag` is how it sits down under its weight [freedom], `loads` what each mount bears along its
     axes (N). `over` is the response over the range of speeds, `at` that at the one that is asked
     for; None where no speed is known. `point` is the point of the block of which motion is told.
+
+    >>> from crankstar.files.catalog import load
+    >>> places = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
+    >>> rubber = [{"name": n, "right": r, "z": z, "stiffness": "50 N/mm"} for n, r, z in places]
+    >>> five = load("audi-25-tfsi", changes={"mounts": rubber, "block": {"mass": "150 kg"}})
+    >>> found = mounts(five)
+    >>> round(float(-found.sag[0]) * 1e3, 6)  # mm: 150 kg times 9.80665 m/s^2 on two of them
+    14.709975
     """
 
     block: MountedBlock

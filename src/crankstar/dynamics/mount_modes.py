@@ -33,7 +33,7 @@ STIFFEST = 1.01
 
 
 ROUNDING = 1e-12
-"""Metres, or of a unit direction: rounding error."""
+"""Metres, or of a unit direction or shape: rounding error."""
 
 
 class MountMode(NamedTuple):
@@ -89,10 +89,12 @@ def _mode(block: MountedBlock, plain: tuple[Real, Real], index: int) -> MountMod
     values, shapes = plain
     speed, shape = float(np.sqrt(max(values[index], 0.0))), shapes[:, index]
     if block.stiffens:
-        greatest = max(1.0, *(s.factor for each in block.mounts for s in each.stiffening))
+        greatest = max(1.0, *(s.factor for each in block.mounts for s in each.rubber))
         top = STIFFEST * np.sqrt(greatest) * float(np.sqrt(max(values[index], 0.0)))
         speed = _crossing(lambda w: float(_at(block, w)[0][index]) - w, top=top)
         shape = _at(block, speed)[1][:, index]
+    size = np.sqrt(shape**2 * np.diag(block.mass))
+    shape = np.where(size < ROUNDING * size.max(), 0.0, shape)
     shape = shape * np.sign(shape[np.argmax(shape * (block.mass @ shape))])
     energy = shape * (block.mass @ shape)
     lost = gathered(block.arms, values=block.along * np.imag(block.lossy(speed))[:, None])

@@ -85,7 +85,7 @@ class MountedBlock:
     @property
     def stiffens(self) -> bool:
         """Whether a mount is stiffer at some frequency."""
-        return any(each.stiffening for each in self.mounts)
+        return any(each.rubber for each in self.mounts)
 
     def stiffening(self, frequencies: Real | float) -> Real:
         """The factor s at angular frequencies (rad/s), [*frequencies.shape, mount].
@@ -95,9 +95,9 @@ class MountedBlock:
         at = np.asarray(frequencies, float)
         out = np.ones((*at.shape, len(self.mounts)))
         for index, mount in enumerate(self.mounts):
-            if mount.stiffening:
-                knots = [0.0, *(each.frequency for each in mount.stiffening)]
-                factors = [1.0, *(each.factor for each in mount.stiffening)]
+            if mount.rubber:
+                knots = [0.0, *(each.frequency for each in mount.rubber)]
+                factors = [1.0, *(each.factor for each in mount.rubber)]
                 out[..., index] = np.interp(at, knots, factors)
         return out
 

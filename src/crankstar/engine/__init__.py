@@ -9,8 +9,9 @@
 | `drive` | flywheel and load |
 | `oil` | sizes of main bearings and crank pins, and their oil |
 | `torsion` | the crankshaft as it twists: inertias, stiffnesses, discs, dampers, pendulums |
+| `block` | the whole engine as one rigid body: mass, centre, inertia |
 | `mounts` | what the block stands on: mounts, a foundation on springs of its own |
-| `records` | the frozen records: shafts, throws, weights, cylinders, rods, valves, block |
+| `records` | the frozen records: shafts, throws, weights, cylinders, rods, valves |
 | `assembly` | shafts and cylinders put together, and what follows without motion |
 | `basis` | what a layout needs besides angles: name, cycle, firing order, sizes |
 | `main_bearings` | main bearings and webs of a crankshaft, given or assumed |

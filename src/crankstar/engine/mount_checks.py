@@ -118,7 +118,7 @@ def _each_fault(mounts: Sequence[Mount], here: Path) -> Iterator[list[Fault]]:
                 out.append(Fault((*path, key), "mounts.length", {"count": count}))
         if not any(mount.stiffness):
             out.append(Fault((*path, "stiffness"), "mounts.no-stiffness"))
-        rising = [each.frequency for each in mount.stiffening]
+        rising = [each.frequency for each in mount.rubber]
         if any(after <= before for before, after in pairwise(rising)):
-            out.append(Fault((*path, "stiffening"), "mounts.stiffening-order"))
+            out.append(Fault((*path, "rubber"), "mounts.rubber-order"))
         yield out

@@ -88,12 +88,12 @@ class Mount(Record):
     loss_factor: LossFactor | None = Field(
         default=None, description="damping by the deflection itself; assumed if both are left out"
     )
-    stiffening: tuple[Stiffening, ...] = Field(
+    rubber: tuple[Stiffening, ...] = Field(
         default=(),
         max_length=64,
         description=(
-            "of rubber: factors at rising frequencies, straight between them, from 1 at rest, and "
-            "kept beyond the last"
+            "how it stiffens: factors at rising frequencies, straight between them, from 1 at "
+            "rest, and kept beyond the last"
         ),
     )
 

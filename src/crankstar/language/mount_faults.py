@@ -32,7 +32,7 @@ SENTENCES: dict[str, str | Plural] = {
         '{where} is nought along every axis; give stiffnesses, such as ["200 N/mm", "80 N/mm", '
         '"80 N/mm"]'
     ),
-    "mounts.stiffening-order": N_(
+    "mounts.rubber-order": N_(
         "{where} has frequencies that do not rise; list each once, from low to high"
     ),
     "mounts.one": N_(

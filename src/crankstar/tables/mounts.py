@@ -35,15 +35,18 @@ NAMES = {
 """The freedoms as headings."""
 
 
-def mounts_document(engine: Engine, found: MountAnalysis, *, machine: bool = False) -> Document:
-    """All of an analysis."""
+def mounts_document(
+    engine: Engine, found: MountAnalysis, *, machine: bool = False, every: bool = False
+) -> Document:
+    """All of an analysis; `every` speed also for readers, else a few of many."""
     parts: list[Table | Remarks] = [] if machine else [heading(engine)]
     modes = _mode_table(found, machine=machine)
     standing = _mount_table(found)
-    parts += [modes, standing] if machine else [standing, modes]
-    parts.append(_axis_table(found))
-    if found.over is not None:
-        parts.append(_speed_table(found, found.over, machine=machine))
+    over = [] if found.over is None else [_speed_table(found, found.over, every=every or machine)]
+    if machine:  # the first is that of CSV
+        parts += [*over, modes, standing, _axis_table(found)]
+    else:
+        parts += [standing, modes, _axis_table(found), *over]
     if found.at is not None:
         parts += [_order_table(found, found.at), _force_table(found.at)]
     if not machine:
@@ -161,7 +164,7 @@ def _axis_table(found: MountAnalysis) -> Table:
     return Table(_("Axes"), columns, rows, key="axes")
 
 
-def _speed_table(found: MountAnalysis, own: MountResponse, *, machine: bool) -> Table:
+def _speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Table:
     """Vibration of the point, force on the ground and in the mounts, speed by speed."""
     columns = (
         Column(_("speed"), "rpm", key="speed_rpm", label=True),
@@ -195,7 +198,7 @@ def _speed_table(found: MountAnalysis, own: MountResponse, *, machine: bool) -> 
     )
     through = own.transmissibility
     chosen = range(own.speeds.size)
-    if not machine and own.speeds.size > 2 * ROWS:
+    if not every and own.speeds.size > 2 * ROWS:
         chosen = np.unique(np.linspace(0, own.speeds.size - 1, ROWS).round().astype(int)).tolist()
     rows: list[tuple[Value, ...]] = []
     for place in chosen:

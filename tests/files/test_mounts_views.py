@@ -1,0 +1,120 @@
+"""The verb mounts: its tables and what it says, JSON, CSV, Excel; questions that cannot be."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import openpyxl
+import pytest
+from tests.commands import Run
+from tests.files.test_mounts import BLOCK, GROUND, THREE
+from tests.texts import SHORT, spoilt
+
+import crankstar
+from crankstar.dynamics.mount_response import peak, rms
+from crankstar.dynamics.mounted_block import MountError
+from crankstar.files import engine_of, toml
+
+GAS = {"imep": "4 bar", "compression_ratio": 10, "speed": "900 rpm"}
+SPEEDS = "600..6000 rpm/10"
+
+
+def written(folder: Path, **tables: Any) -> str:
+    """An engine file with mounts."""
+    path = folder / "mounted.toml"
+    own = {"block": BLOCK, "mounts": THREE, "gas": GAS, **tables}
+    path.write_text(toml(engine_of(spoilt(SHORT, **own))))
+    return str(path)
+
+
+def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
+    place = written(tmp_path)
+    at = ("--at", "400 mm, 150 mm, -20 mm")
+    out = json.loads(run("mounts", place, "--speeds", SPEEDS, *at, "--json").out)
+    point = (0.15, -0.02, 0.4)
+    found = crankstar.mounts(
+        crankstar.load(place), speeds=np.linspace(20, 200, 10) * np.pi, at=point
+    )
+    assert out["format"] == 1
+    assert out["point"] == pytest.approx(point)
+    for row, mode in zip(out["modes"], found.modes, strict=True):
+        assert row["frequency_hz"] == pytest.approx(mode.frequency)
+        assert row["shape"] == pytest.approx(mode.shape)
+        assert row["energy"] == pytest.approx(mode.energy)
+        assert sum(row["energy"]) == pytest.approx(1)
+    over = found.over
+    assert over is not None
+    displacement = over.displacement(point)
+    assert [row["displacement_rms"] for row in out["speeds"]] == pytest.approx(
+        1e6 * rms(displacement)
+    )
+    velocity = 1e3 * peak(over.velocity(point), orders=over.orders)
+    assert [row["velocity_peak"] for row in out["speeds"]] == pytest.approx(velocity)
+    assert [row["speed_rpm"] for row in out["speeds"]] == pytest.approx(np.linspace(600, 6000, 10))
+    assert out["speeds"][0]["transmissibility"] == pytest.approx(over.transmissibility[0])
+    assert [row["name"] for row in out["axes"]] == ["torque_roll", "elastic"]
+
+
+def test_at_one_speed_the_orders_make_the_whole(run: Run, tmp_path: Path) -> None:
+    out = json.loads(run("mounts", written(tmp_path), "--speed", "900 rpm", "--json").out)
+    sizes = [
+        row[name]["amplitude"] ** 2 / 2 for row in out["orders"] for name in ("up", "right", "z")
+    ]
+    found = crankstar.mounts(crankstar.load(written(tmp_path)), speed=30 * np.pi).at
+    assert found is not None
+    whole = 1e6 * rms(found.displacement(found.block.body.centre))[0]
+    assert np.sqrt(sum(sizes)) == pytest.approx(whole, rel=1e-3)
+    assert [row["name"] for row in out["mounts_at_speed"]] == ["left", "right", "rear"]
+
+
+def test_the_csv_has_a_row_for_each_speed(run: Run, tmp_path: Path) -> None:
+    out = run("mounts", written(tmp_path), "--speeds", SPEEDS, "--csv").out
+    rows = list(csv.DictReader(io.StringIO(out)))
+    assert len(rows) == 10
+    assert float(rows[0]["speed_rpm [rpm]"]) == pytest.approx(600)
+
+
+def test_a_workbook_has_a_sheet_for_each_table(run: Run, tmp_path: Path) -> None:
+    book = tmp_path / "mounts.xlsx"
+    run("mounts", written(tmp_path), "--speeds", "600..6000 rpm/90", "-o", str(book))
+    sheets = openpyxl.load_workbook(book)
+    assert {"modes", "axes", "mounts", "speeds"} <= {*sheets.sheetnames}
+    assert sheets["speeds"].max_row > 90
+
+
+def test_readers_are_told_what_is_assumed_and_left_out(run: Run, tmp_path: Path) -> None:
+    out = " ".join(run("mounts", written(tmp_path)).out.split())
+    assert "Loss factor of mounts without damping: 0.1, assumed" in out
+    assert "torque-roll axis" in out
+    assert "Without gas" not in out
+    cold = spoilt(SHORT, mounts=THREE, speed="3000 rpm")
+    path = tmp_path / "cold.toml"
+    path.write_text(toml(engine_of(cold)))
+    out = " ".join(run("mounts", str(path)).out.split())
+    assert "Without gas: the engine file has no table [gas]." in out
+    assert "The engine file has no [block]" in out
+
+
+def test_a_foundation_shows_its_mounts_and_twelve_modes(run: Run, tmp_path: Path) -> None:
+    place = written(tmp_path, foundation=GROUND)
+    out = json.loads(run("mounts", place, "--speeds", SPEEDS, "--json").out)
+    assert len(out["modes"]) == 12
+    assert len(out["mounts"]) == 7
+    assert len(out["speeds"][0]["mount_force_rms"]) == 3
+
+
+def test_without_mounts_or_point_there_is_a_sentence(run: Run, tmp_path: Path) -> None:
+    refused = run("mounts", "audi-25-tfsi")
+    assert "has no mounts; give [[mounts]]" in " ".join(refused.err.split())
+    with pytest.raises(MountError, match="has no mounts"):
+        crankstar.mounts(crankstar.load("audi-25-tfsi"))
+    place = written(tmp_path)
+    assert "give z, or z, up and right" in " ".join(
+        run("mounts", place, "--at", "1 mm, 2 mm").err.split()
+    )
+    assert "idle" in run("mounts", place, "--point", "idle").err
