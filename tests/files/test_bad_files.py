@@ -234,7 +234,8 @@ def test_a_size_in_metres_needs_no_unit(value: object, size: None) -> None:
         ("82 s", "a time"),
         ("82 m/s", "a speed along a line"),
         ("82 rpm", "a rotational speed"),
-        ("82 kg/s", "another kind of quantity"),
+        ("82 kg/s", "a damping"),
+        ("82 kg*s", "another kind of quantity"),
     ],
 )
 def test_a_stroke_of_another_dimension_is_told_as_what_it_is(value: str, kind: str) -> None:

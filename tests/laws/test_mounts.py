@@ -433,3 +433,27 @@ def test_gas_leans_against_the_turning_crankshaft() -> None:
     assert found == pytest.approx(-wanted, rel=1e-9)
     assert abs(wanted) > 1
     assert replace(push, gas=0 * push.gas).push[0, fires, 5] != pytest.approx(found, rel=1e-3)
+
+
+def test_points_of_the_two_axes_stay_where_they_are() -> None:
+    """Under a moment about the crankshaft: of the free block, and of the block on its mounts."""
+    block = mounted_block(v8(LOOSE, block={**BLOCK, **PRODUCTS}))
+    moment = np.array([0, 0, 0, 0, 0, 1.0])
+    for axis, motion in (
+        (torque_roll_axis(block), np.linalg.solve(block.mass, moment)),
+        (elastic_axis(block), np.linalg.solve(block.stiffness, moment)),
+    ):
+        turn = np.linalg.norm(motion[3:])
+        for along in (-0.7, 0.0, 1.3):
+            point = axis.point + along * axis.direction - block.centres[0]
+            still = axis.advance * turn * axis.direction
+            assert moved(point) @ motion == pytest.approx(still, abs=1e-9 * turn)
+    assert elastic_axis(block).advance != 0
+
+
+def test_the_torque_roll_axis_leans_to_the_long_axis_of_the_block() -> None:
+    """A block that is long upward to the front has a positive product of up and z."""
+    block = mounted_block(v8(LOOSE, block={**BLOCK, "product_up_z": 1.0}))
+    up, right, along = torque_roll_axis(block).direction
+    assert up * along > 0
+    assert right == 0

@@ -18,6 +18,7 @@ _DIMENSIONS = {
     "bending stiffness": N_("a bending stiffness"),
     "torsional stiffness": N_("a torsional stiffness"),
     "torsional damping": N_("a torsional damping"),
+    "damping": N_("a damping"),
     "elastic modulus": N_("an elastic modulus"),
     "viscosity": N_("a viscosity"),
     "pressure": N_("a pressure"),
