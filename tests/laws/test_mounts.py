@@ -19,7 +19,7 @@ from crankstar.dynamics import whirl
 from crankstar.dynamics.mount_excitation import MountExcitation, mount_excitation
 from crankstar.dynamics.mount_modes import elastic_axis, mount_modes, torque_roll_axis
 from crankstar.dynamics.mount_response import MountResponse, mount_response, peak, rms
-from crankstar.dynamics.mounted_block import MountedBlock, mounted_block, settled
+from crankstar.dynamics.mounted_block import MountedBlock, MountError, mounted_block, settled
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.mount_checks import second_moments
@@ -457,3 +457,61 @@ def test_the_torque_roll_axis_leans_to_the_long_axis_of_the_block() -> None:
     up, right, along = torque_roll_axis(block).direction
     assert up * along > 0
     assert right == 0
+
+
+def test_a_body_turned_in_space_by_springs_moves_as_the_six_freedoms_say() -> None:
+    """Another road: a body with its rotation in space, x right, y up, z front, in small motion."""
+    fluid = [{**each, "loss_factor": 0.0, "damping": [180.0, 90.0, 120.0]} for each in LOOSE]
+    engine = v8(fluid, block={**BLOCK, **PRODUCTS}, gas=True)
+    block = mounted_block(engine)
+    w, tiny = 110.0, 1e-4
+    push = mount_excitation(block, engine, speeds=np.array([w]), orders=[0.5, 1, 2, 4])
+    push = replace(push, inertia=tiny * push.inertia, gas=tiny * push.gas)
+    found = mount_response(block, push)
+    across = [1, 0, 2]  # from up, right, z to x, y, z
+    sign = np.array([-1.0, 1.0, -1.0])  # pitch, yaw, roll as turns about x, y, z
+    spread = second_moments((UP, RIGHT, Z), list(PRODUCTS.values()))[np.ix_(across, across)]
+    inertia = np.trace(spread) * np.eye(3) - spread
+    places = np.array([[m.right, m.up, m.z] for m in block.mounts])
+    places = places - block.centres[0][across]
+    axes = np.array([mount_axes(m)[:, across] for m in block.mounts])
+
+    def signal(amplitudes: np.ndarray, t: float) -> np.ndarray:
+        values = np.real(np.exp(1j * w * push.orders * t) @ amplitudes)
+        return np.concatenate([values[across], sign * values[[4, 3, 5]]])
+
+    def slope(t: float, state: np.ndarray) -> np.ndarray:
+        shift, turn, speed, spin = state.reshape(4, 3)
+        body = Rotation.from_rotvec(turn)
+        force = signal(push.push[0], t)
+        for place, own, k, c in zip(places, axes, block.along, block.viscous, strict=True):
+            arm = body.apply(place)
+            stretch = own @ (arm + shift - place)
+            pull = -own.T @ (k * stretch + c * (own @ (speed + np.cross(spin, arm))))
+            force = force + np.concatenate([pull, np.cross(arm, pull)])
+        about = body.as_matrix() @ inertia @ body.as_matrix().T
+        rate = np.linalg.solve(about, force[3:] - np.cross(spin, about @ spin))
+        return np.concatenate([speed, spin, force[:3] / MASS, rate])  # small: turn' = spin
+
+    rates = 1j * w * push.orders[:, None] * found.motion[0]
+    start = np.concatenate([signal(found.motion[0], 0.0), signal(rates, 0.0)])
+    times = np.linspace(0, 4 * np.pi / w, 5)
+    run = solve_ivp(slope, (0, times[-1]), start, t_eval=times, rtol=1e-8, atol=1e-14)
+    for index, t in enumerate(times):
+        wanted = signal(found.motion[0], t)
+        assert run.y[:6, index] == pytest.approx(wanted, abs=2e-4 * np.abs(wanted).max())
+
+
+def test_resonance_without_damping_is_refused() -> None:
+    """Four springs of 100 N/mm under 160 kg, shaken at exactly 50 rad/s."""
+    springs = [
+        {"name": f"{r} {z}", "right": r, "z": z, "stiffness": [1e5], "loss_factor": 0.0}
+        for r in (-0.25, 0.25)
+        for z in (-0.25, 0.25)
+    ]
+    own = {**BLOCK, "mass": 160.0, "up": 0.0, "right": 0.0, "z": 0.0}
+    push = np.zeros((1, 1, 6), complex)
+    push[..., 0] = 1.0
+    shaking = MountExcitation(np.array([50.0]), np.array([1.0]), np.zeros((1, 6)), push)
+    with pytest.raises(MountError, match="resonate without end"):
+        mount_response(mounted_block(v8(springs, block=own)), shaking)

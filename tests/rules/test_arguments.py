@@ -414,6 +414,23 @@ def test_torsion_reads_engines_drive_lines_and_their_files(tmp_path: Path) -> No
             crankstar.torsion(given)
 
 
+def test_mounts_reads_engines_their_files_and_speeds(tmp_path: Path) -> None:
+    asked: Any = crankstar.mounts
+    places = (("left", "-0.4 m", "0 m"), ("right", "0.4 m", "0 m"), ("rear", "0 m", "-0.3 m"))
+    rubber = [{"name": n, "right": r, "z": z, "stiffness": "90 N/mm"} for n, r, z in places]
+    five = crankstar.load(BURNING, changes={"mounts": rubber})
+    path = tmp_path / "five.toml"
+    path.write_text(crankstar.files.toml(five), encoding="utf-8")
+    sources: list[Any] = [five, path, str(path)]
+    found = [asked(given, speeds="1000..6000 rpm/3").over for given in sources]
+    assert all(over is not None and over.speeds.size == 3 for over in found)
+    with pytest.raises(ValueError, match=r"give \[\[mounts\]\]"):
+        asked(BURNING)
+    for given in (None, 5, {"name": "i4"}, b"i4"):
+        with pytest.raises(TypeError, match=r"^mounts takes an Engine, a name of the catalog or"):
+            asked(given)
+
+
 def test_torsion_reads_speeds_as_people_give_them() -> None:
     five = crankstar.load(BURNING, changes={"torsion": TWISTING})
     texts: Any = "1000..3000 rpm/3"

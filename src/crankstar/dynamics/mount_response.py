@@ -22,12 +22,14 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.dynamics.mount_excitation import MountExcitation
-from crankstar.dynamics.mounted_block import SIX, MountedBlock, dynamic_stiffness
+from crankstar.dynamics.mounted_block import SIX, MountedBlock, MountError, dynamic_stiffness
 from crankstar.engine.rigid_block import held, moved
 from crankstar.spectra import Complex, Real
 
 ANGLES = 360
 """Angles of a cycle at which peaks are looked for, at least."""
+AT_ONCE = 16384
+"""Frequencies that are solved together, to bound memory."""
 OF_A_WAVE = 12
 """Angles of a period of the highest order."""
 
@@ -116,6 +118,8 @@ class MountResponse:
 def mount_response(block: MountedBlock, excitation: MountExcitation) -> MountResponse:
     """The steady vibration of a block at the speeds and orders of what shakes it.
 
+    Raises MountError where mounts without damping meet their resonance to the last digit.
+
     One force up on four mounts in the plane of the centre of mass is one mass on one spring:
 
     >>> from crankstar.dynamics.mounted_block import mounted_block
@@ -131,9 +135,19 @@ def mount_response(block: MountedBlock, excitation: MountExcitation) -> MountRes
     [[0.333333333, 0.333333333, 0.333333333, 0.333333333]]
     """
     push = _padded(block, excitation.push)
-    frequencies = np.multiply.outer(excitation.speeds, excitation.orders)
-    stiff = dynamic_stiffness(block, frequencies=frequencies.ravel())
-    motion = np.linalg.solve(stiff, push.reshape(-1, block.freedoms, 1))
+    forces = push.reshape(-1, block.freedoms, 1)
+    frequencies = np.multiply.outer(excitation.speeds, excitation.orders).ravel()
+    motion = np.empty_like(forces)
+    for first in range(0, frequencies.size, AT_ONCE):
+        some = slice(first, first + AT_ONCE)
+        stiff = dynamic_stiffness(block, frequencies=frequencies[some])
+        try:
+            motion[some] = np.linalg.solve(stiff, forces[some])
+        except np.linalg.LinAlgError:
+            raise MountError(
+                "mounts without damping resonate without end at one of these speeds; give damping "
+                "or a loss factor"
+            ) from None
     return MountResponse(block, excitation, motion.reshape(push.shape))
 
 
