@@ -338,7 +338,7 @@ def test_a_crowd_is_listed_as_far_as_it_can_be_read_and_the_rest_is_counted() ->
 def test_long_firing_orders_are_folded() -> None:
     stars = space(24)
     row = AnswerRow(tuple(range(24)), (0.0, 0.0), 23, 1, 1)
-    lines = order_lines(stars, row, width=150.0)
+    lines = order_lines(firing_order(stars, row.star), width=150.0)
     assert "".join(lines) == "-".join(map(str, range(1, 25)))
     assert len(lines) == 3
     assert all(line.endswith("-") for line in lines[:-1])
