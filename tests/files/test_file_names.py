@@ -31,6 +31,10 @@ LINES = [
     "estimate single --displacement '250 cc'",
     "export single",
     "grade --mass '28 kg' --speed '6000 rpm'",
+    (
+        'mounts audi-25-tfsi --set \'mounts=[{name="a", right="-0.4 m", stiffness="90 N/mm"}, '
+        '{name="b", right="0.4 m", stiffness="90 N/mm"}, {name="c", z="-1 m", stiffness="1 N/m"}]\''
+    ),
     "new inline",
     "orders i4 --row 1",
     "orders i4",
