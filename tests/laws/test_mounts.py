@@ -447,7 +447,7 @@ def test_points_of_the_two_axes_stay_where_they_are() -> None:
         for along in (-0.7, 0.0, 1.3):
             point = axis.point + along * axis.direction - block.centres[0]
             still = axis.advance * turn * axis.direction
-            assert moved(point) @ motion == pytest.approx(still, abs=float(1e-9 * turn))
+            assert moved(point) @ motion == pytest.approx(still, abs=1e-9 * float(turn))
     assert elastic_axis(block).advance != 0
 
 
