@@ -13,6 +13,7 @@ from statistics import quantiles
 import pytest
 
 import crankstar
+from crankstar import charts
 
 PACKAGE = Path(crankstar.__file__).parent
 ROOT = PACKAGE.parent.parent
@@ -211,3 +212,9 @@ def test_records_are_copied_with_changes_in_one_place_only():
         if "model_copy" in path.read_text("utf-8")
     }
     assert users <= {"engine/copies.py"}
+
+
+def test_no_figure_has_the_name_of_a_module_of_its_room() -> None:
+    """The module would take the place of the figure as soon as anything loads it."""
+    modules = {path.stem for path in (ROOT / "src" / "crankstar" / "charts").glob("*.py")}
+    assert {*charts.__all__} & modules == set()

@@ -17,7 +17,7 @@ from tests.measured import Measured, Text, contrast, measured
 
 import crankstar
 from crankstar import charts, spectra
-from crankstar.charts.contours import labelled_contours, level_lines, levels
+from crankstar.charts.contour_lines import labelled_contours, level_lines, levels
 from crankstar.charts.drawing import VERMILION
 from crankstar.charts.themes import THEMES
 from crankstar.mechanics.balance import balance, total

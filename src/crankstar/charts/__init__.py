@@ -43,7 +43,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `balance_shafts` | the balance shafts from the front and from the side |
 | `curve_names` | the results of a sweep in the words of the field |
 | `sweeps` | a result over a number of the engine |
-| `contours` | lines along which a result has one value, with their labels |
+| `contour_lines` | lines along which a result has one value, with their labels |
 | `pair_sweeps` | results over two numbers of the engine, and the front of two results |
 | `amplitude_curves` | amplitudes over the speed |
 | `torsion_words` | what figures of torsion say, and why there are none |
@@ -58,7 +58,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `front_keys` | the key of a front as a table |
 | `fronts` | the Pareto front of a search: the trade between two objectives |
 | `search_stars` | the best stars of a search side by side |
-| `sequence_stars` | points of a front over stars and firing orders, with stars of torsion |
+| `torsion_fronts` | points of a front over stars and firing orders, with stars of torsion |
 | `registry` | the figures by the names under which the command line knows them |
 
 What depends on the crank angle has one parameter, `theta`, in degrees: a slider in HTML and in a
@@ -97,12 +97,12 @@ if TYPE_CHECKING:
     from crankstar.charts.registry import CHARTS, Figure, side_by_side
     from crankstar.charts.saving import SUFFIXES, saved, saved_print
     from crankstar.charts.search_stars import best_stars
-    from crankstar.charts.sequence_stars import sequence_stars
     from crankstar.charts.side_thrusts import side_thrust_chart
     from crankstar.charts.spectra import spectrum
     from crankstar.charts.strokes import stroke_chart
     from crankstar.charts.sweeps import swept
     from crankstar.charts.torque import torque_chart
+    from crankstar.charts.torsion_fronts import sequence_stars
     from crankstar.charts.torsion_responses import torsion_response_chart
     from crankstar.charts.torsion_stars import torsion_star
     from crankstar.charts.vector_stars import polygon, vector_star
@@ -182,7 +182,7 @@ _HOMES = {
     "registry": ("CHARTS", "Figure", "side_by_side"),
     "saving": ("SUFFIXES", "saved", "saved_print"),
     "search_stars": ("best_stars",),
-    "sequence_stars": ("sequence_stars",),
+    "torsion_fronts": ("sequence_stars",),
     "side_thrusts": ("side_thrust_chart",),
     "spectra": ("spectrum",),
     "strokes": ("stroke_chart",),

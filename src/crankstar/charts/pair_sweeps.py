@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from crankstar.charts.canvas import curve_height, panel_width
-from crankstar.charts.contours import Contour, labelled_contours
+from crankstar.charts.contour_lines import Contour, labelled_contours
 from crankstar.charts.curve_names import curve_name, names_of
 from crankstar.charts.drawing import (
     BLUE,

@@ -71,7 +71,7 @@ def judged(
 
     >>> from crankstar.files.catalog import load
     >>> from crankstar.firing.orders import even_orders
-    >>> four = load("honda-b18c")
+    >>> four = load("honda-b18c", changes={"cylinder.reciprocating_mass": "0.5 kg"})
     >>> best, values = judged(four, even_orders(four), "bearings")
     >>> len(best), values[0] <= values[1]
     (2, True)
