@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from math import pi, sin
+from math import inf, nextafter, pi, sin
 
 import numpy as np
 
@@ -211,6 +211,7 @@ def _weight(lump: Lump, density: float, inner: float, room: float) -> WeightShow
     size = abs(lump.vector)
     half = HALF_ANGLE
     outer = (1.5 * size / (density * lump.thickness * sin(half)) + inner**3) ** (1 / 3)
+    outer = max(outer, nextafter(inner, inf))  # of next to nothing, whose cube is lost
     if outer > room:
         half, outer = pi / 2, room
     return WeightShown(
