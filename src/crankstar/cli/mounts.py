@@ -18,18 +18,17 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import working
+from crankstar.cli.speed_ranges import speeds_of
 from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
 from crankstar.options.gas import gas_orders
-from crankstar.options.refusals import refusal
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
 
 HELP = "Name from the catalog, or engine file with [[mounts]]; - for standard input."
-MOST_SPEEDS = 2000
 
 
 def mounts(
@@ -56,7 +55,7 @@ def mounts(
     loaded, turning, over, wanted = together(
         partial(loaded_engine, engine, settings),
         partial(request.speed, speed),
-        partial(_speeds, speeds),
+        partial(speeds_of, speeds),
         partial(gas_orders, None if orders and orders.strip() == "all" else orders),
     )
     with working(_("Computing the vibration on the mounts ...")), words_for(form):
@@ -72,11 +71,3 @@ def _at(text: str | None, engine: Engine) -> tuple[float, float, float] | None:
     """The point of --at as up, right, z. Raises RequestError."""
     place = request.reference(text, engine, option="--at")
     return None if place is None else (place.up, place.right, place.z)
-
-
-def _speeds(text: str | None) -> list[float]:
-    """The speeds of --speeds, rad/s. Raises RequestError or SweepError."""
-    found = [] if text is None else request.speeds(text)
-    if len(found) > MOST_SPEEDS:
-        raise refusal("--speeds", text or "", "give up to {most} speeds", most=MOST_SPEEDS)
-    return found

@@ -1,4 +1,4 @@
-"""What `analyze --speeds` prints: the amplitudes of an engine over its speed."""
+"""The speeds of --speeds, and what `analyze` prints over them: amplitudes over the speed."""
 
 from __future__ import annotations
 
@@ -9,10 +9,23 @@ from typing import TYPE_CHECKING
 from crankstar.cli.options import command_text, engine_tree, loaded_values, together
 from crankstar.cli.tabulating import give
 from crankstar.options import values as request
+from crankstar.options.values import refusal
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
     from crankstar.tables.table import Document
+
+
+MOST_SPEEDS = 2000
+"""Of torsion and mounts, whose tables have a row for each."""
+
+
+def speeds_of(text: str | None) -> list[float]:
+    """The speeds of --speeds, rad/s. Raises RequestError or SweepError."""
+    found = [] if text is None else request.speeds(text)
+    if len(found) > MOST_SPEEDS:
+        raise refusal("--speeds", text or "", "give up to {most} speeds", most=MOST_SPEEDS)
+    return found
 
 
 def over_speeds(

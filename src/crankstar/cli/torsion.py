@@ -19,6 +19,7 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import working
+from crankstar.cli.speed_ranges import speeds_of
 from crankstar.cli.tabulating import give, words_for
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import _, _n
@@ -37,7 +38,6 @@ HELP = (
     "alone; - for standard input."
 )
 MOST_MODES = 300
-MOST_SPEEDS = 2000
 
 
 def torsion(
@@ -67,7 +67,7 @@ def torsion(
     (source, spread), turning, over, wanted, most, table = together(
         partial(engine_or_chain, engine, settings, estimate=estimate),
         partial(request.speed, speed),
-        partial(_speeds, speeds),
+        partial(speeds_of, speeds),
         partial(gas_orders, None if orders and orders.strip() == "all" else orders),
         partial(request.within, "--modes", modes, most=MOST_MODES),
         partial(request.within, "--holzer", holzer, most=MOST_MODES),
@@ -101,11 +101,3 @@ def torsion(
     with working(_("Computing torsional vibration ...")), words_for(form):
         document = sheet(source) if isinstance(source, Chain) else ranged(sheet, spread, source)
     give(document, output, form=form)
-
-
-def _speeds(text: str | None) -> list[float]:
-    """The speeds of --speeds, rad/s. Raises RequestError or SweepError."""
-    found = [] if text is None else request.speeds(text)
-    if len(found) > MOST_SPEEDS:
-        raise refusal("--speeds", text or "", "give up to {most} speeds", most=MOST_SPEEDS)
-    return found
