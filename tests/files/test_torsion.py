@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -488,3 +488,21 @@ def test_all_orders_of_a_two_stroke_engine_are_whole(run: Run) -> None:
     told = ("--set", "torsion.inertia=40 t*m^2", "--set", "torsion.stiffness=900 MN*m/rad")
     out = run("torsion", "man-s90mc-c", *told, "--orders", "all", "--json").out
     assert {each["order"] % 1 for each in json.loads(out)["criticals"]} == {0}
+
+
+@pytest.mark.parametrize("verb", ["analyze", "verdict", "show", "bearings", "mounts"])
+def test_other_commands_say_that_a_drive_line_is_no_engine(
+    refused: Callable[..., str], chain: str, verb: str
+) -> None:
+    answer = refused(verb, chain)
+    assert "1 mistake" in answer
+    assert "a drive line without cylinders" in answer
+    assert "`crankstar torsion`" in answer
+
+
+def test_a_slip_in_an_engine_with_discs_is_not_taken_for_a_drive_line(
+    refused: Callable[..., str], tmp_path: Path
+) -> None:
+    place = tmp_path / "engine.toml"
+    place.write_text('name = "x"\n[layuot]\ntype = "vee"\n[[disc]]\nname = "hub"\n')
+    assert "layuot" in refused("analyze", str(place))

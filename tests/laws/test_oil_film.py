@@ -14,6 +14,7 @@ from crankstar import spectra
 from crankstar.dynamics.bearings import bearing_loads
 from crankstar.dynamics.oil_film import Orbit, mobility, orbit
 from crankstar.mechanics.gas import cycle
+from crankstar.mechanics.side_thrust import rod_speeds, rods_over
 from crankstar.spectra import Spectrum
 
 DIAMETER, LENGTH, CLEARANCE, VISCOSITY, SPEED = 0.05, 0.025, 25e-6, 0.01, 300.0
@@ -96,3 +97,66 @@ def test_thinner_oil_makes_a_thinner_film() -> None:
     assert films[0] < films[1] < films[2]
     assert films[0] > 0
     assert films[2] < CLEARANCE
+
+
+def vee(**changes: Any) -> Any:
+    """A V8 with two rods on each pin, masses and a cycle known."""
+    masses = {"cylinder.reciprocating_mass": "600 g", "cylinder.rotating_mass": "450 g"}
+    length = {"layout.bore_pitch": "100 mm"}
+    return crankstar.load("ford-46-sohc", changes={**masses, **length, **changes})
+
+
+@pytest.mark.parametrize("sense", ["clockwise", "counter-clockwise"])
+def test_a_rod_swings_as_its_direction_turns(sense: str) -> None:
+    engine = vee(rotation=sense, firing_order=[])
+    theta = np.linspace(0.3, 4.0, 7)
+    step = 1e-5
+    ahead, behind = (
+        np.angle(rods_over(engine, theta + by).direction.place) for by in (step, -step)
+    )
+    assert rod_speeds(engine, theta) == pytest.approx((ahead - behind) / (2 * step), abs=1e-8)
+
+
+def test_a_mean_speed_that_does_not_change_may_be_given_step_by_step() -> None:
+    load = steady(-2000.0 + 0j)
+    sizes = {"diameter": DIAMETER, "length": LENGTH, "clearance": CLEARANCE, "viscosity": 0.01}
+    one = orbit(load, speed=SPEED, mean_speed=150.0, **sizes)
+    other = orbit(load, speed=SPEED, mean_speed=np.full(12, 150.0), **sizes)
+    assert other.epsilon == pytest.approx(one.epsilon, abs=1e-9)
+
+
+def test_a_big_end_film_is_the_same_seen_from_the_rod() -> None:
+    """On the rod the bearing stands still, and the pin turns by as much less."""
+    engine = vee()
+    loads = bearing_loads(engine, cycle=cycle(engine))
+    assert loads.speed is not None
+    theta = np.arange(1440) * (4 * pi / 1440)
+    swing = rod_speeds(engine, theta)[0]
+    lean = np.angle(rods_over(engine, theta).direction.place[0])
+    load = loads.big_end[0]
+    lines = np.fft.fft(spectra.value(load, theta) * np.exp(-1j * lean)) / theta.size
+    number = np.arange(1, 300)
+    on_rod = Spectrum(
+        np.append(0.0, number / 2), lines[[0, *number]], np.append(0.0, lines[-number])
+    )
+    assert spectra.value(on_rod, theta[:9]) == pytest.approx(
+        spectra.value(load, theta[:9]) * np.exp(-1j * lean[:9]), rel=1e-6
+    )
+    sizes = {"diameter": 0.053, "length": 0.02, "clearance": 25e-6, "viscosity": 0.008}
+    speed = loads.speed
+    whole = orbit(load, speed=speed, mean_speed=speed * (1 + swing) / 2, **sizes)
+    seen = orbit(on_rod, speed=speed, mean_speed=speed * (1 - swing) / 2, **sizes)
+    assert seen.epsilon * np.exp(1j * lean) == pytest.approx(whole.epsilon, abs=2e-4)
+    still = orbit(load, speed=speed, mean_speed=speed / 2, **sizes)
+    assert abs(still.epsilon - whole.epsilon).max() > 0.01  # the swing counts
+
+
+def test_the_rods_of_a_pin_share_its_load() -> None:
+    engine = vee()
+    loads = bearing_loads(engine, cycle=cycle(engine))
+    assert [(end.throw, end.cylinder) for end in loads.big_ends[:2]] == [
+        (1, number) for number in loads.pins[0].cylinders
+    ]
+    theta = np.linspace(0, 12, 50)
+    both = spectra.value(loads.big_end, theta)[:2].sum(axis=0)
+    assert both == pytest.approx(spectra.value(loads.pin, theta)[0], rel=1e-9)

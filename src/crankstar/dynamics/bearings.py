@@ -76,24 +76,38 @@ class CrankPin(NamedTuple):
     cylinders: tuple[int, ...]
 
 
+class BigEnd(NamedTuple):
+    """The bearing of a rod on its crank pin: its shaft, the number of the throw, its cylinder."""
+
+    shaft: str
+    throw: int
+    cylinder: int
+
+
 @dataclass(frozen=True)
 class BearingLoads:
     """Spectra [part, order] in `unit`, order 0 (steady) first, each of the parts beside it.
 
     `load` of `bearings`; `pin` of `pins`: what its rods put on each crank pin, with the rotating
-    mass of its throw, which hangs on it; `guide` of each of `cylinders`: what its piston puts on
+    mass of its throw, which hangs on it; `big_end` of `big_ends`: what one rod alone puts on its
+    pin, with an equal part of that mass; `guide` of each of `cylinders`: what its piston puts on
     the wall.
 
     >>> from crankstar.files.catalog import load
     >>> loads = bearing_loads(load("v2-90"))
     >>> [pin.cylinders for pin in loads.pins], len(loads.bearings), loads.unit
     ([(1, 2)], 2, 'm*r*w^2')
+    >>> together = spectra.vertical(loads.big_end).sum(axis=0)
+    >>> bool(np.allclose(together, spectra.vertical(loads.pin)[0]))
+    True
     """
 
     bearings: tuple[Bearing, ...]
     load: Spectrum
     pins: tuple[CrankPin, ...]
     pin: Spectrum
+    big_ends: tuple[BigEnd, ...]
+    big_end: Spectrum
     cylinders: tuple[int, ...]
     guide: Spectrum
     model: Model
@@ -148,8 +162,10 @@ def bearing_loads(
     scale, units = scales(engine, speed)
     bearings: list[Bearing] = []
     pins: list[CrankPin] = []
+    big_ends: list[BigEnd] = []
     parts: list[Spectrum] = []
     on_pins: list[Spectrum] = []
+    of_rods: list[Spectrum] = []
     hanging = _turning(_with_hanging_masses(machine, engine), loads)
     for index, shaft in enumerate(engine.shafts):
         places, forces = shaft_forces(machine, loads, index)
@@ -167,11 +183,16 @@ def bearing_loads(
             pins.append(CrankPin(shaft.name, number, throw.z, cylinders))
             own = _stacked([loads.pin[rods], hanging[[len(on_pins)]]])
             on_pins.append(_shared(np.ones((1, len(rods) + 1)), own))
+            held = [row for row in rods if engine.cylinders[row].articulated is None]
+            big_ends += [BigEnd(shaft.name, number, engine.cylinders[row].number) for row in held]
+            of_rods.append(_shared(_of_big_ends(len(held)), _stacked([loads.pin[held], own[-1:]])))
     return BearingLoads(
         tuple(bearings),
         spectra.scaled(_stacked(parts), scale.force),
         tuple(pins),
         spectra.scaled(_stacked(on_pins), scale.force),
+        tuple(big_ends),
+        spectra.scaled(_stacked(of_rods), scale.force),
         tuple(cylinder.number for cylinder in engine.cylinders),
         spectra.scaled(loads.guide, scale.force),
         model,
@@ -227,6 +248,11 @@ def bending_moment(
     moment = spectra.scaled(_shared(levers, forces), scale.couple)
     known = speed if units.force == "N" else None
     return Bending(name, tuple(z.tolist()), moment, units.couple, known)
+
+
+def _of_big_ends(count: int) -> Real:
+    """Shares [rod, force] of rods in their own loads, and in what hangs on the pin they share."""
+    return np.hstack([np.eye(count), np.full((count, 1), 1 / max(count, 1))])
 
 
 def all_pin_loads(

@@ -87,7 +87,7 @@ def orbit(
     load: Spectrum,
     *,
     speed: float,
-    mean_speed: float,
+    mean_speed: float | Real,
     diameter: float,
     length: float,
     clearance: float,
@@ -95,8 +95,9 @@ def orbit(
 ) -> Orbit:
     """The orbit of a journal under a load (N) on it, once it repeats with the load.
 
-    `speed` (rad/s) is that of the reference crankshaft, `mean_speed` that of journal and bearing
-    (half the speed of a main journal, positive clockwise); SI. Raises OilFilmError.
+    `speed` (rad/s) is that of the reference crankshaft, `mean_speed` that of journal and bearing,
+    positive clockwise: half the speed of a main journal; of a crank pin, whose bearing swings with
+    the rod, values at equal steps over the period of the load. SI. Raises OilFilmError.
 
     Under a steady load the journal comes to rest aside of it, and the film is as thick as the
     Ocvirk number says:
@@ -113,8 +114,9 @@ def orbit(
     cycle = 2 * pi * turns
     rate = (2 * clearance / diameter) ** 2 / (viscosity * length * diameter * speed)
     ratio = length / diameter
-    turning = 1j * mean_speed / speed
     grid = np.linspace(0.0, cycle, SAMPLES * turns + 1)
+    around = np.atleast_1d(np.asarray(mean_speed, float)) / speed
+    around = np.interp(grid, np.linspace(0.0, cycle, around.size + 1), [*around, around[0]])
     force = spectra.value(load, grid)
     up, right = np.real(force), np.imag(force)
     if not np.abs(force).max() > 0:
@@ -127,7 +129,8 @@ def orbit(
             here *= (1 - 1e-9) / size
         push = complex(np.interp(theta, grid, up), np.interp(theta, grid, right))
         way = push / abs(push) if push else 1 + 0j
-        moved = abs(push) * rate * mobility(here / way, length_ratio=ratio) * way + turning * here
+        moved = abs(push) * rate * mobility(here / way, length_ratio=ratio) * way
+        moved += 1j * float(np.interp(theta, grid, around)) * here
         return [moved.real, moved.imag]
 
     first = START * complex(force[0]) / abs(force).max()

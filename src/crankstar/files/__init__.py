@@ -13,8 +13,8 @@
 | `source` | a file to its text and its tree of keys |
 | `changes` | values of a tree set by key path |
 | `parts` | the weighed parts of a cylinder added up to its masses |
-| `read` | a tree of keys to an Engine, with every fault at once |
 | `chains` | a drive line without cylinders from a file of its own |
+| `read` | a tree of keys to an Engine, with every fault at once |
 | `box` | the ranges of estimated values, and engines at their ends |
 | `filling` | values filled in, each with its source and range |
 | `estimate` | masses and lengths that a file leaves out |

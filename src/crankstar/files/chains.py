@@ -26,6 +26,19 @@ def is_chain(tree: Mapping[str, Any]) -> bool:
     return "disc" in tree and not _OF_ENGINES & tree.keys()
 
 
+def is_drive_line(tree: Mapping[str, Any]) -> bool:
+    """Whether a tree has discs and nothing but what a drive line has.
+
+    >>> is_drive_line({"disc": [], "speed": "60 rpm"}), is_drive_line({"disc": [], "layuot": {}})
+    (True, False)
+    """
+    return is_chain(tree) and tree.keys() <= Chain.model_fields.keys() | _WRITTEN
+
+
+_WRITTEN = {"disc", "pendulum"}
+"""Keys that stand for fields of another name."""
+
+
 def chain_of(tree: Tree, *, name: str = "the chain") -> Chain:
     """The chain of a tree. Raises EngineFileError with every mistake in it.
 

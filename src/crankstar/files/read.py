@@ -23,6 +23,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.records import Record
 from crankstar.files import units
+from crankstar.files.chains import is_drive_line
 from crankstar.files.changes import changed, throw_angles, with_weights_along
 from crankstar.files.errors import EngineFileError
 from crankstar.files.forms import form_of, is_explicit, short_form
@@ -85,6 +86,8 @@ def engine_of(
 
 def _engine_of(tree: Tree, name: str) -> Engine:
     """The engine of a tree with its changes. Raises EngineFileError."""
+    if is_drive_line(tree):
+        raise EngineFileError(name, [Fault((), "form.drive-line")])
     explicit = is_explicit(tree)
     whole, contradictions = with_sums(tree)
     draft = _explicit(whole) if explicit else _short(whole)

@@ -375,6 +375,11 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} belongs to the explicit form, layout and cylinder belong to the short one; leave "
         "one out (`crankstar show --explicit`)"
     ),
+    "form.drive-line": N_(
+        "this is a drive line without cylinders: `crankstar torsion`, `check`, `export` and the "
+        "charts of torsion take it; an engine needs cylinders in a table [layout], and its discs "
+        "as [[torsion.disc]]"
+    ),
     "layout.missing": N_(
         "{where} is missing; say how the cylinders are arranged in a table [layout] with type = "
         '"vee" (`crankstar new vee` writes one), or give [[shaft]] and [[cylinders]]'

@@ -125,6 +125,20 @@ def rods_over(engine: Engine, theta: Real) -> motion.Rods:
     return motion.rods(links, ratio[:, None] * theta + lag[:, None])
 
 
+def rod_speeds(engine: Engine, theta: Real) -> Real:
+    """How fast each rod swings clockwise, of the speed of the reference shaft [cylinder, angle].
+
+    Im(conj(d) d') of its direction d by the angle of its own crank, times the turns of that.
+
+    >>> from crankstar.files.catalog import load
+    >>> four = load("i4", changes={"cylinder.rod_ratio": 4})
+    >>> rod_speeds(four, np.array([0.0]))[0].tolist()  # at top dead centre -r/l
+    [-0.25]
+    """
+    direction = rods_over(engine, theta).direction
+    return np.imag(np.conj(direction.place) * direction.first) * pistons(engine).ratio[:, None]
+
+
 def _of_inertia(engine: Engine, speed: float | None, theta: Real) -> Real | None:
     if speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
         return None

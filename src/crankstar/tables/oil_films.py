@@ -10,16 +10,17 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.dynamics.bearings import BearingLoads
-from crankstar.dynamics.oil_film import OilFilmError, Orbit, orbit
+from crankstar.dynamics.oil_film import SAMPLES, OilFilmError, Orbit, orbit
 from crankstar.engine.engine import Engine
 from crankstar.engine.oil import PlainBearing
 from crankstar.language.messages import _
-from crankstar.spectra import Spectrum
+from crankstar.mechanics.side_thrust import rod_speeds
+from crankstar.spectra import Real, Spectrum
 from crankstar.tables.table import Column, Table, Value
 
 
 class _Loaded(NamedTuple):
-    """A bearing: its shaft, its name, its sizes, the load in it (N).
+    """A bearing: its shaft, its name, its sizes, the load in it (N), the cylinder of its rod.
 
     Whether its journal pushes it or is pushed: the film is the same half a turn further.
     """
@@ -28,6 +29,7 @@ class _Loaded(NamedTuple):
     name: str
     bearing: PlainBearing
     load: Spectrum
+    cylinder: int | None = None
 
 
 def film_table(engine: Engine, loads: BearingLoads) -> Table | None:
@@ -67,8 +69,8 @@ def film_table(engine: Engine, loads: BearingLoads) -> Table | None:
             "mobility method; for one design beside another, not for its last micrometre."
         )
     )
-    if engine.oil.pin is not None and len(rows) < len(loads.pins) + len(loads.bearings):
-        notes.append(_("Pins with several rods are left out."))
+    if engine.oil.pin is not None and len(loads.big_ends) > len(loads.pins):
+        notes.append(_("Where several rods share a pin, each has a bearing of its own on it."))
     if any(row[4] is None for row in rows):
         notes.append(
             _("For the film give clearance and oil.viscosity: {keys}.", keys="oil.main, oil.pin")
@@ -84,13 +86,15 @@ def _loaded(engine: Engine, loads: BearingLoads) -> Iterator[_Loaded]:
         for index, bearing in enumerate(loads.bearings):
             name = _("main {number}", number=bearing.number)
             yield _Loaded(bearing.shaft, name, oil.main, loads.load[index])
-    single = [each.number for each in engine.cylinders if each.articulated is None]
     if oil.pin is not None:
-        for index, pin in enumerate(loads.pins):
-            if sum(number in single for number in pin.cylinders) != 1:
-                continue  # each rod has a bearing of its own, and its share of the load
-            name = _("pin {number}", number=pin.throw)
-            yield _Loaded(pin.shaft, name, oil.pin, loads.pin[index])
+        on_pins = [(each.shaft, each.throw) for each in loads.big_ends]
+        for index, (each, place) in enumerate(zip(loads.big_ends, on_pins, strict=True)):
+            name = _("pin {number}", number=each.throw)
+            if on_pins.count(place) > 1:
+                name = _(
+                    "pin {number}, cylinder {cylinder}", number=each.throw, cylinder=each.cylinder
+                )
+            yield _Loaded(each.shaft, name, oil.pin, loads.big_end[index], each.cylinder)
 
 
 def _orbit(engine: Engine, loads: BearingLoads, each: _Loaded) -> Orbit | None:
@@ -98,11 +102,16 @@ def _orbit(engine: Engine, loads: BearingLoads, each: _Loaded) -> Orbit | None:
     oil, bearing = engine.oil, each.bearing
     if oil is None or oil.viscosity is None or bearing.clearance is None or loads.speed is None:
         return None
-    turning = loads.speed * float(engine.shaft(each.shaft).speed_ratio) * engine.sense
+    turning: float | Real = float(engine.shaft(each.shaft).speed_ratio) * engine.sense
+    if each.cylinder is not None:
+        row = [one.number for one in engine.cylinders].index(each.cylinder)
+        turns = spectra.period(each.load)
+        steps = np.linspace(0.0, 2 * np.pi * turns, SAMPLES * turns, endpoint=False)
+        turning = turning + rod_speeds(engine, steps)[row]
     return orbit(
         each.load,
         speed=loads.speed,
-        mean_speed=turning / 2,
+        mean_speed=loads.speed * turning / 2,
         diameter=bearing.diameter,
         length=bearing.length,
         clearance=bearing.clearance,
