@@ -101,6 +101,14 @@ def test_what_cannot_be_drawn_is_refused(
     assert list(tmp_path.iterdir()) == []
 
 
+def test_chart_and_engine_may_be_given_the_other_way_round(run: Run) -> None:
+    usual, other = (
+        run("plot", *words, "-o", "-").out for words in (("i4", "crank-star"), ("crank-star", "i4"))
+    )
+    assert usual == other
+    assert "<svg" in other
+
+
 def test_a_sweep_finds_the_balance_factor_of_a_single(run: Run) -> None:
     out = run(
         "sweep", "single", "--over", "balance_factor=0..1", "--quantity", "force", "--orders", "1"

@@ -87,9 +87,11 @@ def campbell(
     marks = [each for each in marks if each.order in rays]
     area = _area(found, marks)
     x, y = area.channels()
-    layers = [_range(found, x), *_levels(found, area, x, y), *_rays(rays, area, x, y)]
+    lines, values = _levels(found, area, x, y)
+    layers = [_range(found, x), lines, *_rays(rays, area, x, y)]
     if marks:
         layers.append(_marks(marks, x, y))
+    layers.append(values)  # last, so that no ray crosses them
     panel = layered(layers, width=panel_width(), height=curve_height(HEIGHT))
     return figure([[panel]], title=title, subtitle=subtitle)
 
@@ -106,8 +108,8 @@ def _range(found: TorsionAnalysis, x: Channel) -> Layer:
     return of_rows([ends]).mark("rect", color=GREY, opacity=0.1).encode(x=x, x2=field("x2"))
 
 
-def _levels(found: TorsionAnalysis, area: _Field, x: Channel, y: Channel) -> list[Layer]:
-    """The natural frequencies, each with its value at the left."""
+def _levels(found: TorsionAnalysis, area: _Field, x: Channel, y: Channel) -> tuple[Layer, Layer]:
+    """The natural frequencies, and their values at the left."""
     seen = [mode for mode in found.modes if mode.frequency <= area.top][:MOST_MODES]
     rows = [
         {
@@ -123,7 +125,7 @@ def _levels(found: TorsionAnalysis, area: _Field, x: Channel, y: Channel) -> lis
     words = base.mark(
         "text", align="left", baseline="bottom", dx=4, dy=-3, color=BLUE, fontSize=SMALL
     )
-    return [lines, words.encode(x=x, y=y, text=field("text:N"))]
+    return lines, words.encode(x=x, y=y, text=field("text:N"))
 
 
 def _rays(rays: Sequence[float], area: _Field, x: Channel, y: Channel) -> list[Layer]:

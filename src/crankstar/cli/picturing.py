@@ -86,6 +86,8 @@ def plot(
 ) -> None:
     """Draw a chart of an engine: stars, paths, curves, spectra, strokes, gas, loads, torsion."""
     drawing = chart_request.charts()
+    if engine in drawing.CHARTS and chart not in drawing.CHARTS:
+        engine, chart = chart, engine  # the two the other way round
     figure = drawing.CHARTS[request.choice("chart", chart, drawing.CHARTS)]
     suffix = chart_request.suffix(output, drawing.SUFFIXES)
     paper = chart_request.paper(suffix, **asdict(looks))
