@@ -105,8 +105,9 @@ SECTIONS: dict[type[Record], str] = {
 """Where the page describes the tables that other tables hold."""
 
 MARK = re.compile(
-    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|gears|orders|estimate|plot|draw|"
-    r"search|sweep|glossary|commands): ?([^\n]*?) ?-->$(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
+    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|gears|left out|orders|estimate|"
+    r"plot|draw|search|sweep|glossary|commands): ?([^\n]*?) ?-->$"
+    r"(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
     re.MULTILINE | re.DOTALL,
 )
 """A marker, with what `docs/tables.py` has put between it and its end for readers of the text."""
@@ -153,6 +154,7 @@ def made(kind: str, argument: str) -> str:
         "sinitsyn": sinitsyn,
         "kr250": kr250,
         "gears": gears,
+        "left out": left_out,
         "estimate": estimate,
         "orders": orders,
         "plot": plot,
@@ -324,6 +326,11 @@ def kr250(part: str) -> str:
 def gears(part: str) -> str:
     """Gears between crankshafts and torque at low speed, by the script beside this one."""
     return run_path(str(HERE / "gears_page.py"))["page"](part)
+
+
+def left_out(part: str) -> str:
+    """A part of the page on what the model leaves out."""
+    return run_path(str(HERE / "left_out_page.py"))["page"](part)
 
 
 @lru_cache
