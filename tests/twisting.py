@@ -8,8 +8,9 @@ import numpy as np
 from hypothesis import strategies as st
 from tests.strategies import Draw, number
 
-from crankstar.dynamics.torsion_chain import TorsionChain, torsion_chain
+from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_excitation import Excitation
+from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.engine.torsion import Chain, Disc, Pendulum
 
 RATIOS = st.sampled_from(["1", "1", "1", "-1", "2", "-5/2", "3/7"])

@@ -15,8 +15,10 @@ from tests.commands import Run
 from tests.texts import EXPLICIT, SHORT, spoilt
 
 from crankstar.dynamics.torsion_analysis import torsion
-from crankstar.dynamics.torsion_chain import TorsionError, torsion_chain
+from crankstar.dynamics.torsion_chain import torsion_chain
+from crankstar.dynamics.torsion_system import TorsionError
 from crankstar.files import EngineFileError, engine_of, toml, tree_of
+from crankstar.files.catalog import load
 from crankstar.files.chains import chain_of
 
 FLYWHEEL = {
@@ -181,9 +183,51 @@ def test_all_mistakes_are_told_at_once() -> None:
     assert places == {"torsion", "firing_order"}
 
 
-def test_several_crankshafts_are_refused_and_said_not_to_be_computed_yet(run: Run) -> None:
-    err = run("torsion", "kr250-racer", "--set", 'torsion.inertia="1 kg*m^2"').err
-    assert "not computed yet" in " ".join(err.split())
+TWO: dict[str, Any] = {"inertia": "0.01 kg*m^2", "coupling": [{"crankshaft": "rear"}]}
+
+
+@pytest.mark.parametrize(
+    ("own", "place", "code"),
+    [
+        ({"coupling": []}, "torsion.coupling", "coupling.missing"),
+        ({"coupling": [{"crankshaft": "rare"}]}, "crankshaft", "coupling.crankshaft"),
+        ({"coupling": [{"crankshaft": "front"}]}, "crankshaft", "coupling.crankshaft"),
+        ({"coupling": TWO["coupling"] * 2}, "crankshaft", "coupling.twice"),
+        ({"coupling": [{"crankshaft": "rear", "to": "rear of rear"}]}, "to", "coupling.still"),
+        ({"coupling": [{"crankshaft": "rear", "to": "hub"}]}, "to", "disc.no-such-place"),
+        ({"coupling": [{"crankshaft": "rear", "at": "throw 2"}]}, "at", "disc.no-such-place"),
+        ({"coupling": [{"crankshaft": "rear", "loss_factor": 0.1}]}, "stiffness", "coupling.rigid"),
+        ({"inertia": ["1 kg*m^2"] * 3}, "torsion.inertia", "torsion.length"),
+        ({"stiffness": "1 MN*m/rad"}, "torsion.stiffness", "torsion.one-throw"),
+    ],
+)
+def test_each_mistake_of_several_crankshafts_has_its_sentence(
+    own: dict[str, Any], place: str, code: str
+) -> None:
+    with pytest.raises(EngineFileError) as refusal:
+        load("kr250-racer", changes={"torsion": {**TWO, **own}})
+    [fault] = refusal.value.faults
+    assert fault.code == code
+    assert place in ".".join(map(str, fault.path))
+
+
+def test_a_disc_between_a_crankshaft_and_itself_is_a_loop_that_is_refused() -> None:
+    idler = {"name": "idler", "inertia": "1 kg*m^2", "to": "rear of rear", "stiffness": "1 N*m/rad"}
+    own = {"coupling": [{"crankshaft": "rear", "to": "idler"}], "disc": [idler]}
+    with pytest.raises(EngineFileError) as refusal:
+        load("kr250-racer", changes={"torsion": {**TWO, **own}})
+    assert [fault.code for fault in refusal.value.faults] == ["coupling.still"]
+
+
+def test_two_crankshafts_have_a_table_of_masses_and_a_coupling(run: Run) -> None:
+    stiff = 'torsion.coupling=[{crankshaft="rear", stiffness="1 MN*m/rad"}]'
+    out = run(
+        "torsion", "kr250-racer", "--set", 'torsion.inertia="0.01 kg*m^2"', "--set", stiff
+    ).out
+    assert "throw 1 of rear" in out
+    assert "throw 1 - throw 1 of rear" in out
+    # two equal masses on a spring: w^2 = 2 k/J
+    assert f"{(2 * 1e6 / 0.01) ** 0.5 / (2 * 3.141592653589793):.4f}"[:6] in out
 
 
 def test_bare_inertias_need_the_masses_of_the_pistons() -> None:

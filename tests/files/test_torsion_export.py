@@ -14,8 +14,9 @@ from tests.commands import Run
 from tests.methods.test_torsion_charts import fan_drive, tree
 
 import crankstar
-from crankstar.dynamics.torsion_chain import TorsionError, torsion_chain
+from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_modes import torsion_modes
+from crankstar.dynamics.torsion_system import TorsionError
 from crankstar.engine.torsion import Chain, Disc
 from crankstar.exports.torsion import Program, torsion_script
 from crankstar.files import engine_of

@@ -12,10 +12,11 @@ from hypothesis import strategies as st
 from tests.strategies import number
 from tests.twisting import chains, pendulums, pushes, row
 
-from crankstar.dynamics.torsion_chain import TorsionChain, TorsionError, torsion_chain
+from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_criticals import criticals, modal_inertia
 from crankstar.dynamics.torsion_modes import Mode, holzer, torsion_modes
 from crankstar.dynamics.torsion_response import Response, response
+from crankstar.dynamics.torsion_system import TorsionChain, TorsionError
 from crankstar.engine.torsion import Chain
 from crankstar.spectra import Real
 

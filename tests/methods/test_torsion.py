@@ -20,11 +20,12 @@ from tests.twisting import chains, pendulums, pushes, row
 
 from crankstar import load, spectra
 from crankstar.dynamics.torsion_analysis import resolved, torsion
-from crankstar.dynamics.torsion_chain import TorsionChain, torsion_chain
+from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_criticals import Critical, of_note, strength, stresses
 from crankstar.dynamics.torsion_excitation import Excitation, excitation, firing_phases
 from crankstar.dynamics.torsion_modes import torsion_modes
 from crankstar.dynamics.torsion_response import Response, response
+from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.dynamics.torsion_variable import inertia_waves, variable_response
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain, Disc, Pendulum

@@ -20,8 +20,8 @@ from crankstar.charts.torsion_words import (
     strongest_line,
 )
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
-from crankstar.dynamics.torsion_chain import TorsionError
 from crankstar.dynamics.torsion_criticals import Critical, strength
+from crankstar.dynamics.torsion_system import TorsionError
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import N_, _

@@ -12,8 +12,9 @@ from crankstar.charts.drawing import BLUE, GREY, VERMILION, Panel, figure, layer
 from crankstar.charts.grammar import DISC, Channel, Chart, field, of_rows, own, span
 from crankstar.charts.letters import TEXT, text_width
 from crankstar.charts.torsion_words import hertz, named_lines, refused
-from crankstar.dynamics.torsion_chain import TorsionChain, TorsionError, torsion_chain
+from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
+from crankstar.dynamics.torsion_system import TorsionChain, TorsionError
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import N_, _, _n

@@ -24,9 +24,9 @@ from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, own,
 from crankstar.charts.sums import checked_quantity
 from crankstar.charts.torsion_words import NO_SPEED, RPM, load_lines, named_lines, refused, rpm_text
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, resolved, torsion
-from crankstar.dynamics.torsion_chain import TorsionError
 from crankstar.dynamics.torsion_criticals import stresses
 from crankstar.dynamics.torsion_response import Response
+from crankstar.dynamics.torsion_system import TorsionError
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text, unit_text

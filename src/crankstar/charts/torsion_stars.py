@@ -29,10 +29,11 @@ from crankstar.charts.plane import (
 from crankstar.charts.sums import checked_quantity
 from crankstar.charts.torsion_words import hertz, named_lines, refused, rpm_text
 from crankstar.dynamics.torsion_analysis import torsion
-from crankstar.dynamics.torsion_chain import TorsionChain, TorsionError, torsion_chain
+from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_criticals import of_note
 from crankstar.dynamics.torsion_excitation import firing_phases
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
+from crankstar.dynamics.torsion_system import TorsionChain, TorsionError
 from crankstar.engine.engine import Engine
 from crankstar.firing.weighing import NOTHING, vector_sums
 from crankstar.language.messages import N_, _
@@ -107,7 +108,7 @@ def torsion_star(
 def _stars(
     engine: Engine, chain: TorsionChain, mode: Mode, phases: Real, asked: Sequence[float] | None
 ) -> list[_Star]:
-    shape = mode.shape[list(chain.cylinders)]
+    shape = chain.at_cylinders(mode.shape)
 
     def star(order: float) -> _Star:
         return _Star(order, shape * np.exp(1j * order * phases), mode.speed / order)

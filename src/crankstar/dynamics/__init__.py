@@ -11,7 +11,8 @@
 | `meshes` | what the gears between crankshafts pass on over a cycle |
 | `crank_stiffness` | the torsional stiffness of a crank throw by published formulas |
 | `crank_fillets` | how fillets of a crank throw concentrate stress, and what they bear |
-| `torsion_chain` | a crankshaft, or a drive line, as a chain of inertias and springs |
+| `torsion_system` | inertias and springs that twist: masses, sections, matrices, pendulums |
+| `torsion_chain` | crankshafts, or a drive line, as such a system |
 | `torsion_modes` | natural frequencies and shapes of a chain, nodes, Holzer's table |
 | `torsion_shapes` | the shape of a mode as the amplitude of each cylinder |
 | `torsion_excitation` | the torque of gas and moving parts on each throw; vector sums |

@@ -13,7 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
-from crankstar.dynamics.torsion_chain import TorsionChain, torsion_chain
+from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_criticals import (
     Barred,
     Critical,
@@ -25,6 +25,7 @@ from crankstar.dynamics.torsion_criticals import (
 from crankstar.dynamics.torsion_excitation import Excitation, excitation, firing_phases
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
 from crankstar.dynamics.torsion_response import Response, response
+from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.dynamics.torsion_variable import variable_response
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain

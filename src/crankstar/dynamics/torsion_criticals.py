@@ -16,10 +16,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar.dynamics.torsion_chain import TorsionChain
 from crankstar.dynamics.torsion_excitation import Excitation
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
 from crankstar.dynamics.torsion_response import Response
+from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.firing.weighing import vector_sums
 from crankstar.spectra import Real
 
@@ -92,7 +92,7 @@ def _critical(
 ) -> Critical:
     summed = torque = equilibrium = None
     if phases is not None:
-        shape = mode.shape[list(chain.cylinders)]
+        shape = chain.at_cylinders(mode.shape)
         summed = float(vector_sums(shape, phases, [order])[0])
     place = [] if excitation is None else np.flatnonzero(np.abs(excitation.orders - order) < 1e-9)
     if excitation is not None and len(place):

@@ -2,7 +2,8 @@
 
     T(theta) = sum Re((gas_k + w^2 inertia_k) exp(i k theta))            N m, each throw
 
-positive in the direction of rotation, theta the angle of the crankshaft that turns evenly at w.
+positive in the direction of rotation, theta the angle of the crankshaft that turns evenly at w. On
+a crankshaft of another speed ratio i the torque of its cylinders is 1/i of what reaches the first.
 Slave rods act on the throw of their master. The cycle is that of one operating point and stays so
 over all speeds: what the gas does at another load is another operating point. The mean torque,
 which twists the shaft steadily and does not vibrate, is left out.
@@ -23,7 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from crankstar import spectra
-from crankstar.dynamics.torsion_chain import TorsionChain
+from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import firing_angles
@@ -62,7 +63,7 @@ def excitation(
     engine: Engine,
     cycle: Cycle | None,
     *,
-    orders: Sequence[float] | None = None,
+    orders: Sequence[float] | Real | None = None,
 ) -> Excitation:
     """The torque of gas and moving parts on the masses of an engine's chain.
 
@@ -77,17 +78,18 @@ def excitation(
     False
     """
     whole = 1.0 if engine.cycle == "two-stroke" else 0.5
-    own = np.arange(1, round(HIGHEST / whole) + 1) * whole
-    wanted = own if orders is None else np.array(sorted({*map(float, orders)}))
+    every = np.arange(1, round(HIGHEST / whole) + 1) * whole
+    wanted = every if orders is None else np.array(sorted({*map(float, orders)}))
     gas = np.zeros((len(chain.names), wanted.size), complex)
+    own = 1 / chain.ratio[list(chain.cylinders), None]
     if cycle is not None:
         found = spectra.selected(piston_torque(engine, cycle), wanted)
-        np.add.at(gas, list(chain.cylinders), spectra.amplitude(found))
+        np.add.at(gas, list(chain.cylinders), own * spectra.amplitude(found))
     if not {"mass", "radius"}.isdisjoint(engine.relative):
         return Excitation(wanted, gas, None)
     inertia = np.zeros_like(gas)
     moving = spectra.selected(piston_inertia_torque(engine), wanted)
-    np.add.at(inertia, list(chain.cylinders), spectra.amplitude(moving))
+    np.add.at(inertia, list(chain.cylinders), own * spectra.amplitude(moving))
     return Excitation(wanted, gas, inertia)
 
 

@@ -28,7 +28,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar.dynamics.torsion_chain import TorsionChain, TorsionError
+from crankstar.dynamics.torsion_system import TorsionChain, TorsionError
 from crankstar.spectra import Real
 
 STILL = 1e-3

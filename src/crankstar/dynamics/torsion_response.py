@@ -24,9 +24,9 @@ from functools import cached_property
 import numpy as np
 
 from crankstar import spectra
-from crankstar.dynamics.torsion_chain import TorsionChain
 from crankstar.dynamics.torsion_excitation import Excitation
 from crankstar.dynamics.torsion_modes import twists
+from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.spectra import Complex, Real
 
 

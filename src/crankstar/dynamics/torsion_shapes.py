@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from crankstar.dynamics.torsion_chain import TorsionError, torsion_chain
+from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
+from crankstar.dynamics.torsion_system import TorsionError
 from crankstar.engine.engine import Engine
 
 TWISTED = 0.5
@@ -32,7 +33,7 @@ def cylinder_shape(engine: Engine, *, mode: int | None = None) -> tuple[Mode, di
     """
     chain = torsion_chain(engine)
     modes = torsion_modes(chain)
-    shapes = [each.shape[list(chain.cylinders)] for each in modes]
+    shapes = [chain.at_cylinders(each.shape) for each in modes]
     if mode is None:
         twisting = (n for n, shape in enumerate(shapes) if np.ptp(shape) > TWISTED * _most(shape))
         place = next(twisting, None)

@@ -23,10 +23,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from crankstar.dynamics.torsion_chain import TorsionChain
 from crankstar.dynamics.torsion_excitation import Excitation
 from crankstar.dynamics.torsion_modes import twists
 from crankstar.dynamics.torsion_response import Response
+from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.spectra import Complex, Real
 
 
@@ -47,8 +47,8 @@ def inertia_waves(chain: TorsionChain, excitation: Excitation) -> Complex:
     if excitation.inertia is None:
         return np.zeros((chain.freedoms, excitation.orders.size), complex)
     waves = -2 * excitation.inertia / (1j * excitation.orders)
-    # a mass feels its own torque; what it turns by goes with the speed ratio, once more for J
-    return (chain.transform**2).T @ waves
+    # the torque of a mass on its own shaft, referred to the freedom, is -J'/2 of the freedom
+    return chain.transform.T @ waves
 
 
 def variable_response(

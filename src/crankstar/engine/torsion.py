@@ -1,13 +1,14 @@
 """The crankshaft as a chain that twists: inertias, stiffnesses, discs, dampers and pendulums.
 
 Of an engine (`Torsion`, the table [torsion]) or of a drive line without cylinders (`Chain`, a file
-of its own). Discs hang on an end of the crankshaft, on a throw or on a disc listed before, so that
-everything branches as a tree does.
+of its own). Discs hang on an end of a crankshaft, on a throw or on a disc listed before, and a
+second crankshaft is coupled to what turns already, so that everything branches as a tree does.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Annotated, Any, Literal, NamedTuple
 
@@ -31,6 +32,7 @@ from crankstar.engine.quantities import (
 
 GREATEST_DISCS = 64
 GREATEST_THROWS = 256
+GREATEST_CRANKSHAFTS = 16
 STEEL = 80e9
 """Pa: the shear modulus that is assumed of a crankshaft."""
 LOSS_FACTOR = 0.02
@@ -44,7 +46,9 @@ FACTORS = (
     "journal_torsion",
 )
 """The stress concentration factors of the fillets of a crank throw."""
-_THROW = re.compile(r"throw\s*(\d{1,4})", re.IGNORECASE)
+_PLACE = re.compile(
+    r"(?:(?P<end>front|rear)|throw\s*(?P<throw>\d{1,4}))(?:\s+of\s+(?P<crank>.+))?", re.IGNORECASE
+)
 
 Formula = Literal["ker-wilson", "carter", "timoshenko"]
 LossFactor = Annotated[Number, Field(ge=0, le=2)]
@@ -88,7 +92,10 @@ class Disc(Record):
     inertia: TurningInertia = Field(description="about the axis that it turns on")
     to: Line | None = Field(
         default=None,
-        description='"front", "rear", "throw 3", or the name of a disc listed before it',
+        description=(
+            '"front", "rear", "throw 3" (of another crankshaft "rear of upper"), or the name of a '
+            "disc listed before it"
+        ),
         examples=["rear"],
     )
     stiffness: TurningStiffness | None = Field(
@@ -229,6 +236,28 @@ class CrankFatigue(Record):
         return {name: value for name, value in given.items() if value is not None}
 
 
+class Coupling(Record):
+    """What turns another crankshaft: gears, a chain or a belt from what turns already.
+
+    >>> Coupling(crankshaft="upper").at, Coupling(crankshaft="upper").to
+    ('rear', 'rear')
+    """
+
+    crankshaft: Line = Field(description="name of the shaft that it turns", examples=["upper"])
+    at: Line = Field(default=REAR, description='"front", "rear" or "throw 3" of that shaft')
+    to: Line = Field(
+        default=REAR,
+        description="as `to` of a disc: on the first crankshaft, or what is coupled before",
+    )
+    stiffness: TurningStiffness | None = Field(
+        default=None, description="by the twist of that shaft; rigid if left out"
+    )
+    damping: TurningDamping = Field(default=0.0, description="by the speed of the twist")
+    loss_factor: LossFactor | None = Field(
+        default=None, description="damping by the twist itself; as that of the crank elements"
+    )
+
+
 class Torsion(Record):
     """The crankshaft between front and rear, throw by throw, and all that turns with it.
 
@@ -241,8 +270,8 @@ class Torsion(Record):
         default=(),
         examples=["0.035 kg*m^2"],
         description=(
-            "of each throw, front first, or one for all: webs, pin, big ends and half the "
-            "reciprocating masses, as published"
+            "of each throw, front first (of several crankshafts one after the other), or one for "
+            "all: webs, pin, big ends and half the reciprocating masses, as published"
         ),
     )
     bare_inertia: Inertias = Field(
@@ -283,6 +312,13 @@ class Torsion(Record):
         description="greatest shear stress by vibration; speeds with more of it are barred",
         examples=["30 MPa"],
     )
+    couplings: tuple[Coupling, ...] = Field(
+        default=(),
+        validation_alias="coupling",
+        serialization_alias="coupling",
+        max_length=GREATEST_CRANKSHAFTS,
+        description="what turns each further crankshaft",
+    )
     discs: tuple[Disc, ...] = Field(
         default=(),
         validation_alias="disc",
@@ -320,28 +356,51 @@ class Chain(Record):
 
 
 class Home(NamedTuple):
-    """Where a disc or a pendulum hangs: `throw` from 0 at the front, or the index of a `disc`."""
+    """Where a disc or a pendulum hangs: the index of a `throw`, or of a `disc`, from 0.
+
+    Throws count crankshaft by crankshaft, each from its front.
+    """
 
     throw: int | None = None
     disc: int | None = None
 
 
-def home(text: str, *, throws: int, names: tuple[str, ...]) -> Home | None:
+Cranks = Sequence[tuple[str, int]]
+"""The crankshafts by name, the first one first, with how many throws each has."""
+
+
+def home(text: str, *, cranks: Cranks, names: tuple[str, ...]) -> Home | None:
     """The place that a text names, `names` being those of the discs; None where there is none.
 
-    >>> home("rear", throws=6, names=()), home("ring", throws=6, names=("hub", "ring"))
-    (Home(throw=5, disc=None), Home(throw=None, disc=1))
+    >>> home("ring", cranks=[], names=("hub", "ring"))
+    Home(throw=None, disc=1)
+    >>> two = [("lower", 6), ("upper", 6)]
+    >>> [home(text, cranks=two, names=()).throw for text in ("rear", "throw 2 of upper")]
+    [5, 7]
     """
     if text in names:
         return Home(disc=names.index(text))
-    if throws and text.lower() in (FRONT, REAR):
-        return Home(throw=0 if text.lower() == FRONT else throws - 1)
-    number = _THROW.fullmatch(text.strip())
-    if number and 1 <= int(number[1]) <= throws:
-        return Home(throw=int(number[1]) - 1)
+    found = _PLACE.fullmatch(text.strip())
+    if found is None:
+        return None
+    before = 0
+    for name, throws in cranks:
+        if found["crank"] in (None, name):
+            number = _number(found["end"], found["throw"], throws)
+            return None if number is None else Home(throw=before + number)
+        before += throws
     return None
 
 
+def _number(end: str | None, throw: str | None, throws: int) -> int | None:
+    """The throw from 0 of an end, or of a number; None where there is none."""
+    if not throws:
+        return None
+    if end is not None:
+        return 0 if end.lower() == FRONT else throws - 1
+    return int(throw or 0) - 1 if 1 <= int(throw or 0) <= throws else None
+
+
 def is_place(text: str) -> bool:
-    """Whether a text stands for an end or a throw of the crankshaft, and so names no disc."""
-    return text.lower() in (FRONT, REAR) or _THROW.fullmatch(text.strip()) is not None
+    """Whether a text stands for an end or a throw of a crankshaft, and so names no disc."""
+    return _PLACE.fullmatch(text.strip()) is not None

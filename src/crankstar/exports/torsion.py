@@ -12,7 +12,8 @@ from collections.abc import Iterator, Sequence
 from importlib.resources import files
 from typing import Literal
 
-from crankstar.dynamics.torsion_chain import TorsionChain, TorsionError, torsion_chain
+from crankstar.dynamics.torsion_chain import torsion_chain
+from crankstar.dynamics.torsion_system import TorsionChain, TorsionError
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.quoting import one_line

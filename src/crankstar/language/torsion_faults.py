@@ -12,10 +12,6 @@ SENTENCES: dict[str, str | Plural] = {
     "oil.length": N_(
         "{where} is {value} mm for a diameter of {diameter} mm; give the length of one bearing"
     ),
-    "torsion.crankshafts": N_(
-        "{where} is given for an engine with {count} crankshafts; torsion of several geared "
-        "crankshafts is not computed yet: leave it out"
-    ),
     "torsion.not-first": N_(
         "{where} is given for an engine whose crankshaft, {name}, is not the first of its shafts: "
         "list it first"
@@ -94,6 +90,25 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is missing, and so the disc hangs on nothing; say what it hangs on: {names}"
     ),
     "disc.no-such-place": N_("{where} is {value}, which is not there; there are {names}"),
+    "torsion.fatigue-cranks": N_(
+        "{where} is given for an engine with {count} crankshafts; fatigue is computed of one: "
+        "leave it out"
+    ),
+    "coupling.crankshaft": N_(
+        "{where} is {value}, which is no crankshaft beside the first; there are {names}"
+    ),
+    "coupling.twice": N_("{where}: {value} is turned twice; gears do not close to a loop"),
+    "coupling.still": N_(
+        "{where} is {value}, on the crankshaft {name}, which nothing turns yet; list its own "
+        "coupling before"
+    ),
+    "coupling.rigid": N_(
+        "{where} is missing beside a damping: give both, or neither where it is rigid"
+    ),
+    "coupling.missing": N_(
+        "{where} for {name} is missing: say what turns that crankshaft, such as "
+        '[[torsion.coupling]] with crankshaft = {name}, at = "rear", to = "rear"'
+    ),
     "disc.on-itself": N_("{where} is {value}, the disc itself; say what it hangs on: {names}"),
     "disc.on-a-later": N_(
         "{where} is {value}, a disc listed later; a disc hangs on one before it, and chains do not "

@@ -58,25 +58,26 @@ def throws_from_front(crank: Shaft) -> list[int]:
 
 
 def carried_inertias(engine: Engine) -> Real:
-    """What rods and pistons add to the throws of the first crankshaft, kg m^2, front first.
+    """What rods and pistons add to the throws, kg m^2 of their own crankshafts, front first.
 
-    The mean over a turn, and what hangs on the pins; the crankshaft's own unbalance is its own.
+    Crankshaft by crankshaft; the mean over a turn, and what hangs on the pins. The crankshaft's own
+    unbalance is its own.
 
     >>> from crankstar.files.catalog import load
-    >>> len(carried_inertias(load("audi-25-tfsi")))
-    5
+    >>> len(carried_inertias(load("audi-25-tfsi"))), len(carried_inertias(load("jumo-205")))
+    (5, 12)
     """
-    crank = engine.shafts[0]
     moving = moving_inertias(engine)
     out: list[float] = []
-    for number in throws_from_front(crank):
-        throw = crank.throws[number - 1]
-        own = [
-            float(value)
-            for cylinder, value in zip(engine.cylinders, moving, strict=True)
-            if (cylinder.shaft, cylinder.throw) == (crank.name, number)
-        ]
-        out.append(throw.rotating_mass * throw.radius**2 + sum(own))
+    for crank in engine.shafts:
+        for number in throws_from_front(crank):
+            throw = crank.throws[number - 1]
+            own = [
+                float(value) / float(crank.speed_ratio) ** 2
+                for cylinder, value in zip(engine.cylinders, moving, strict=True)
+                if (cylinder.shaft, cylinder.throw) == (crank.name, number)
+            ]
+            out.append(throw.rotating_mass * throw.radius**2 + sum(own))
     return np.array(out)
 
 

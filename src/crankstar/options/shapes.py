@@ -57,8 +57,8 @@ def mode_asked(text: str) -> bool:
 
 def _own(engine: Engine, text: str) -> tuple[Mode, Shape]:
     """A mode of the table [torsion]; of a chamber with several pistons their mean amplitude."""
-    from crankstar.dynamics.torsion_chain import TorsionError
     from crankstar.dynamics.torsion_shapes import cylinder_shape
+    from crankstar.dynamics.torsion_system import TorsionError
 
     match = MODE.fullmatch(text.strip())
     number = match and match.group(1)

@@ -35,9 +35,9 @@ from crankstar.page.unit_records import Table, Unit
 
 if TYPE_CHECKING:
     from crankstar.dynamics.torsion_analysis import TorsionAnalysis
-    from crankstar.dynamics.torsion_chain import TorsionChain
     from crankstar.dynamics.torsion_criticals import Critical
     from crankstar.dynamics.torsion_response import Response
+    from crankstar.dynamics.torsion_system import TorsionChain
     from crankstar.mechanics.gas import Cycle
     from crankstar.tables.table import Document
     from crankstar.tables.table import Table as Values
@@ -79,7 +79,13 @@ def _twist(engine: Engine) -> _Twist | None:
     from crankstar.dynamics.torsion_analysis import torsion  # with scipy, for these engines alone
 
     found = torsion(engine)
-    return _Twist(found, tuple(_vibrations(engine, found)), tuple(_pieces(found.chain)))
+    pieces = () if _several(engine) else tuple(_pieces(found.chain))
+    return _Twist(found, tuple(_vibrations(engine, found)), pieces)
+
+
+def _several(engine: Engine) -> bool:
+    """Whether it has several crankshafts, which are not seen to twist."""
+    return sum(bool(shaft.throws) for shaft in engine.shafts) > 1
 
 
 def torsion_needs(engine: Engine) -> str:
@@ -91,7 +97,8 @@ def torsion_needs(engine: Engine) -> str:
     """
     if engine.torsion is not None:
         return ""
-    from crankstar.dynamics.torsion_chain import TorsionError, torsion_chain
+    from crankstar.dynamics.torsion_chain import torsion_chain
+    from crankstar.dynamics.torsion_system import TorsionError
 
     try:
         torsion_chain(engine)
@@ -119,10 +126,11 @@ def torsion_shown(engine: Engine) -> Torsion | None:
     found, driven, pieces = known
     chain = found.chain
     stiff = [0.0 if place is None else chain.sections[place].stiffness for place in pieces]
+    drawn = () if _several(engine) else tuple(n - 1 for n in throws_from_front(engine.shafts[0]))
     return Torsion(
         masses=chain.names,
-        throws=tuple(each - 1 for each in throws_from_front(engine.shafts[0])),
-        masses_of_throws=chain.throws,
+        throws=drawn,
+        masses_of_throws=chain.throws[: len(drawn)],
         pieces=tuple(_piece(chain, place) for place in pieces),
         estimated=bool(chain.estimated),
         modes=tuple(
@@ -164,7 +172,7 @@ def _vibration(chain: TorsionChain, pieces: tuple[int | None, ...], driven: _Dri
         gas=gas is not None,
         speed_rpm=float(at.speeds[0]) * RPM,
         critical=None if critical is None else (critical.mode, critical.order),
-        turns=tuple(wave_of(at.turns[0, :, mass]) for mass in chain.throws),
+        turns=tuple(wave_of(at.turns[0, :, mass]) for mass in chain.throws if pieces),
         torque=tuple(() if each is None else wave_of(at.torque[0, :, each]) for each in pieces),
         peak=tuple(0.0 if each is None else float(at.peak[0, each]) for each in pieces),
     )

@@ -11,7 +11,7 @@ from math import prod
 import numpy as np
 
 from crankstar import spectra
-from crankstar.dynamics.torsion_chain import TorsionError
+from crankstar.dynamics.torsion_system import TorsionError
 from crankstar.dynamics.uneven import UnevenError, driven
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance, total

@@ -15,7 +15,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.dynamics.bearings import BearingError, bearing_loads
-from crankstar.dynamics.torsion_chain import TorsionError
+from crankstar.dynamics.torsion_system import TorsionError
 from crankstar.engine.engine import Engine
 from crankstar.firing.numbering import with_order
 from crankstar.firing.orders import Order

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from crankstar.dynamics.torsion_chain import Section, TorsionChain
 from crankstar.dynamics.torsion_modes import HolzerRow, Mode, Node
+from crankstar.dynamics.torsion_system import Section, TorsionChain
 from crankstar.language.messages import _
 from crankstar.tables.table import Column, Table, Value
 
