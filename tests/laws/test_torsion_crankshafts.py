@@ -20,6 +20,7 @@ from crankstar.files.read import engine_of
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.kinetic import carried_inertias, inertias, throw_inertia
+from crankstar.page.torsion import torsion_shown
 
 
 def geared(name: str, *couplings: dict[str, Any], **own: Any) -> Engine:
@@ -185,3 +186,10 @@ def test_a_mode_of_the_deltic_is_driven_by_all_three_crankshafts() -> None:
     assert first.vector_sum is not None
     assert first.vector_sum > 0
     assert np.isfinite(shape).all()
+
+
+def test_the_page_has_their_numbers_and_shows_no_crank_that_twists() -> None:
+    shown = torsion_shown(deltic())
+    assert shown is not None
+    assert (shown.throws, shown.pieces) == ((), ())
+    assert [len(mode.shape) for mode in shown.modes[:2]] == [19, 19]

@@ -87,7 +87,7 @@ export const vibrationOf = ({ vibrations }: Torsion, place: number): Vibration |
 
 /** The twist as chosen; null where nothing twists. */
 export function twistOf({ torsion, turns }: Exhibit, choice: TwistChoice): Twist | null {
-  if (!torsion || choice.show === 'still') return null
+  if (!torsion || torsion.throws.length === 0 || choice.show === 'still') return null
   const waves =
     choice.show === 'mode' ? ofMode(torsion, choice) : forced(torsion, choice.vibration, turns)
   if (!waves) return null

@@ -70,7 +70,7 @@ function nearest<T>(all: readonly T[], distance: (each: T) => number): T | undef
 /** The crank of an engine that can be seen to twist; null of others. */
 export function crankOf({ scene, torsion }: Exhibit): Crank | null {
   const [shaft] = scene.shafts
-  if (!torsion || !shaft || torsion.throws.length === 0 || torsion.throws.length > MOST) return null
+  if (!torsion || !shaft || torsion.throws.length > MOST || torsion.throws.length === 0) return null
   return new Crank(shaft, torsion.throws)
 }
 

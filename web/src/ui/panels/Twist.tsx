@@ -44,17 +44,20 @@ function Choices({ exhibit, torsion }: { exhibit: Exhibit; torsion: Torsion }) {
   if (!mode) return null
   const orders = ordersOfMode(torsion, mode.number)
   const isDriven = torsion.vibrations.length > 0
+  const isSeen = torsion.throws.length > 0
   const shows: Show[] = ['still', 'mode', ...(isDriven ? (['forced'] as const) : [])]
   const seen = twistOf(exhibit, chosen.value)
   return (
     <>
       <div class="controls">
-        <Choice
-          label={t('The crank on the stage')}
-          value={show}
-          choices={shows.map((value) => ({ value, label: t(SHOW[value]) }))}
-          chosen={(value) => choose({ show: value })}
-        />
+        {isSeen && (
+          <Choice
+            label={t('The crank on the stage')}
+            value={show}
+            choices={shows.map((value) => ({ value, label: t(SHOW[value]) }))}
+            chosen={(value) => choose({ show: value })}
+          />
+        )}
         <label class="slider">
           <span>{t('Mode')}</span>
           <select
