@@ -17,16 +17,8 @@ from crankstar.dynamics.crank_stiffness import throw_stiffness
 from crankstar.dynamics.torsion_system import Section, TorsionChain, TorsionError
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
-from crankstar.engine.torsion import (
-    FRONT,
-    LOSS_FACTOR,
-    Chain,
-    Coupling,
-    Disc,
-    Pendulum,
-    Torsion,
-    home,
-)
+from crankstar.engine.torsion import LOSS_FACTOR, Chain, Coupling, Disc, Pendulum, Torsion
+from crankstar.engine.torsion_places import FRONT, home
 from crankstar.mechanics.kinetic import carried_inertias, throws_from_front
 from crankstar.spectra import Real
 

@@ -8,6 +8,7 @@
 | `gas` | the gas in the cylinders: a cycle by few numbers or a measured trace, and loads |
 | `drive` | flywheel and load |
 | `oil` | sizes of main bearings and crank pins, and their oil |
+| `torsion_places` | places of what twists, by name: ends, throws, discs |
 | `torsion` | the crankshaft as it twists: inertias, stiffnesses, discs, dampers, pendulums |
 | `block` | the whole engine as one rigid body: mass, centre, inertia |
 | `mounts` | what the block stands on: mounts, a foundation on springs of its own |

@@ -7,10 +7,8 @@ second crankshaft is coupled to what turns already, so that everything branches 
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
 from fractions import Fraction
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
@@ -29,6 +27,7 @@ from crankstar.engine.quantities import (
     TurningMass,
     TurningStiffness,
 )
+from crankstar.engine.torsion_places import REAR
 
 GREATEST_DISCS = 64
 GREATEST_THROWS = 256
@@ -37,7 +36,6 @@ STEEL = 80e9
 """Pa: the shear modulus that is assumed of a crankshaft."""
 LOSS_FACTOR = 0.02
 """Assumed of crank elements and shafts: a dynamic magnifier of 50, for which the tables say so."""
-FRONT, REAR = "front", "rear"
 FACTORS = (
     "pin_bending",
     "pin_torsion",
@@ -46,10 +44,6 @@ FACTORS = (
     "journal_torsion",
 )
 """The stress concentration factors of the fillets of a crank throw."""
-_PLACE = re.compile(
-    r"(?:(?P<end>front|rear)|throw\s*(?P<throw>\d{1,4}))(?:\s+of\s+(?P<crank>.+))?", re.IGNORECASE
-)
-
 Formula = Literal["ker-wilson", "carter", "timoshenko"]
 LossFactor = Annotated[Number, Field(ge=0, le=2)]
 Concentration = Annotated[Number, Field(ge=1, le=50)]
@@ -353,54 +347,3 @@ class Chain(Record):
     pendulums: Pendulums = ()
     source: Text = Field(default="", description="where the numbers come from")
     notes: Text = Field(default="", description="anything a reader should know")
-
-
-class Home(NamedTuple):
-    """Where a disc or a pendulum hangs: the index of a `throw`, or of a `disc`, from 0.
-
-    Throws count crankshaft by crankshaft, each from its front.
-    """
-
-    throw: int | None = None
-    disc: int | None = None
-
-
-Cranks = Sequence[tuple[str, int]]
-"""The crankshafts by name, the first one first, with how many throws each has."""
-
-
-def home(text: str, *, cranks: Cranks, names: tuple[str, ...]) -> Home | None:
-    """The place that a text names, `names` being those of the discs; None where there is none.
-
-    >>> home("ring", cranks=[], names=("hub", "ring"))
-    Home(throw=None, disc=1)
-    >>> two = [("lower", 6), ("upper", 6)]
-    >>> [home(text, cranks=two, names=()).throw for text in ("rear", "throw 2 of upper")]
-    [5, 7]
-    """
-    if text in names:
-        return Home(disc=names.index(text))
-    found = _PLACE.fullmatch(text.strip())
-    if found is None:
-        return None
-    before = 0
-    for name, throws in cranks:
-        if found["crank"] in (None, name):
-            number = _number(found["end"], found["throw"], throws)
-            return None if number is None else Home(throw=before + number)
-        before += throws
-    return None
-
-
-def _number(end: str | None, throw: str | None, throws: int) -> int | None:
-    """The throw from 0 of an end, or of a number; None where there is none."""
-    if not throws:
-        return None
-    if end is not None:
-        return 0 if end.lower() == FRONT else throws - 1
-    return int(throw or 0) - 1 if 1 <= int(throw or 0) <= throws else None
-
-
-def is_place(text: str) -> bool:
-    """Whether a text stands for an end or a throw of a crankshaft, and so names no disc."""
-    return _PLACE.fullmatch(text.strip()) is not None

@@ -7,16 +7,8 @@ from itertools import accumulate
 
 from crankstar.engine.assembly import Assembly
 from crankstar.engine.fillets import fillet_faults
-from crankstar.engine.torsion import (
-    Chain,
-    CrankDimensions,
-    Cranks,
-    Disc,
-    Pendulum,
-    Torsion,
-    home,
-    is_place,
-)
+from crankstar.engine.torsion import Chain, CrankDimensions, Disc, Pendulum, Torsion
+from crankstar.engine.torsion_places import Cranks, home, is_place
 from crankstar.language.faults import Fault
 from crankstar.language.quoting import seen
 
