@@ -60,8 +60,8 @@ class Torsion(Shown):
     """The twist of the first crankshaft, front first.
 
     `throws` are the throws of the scene from front to rear, `masses_of_throws` their masses; none
-    of several crankshafts, which are not seen to twist. `pieces` are the shafts ahead of the first throw, between the throws and behind the last; null
-    where what hangs there turns with the throw.
+    of several crankshafts, which are not seen to twist. `pieces` are the shafts ahead of the first
+    throw, between the throws and behind the last; null where what hangs there turns with the throw.
     """
 
     masses: tuple[str, ...]
