@@ -26,6 +26,7 @@ from crankstar.engine import engine, gas, layouts, mounts, oil, records, torsion
 from crankstar.engine.basis import BalanceShaft, Crankshaft, CrankWeight, Override, Sizes
 from crankstar.engine.records import Record
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
+from crankstar.files.units import text
 
 HERE = Path(__file__).parent
 
@@ -206,7 +207,9 @@ def _value(info: FieldInfo) -> str:
     if quantity is not None:
         kind = "a length" if quantity.dimension == "length" else quantity.dimension
         kind = kind.removeprefix("a ") + ("s" if many and not kind.endswith("crankshaft") else "")
-        kind = kind.replace("stiffnesss", "stiffnesses")
+        kind = kind.replace("stiffnesss", "stiffnesses").replace(
+            "moment of inertias", "moments of inertia"
+        )
         kind = kind.replace("length along", "lengths along") if many else kind
         return (
             f'{many}{kind}, `["{quantity.example}", ...]`'
@@ -262,6 +265,9 @@ def _default(info: FieldInfo) -> str:
         return "`[" + ", ".join(f"{item:g}" for item in value) + "]`"
     if isinstance(value, str):
         return f'`"{value}"`'
+    quantity = quantity_of(info)
+    if quantity is not None and value:
+        return f'`"{text(float(value), quantity)}"`'
     return f"`{value:g}`" if isinstance(value, float) else f"`{value}`"
 
 
