@@ -18,7 +18,7 @@ import psutil
 import pytest
 from tests.search.asked import every_kind, front
 
-from crankstar.search import checkpoint, executors, halves, regions, run
+from crankstar.search import checkpoint, distribution, executors, halves, regions, run
 from crankstar.search.answer import answer_to, read
 from crankstar.search.executors import Workers, cluster, processes
 from crankstar.search.faults import SearchError
@@ -251,7 +251,7 @@ def test_only_so_many_stretches_are_under_way_and_an_interrupt_drops_them():
     outcome = searched(MIDDLE, workers=asleep, range_size=1)
     assert outcome.interrupted
     assert not outcome.complete
-    assert asleep.submitted == 2 * run.AHEAD
+    assert asleep.submitted == 2 * distribution.AHEAD
     assert asleep.dropped
 
 

@@ -24,8 +24,9 @@
 | `interrupts` | signals kept away from critical code |
 | `progress` | how far a search has come |
 | `estimates` | time and memory of a search |
-| `executors` | processes of this machine or a cluster |
+| `executors` | threads and processes of this machine, a cluster |
 | `checkpoint` | a search kept in a file |
+| `distribution` | parts handed out, those of lost workers once more |
 | `run` | a search from beginning to end |
 | `answer` | stars, exact zeros, their number, proof of completeness |
 | `equivalence` | stars with the same moments |

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 from zlib import crc32
 
 from crankstar.search import results
@@ -32,22 +32,53 @@ Span = tuple[int, int]
 """Blocks from the first up to the second."""
 
 
+class Asked(Protocol):
+    """A question that a checkpoint can be of."""
+
+    @property
+    def digest(self) -> str:
+        """The same for equal questions only."""
+        ...
+
+
 @dataclass(frozen=True)
 class Checkpoint:
     """The file of a search."""
 
     path: Path
-    question: Question
+    question: Asked
+
+    def write(self, body: dict[str, Any]) -> None:
+        """Write a part that is done, its span under `blocks`, with a checksum.
+
+        Raises SearchError if the file cannot be written.
+        """
+        _append(self.path, _text({"done": body, "sum": crc32(_text(body))}) + b"\n")
+
+    def parts(self, attempt: int, shape: list[Any], blocks: int) -> Iterator[dict[str, Any]]:
+        """The parts of an attempt that are done, none over another.
+
+        shape: what its parts have in common, under `regions`; blocks: how many there are. Raises
+        SearchError where the file cannot be read or the attempt was one of another shape.
+        """
+        spans: list[Span] = []
+        for body in _bodies(self.path):
+            if body["attempt"] != attempt:
+                continue
+            if body["regions"] != shape:
+                raise error("checkpoint", "checkpoint-version", file=str(self.path))
+            start, stop = body["blocks"]
+            if not 0 <= start < stop <= blocks or any(
+                start < other_stop and other < stop for other, other_stop in spans
+            ):
+                continue
+            spans.append((start, stop))
+            yield body
 
     def add(self, attempt: int, tried: Regions, span: Span, listed: Results) -> None:
         """Write a block range that is done. Raises SearchError if the file cannot be written."""
-        body = {
-            "attempt": attempt,
-            "regions": _shape(tried),
-            "blocks": list(span),
-            **results.as_json(listed),
-        }
-        _append(self.path, _text({"done": body, "sum": crc32(_text(body))}) + b"\n")
+        whose = {"attempt": attempt, "regions": _shape(tried), "blocks": list(span)}
+        self.write(whose | results.as_json(listed))
 
     def kept(
         self, attempt: int, tried: Regions, asked: Question, blocks: int
@@ -60,24 +91,15 @@ class Checkpoint:
         spans: list[Span] = []
         listed = results.nothing(len(asked.objectives), len(asked.stars.places))
         waiting: list[Results] = []
-        for body in _bodies(self.path):
-            if body["attempt"] != attempt:
-                continue
-            if body["regions"] != _shape(tried):
-                raise error("checkpoint", "checkpoint-version", file=str(self.path))
-            start, stop = body["blocks"]
-            if not 0 <= start < stop <= blocks or any(
-                start < other_stop and other < stop for other, other_stop in spans
-            ):
-                continue
-            spans.append((start, stop))
+        for body in self.parts(attempt, _shape(tried), blocks):
+            spans.append(tuple(body["blocks"]))
             waiting.append(results.from_json(body, len(asked.objectives), len(asked.stars.places)))
             if len(waiting) == TOGETHER:
                 listed, waiting = results.merged([listed, *waiting], asked.ask), []
         return sorted(spans), results.merged([listed, *waiting], asked.ask)
 
 
-def opened(path: Path, question: Question) -> Checkpoint:
+def opened(path: Path, question: Asked) -> Checkpoint:
     """The checkpoint of a search: made if there is none, else looked into.
 
     Raises SearchError if it is of another search, is none, or can be neither read nor written.

@@ -1,4 +1,4 @@
-"""Who does the work: processes of this machine, a cluster, or any other Executor."""
+"""Who does the work: threads or processes of this machine, a cluster, or any other Executor."""
 
 from __future__ import annotations
 
@@ -19,11 +19,10 @@ from concurrent.futures import (
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
 from multiprocessing.resource_tracker import ensure_running
-from typing import Any
+from typing import Any, Protocol
 
 from crankstar.search.faults import error
 from crankstar.search.interrupts import held_back, terminated_in_order
-from crankstar.search.work import BlockRange, results_of
 
 SCHEDULER_SECONDS = 10.0
 """How long a scheduler may take to answer, and a cluster to have workers."""
@@ -31,17 +30,44 @@ LOOK_SECONDS = 2.0
 """How often a cluster is checked, and how long it may take to answer."""
 
 
+class Part(Protocol):
+    """A part of a search, from one of its pieces up to another: what a worker is given."""
+
+    @property
+    def start(self) -> int:
+        """The first of its pieces."""
+        ...
+
+    @property
+    def stop(self) -> int:
+        """The one after the last."""
+        ...
+
+    def results(self) -> Any:
+        """What is found in it; the same wherever and whenever it is done."""
+
+
+def done(part: Part) -> Any:
+    """The results of a part: what a worker does."""
+    return part.results()
+
+
 class Workers:
-    """An Executor and its assumed number of workers; its owner replaces it and shuts it down."""
+    """An Executor and its assumed number of workers; its owner replaces it and shuts it down.
+
+    halt: what ends the work under way, where the work itself has to look for it.
+    """
+
+    halt: threading.Event | None = None
 
     def __init__(self, executor: Executor, *, count: int = 8) -> None:
         self.executor = executor
         self.count = count
 
-    def submit(self, part: BlockRange) -> Future[Any]:
-        """The results of a block range, later. Raises SearchError if the executor is broken."""
+    def submit(self, part: Part) -> Future[Any]:
+        """The results of a part, later. Raises SearchError if the executor is broken."""
         try:
-            return self.executor.submit(results_of, part)
+            return self.executor.submit(done, part)
         except BrokenExecutor as broken:
             raise error("", "executor", error=str(broken)) from broken
 
@@ -50,6 +76,31 @@ class Workers:
 
     def drop(self) -> None:
         """End the work under way, where possible: its result is no longer needed."""
+
+
+class Threads(Workers):
+    """Threads of this process, for compiled loops that hold no lock and come up to be halted."""
+
+    def __init__(self, count: int) -> None:
+        super().__init__(ThreadPoolExecutor(count), count=count)
+        self.halt = threading.Event()
+
+    def drop(self) -> None:
+        """Halt the work under way and wait for what it has found; others can be given work."""
+        if self.halt:
+            self.halt.set()
+        self.executor.shutdown(wait=True, cancel_futures=True)
+        self.executor, self.halt = ThreadPoolExecutor(self.count), threading.Event()
+
+
+@contextmanager
+def threads(count: int | None = None) -> Iterator[Threads]:
+    """Threads of this process, as many as the machine has processors, for a while."""
+    pool = Threads(count or os.cpu_count() or 1)
+    try:
+        yield pool
+    finally:
+        pool.drop()
 
 
 class Processes(Workers):
@@ -64,11 +115,11 @@ class Processes(Workers):
         end, self.lifeline = context.Pipe(duplex=False)
         return ProcessPoolExecutor(count, mp_context=context, initializer=_tied, initargs=(end,))
 
-    def submit(self, part: BlockRange) -> Future[Any]:
-        """The results of a block range, later; a broken or dropped pool is replaced."""
+    def submit(self, part: Part) -> Future[Any]:
+        """The results of a part, later; a broken or dropped pool is replaced."""
         with held_back():
             try:
-                return self.executor.submit(results_of, part)
+                return self.executor.submit(done, part)
             except RuntimeError:
                 self.drop()
                 self.executor = self._pool(self.count)
@@ -111,8 +162,8 @@ class _Cluster(Workers):
         self.client, self.address = client, address
         self.seen, self.looked = time.monotonic(), -LOOK_SECONDS
 
-    def submit(self, part: BlockRange) -> Future[Any]:
-        """The results of a block range, later. Raises SearchError if the scheduler is gone."""
+    def submit(self, part: Part) -> Future[Any]:
+        """The results of a part, later. Raises SearchError if the scheduler is gone."""
         if self.client.status in ("closing", "closed"):
             raise error("scheduler", "scheduler-gone", address=self.address)
         return super().submit(part)

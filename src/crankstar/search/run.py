@@ -10,16 +10,15 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
-from contextlib import suppress
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
 from crankstar.search import checkpoint as checkpoints
 from crankstar.search import results
 from crankstar.search.checkpoint import Checkpoint, Span
+from crankstar.search.distribution import Handout
 from crankstar.search.estimates import range_size as usual_size
-from crankstar.search.executors import Workers, of_workers
+from crankstar.search.executors import Workers
 from crankstar.search.faults import error
 from crankstar.search.halves import Halves, check, halves
 from crankstar.search.interrupts import signals_noted
@@ -28,13 +27,6 @@ from crankstar.search.question import Question
 from crankstar.search.regions import Regions, complete, regions
 from crankstar.search.results import Results
 from crankstar.search.work import BlockRange, asked, results_of
-
-AHEAD = 3
-"""Block ranges under way for each worker: none waits for the next."""
-RETRIES = 3
-"""How often a block range is given out again when its worker was lost."""
-WAIT_SECONDS = 0.5
-"""How long to wait for a block range before interrupts and the cluster are checked."""
 
 
 @dataclass(frozen=True)
@@ -191,69 +183,5 @@ class _Effort:
 
     def _shared(self, todo: Iterator[Span], workers: Workers) -> None:
         """Hand block ranges out, a few at a time; repeat those whose worker was lost."""
-        again: list[Span] = []
-        lost: dict[Span, int] = {}
-        under_way: dict[Future[Results], Span] = {}
-        over = False
-        try:
-            while True:
-                while len(under_way) < AHEAD * workers.count and (
-                    span := again.pop() if again else next(todo, None)
-                ):
-                    under_way[workers.submit(self._block_range(span))] = span
-                if not under_way:
-                    over = True
-                    return
-                ended, _ = wait(under_way, timeout=WAIT_SECONDS, return_when=FIRST_COMPLETED)
-                again += self._received({future: under_way.pop(future) for future in ended}, lost)
-                if self.means.stop.is_set():
-                    self.stopped = True
-                    return
-                if not ended:
-                    workers.look()
-                    self._tell()
-        finally:
-            if not over:
-                _call_back(under_way, workers)
-
-    def _received(self, ended: dict[Future[Results], Span], lost: dict[Span, int]) -> list[Span]:
-        """Block ranges lost with their workers. Raises what the work raised."""
-        faults: dict[Span, BaseException] = {}
-        for future, span in ended.items():
-            fault = _fault(future)
-            if fault is None:
-                self._take(span, future.result())
-            else:
-                faults[span] = fault
-        for span, fault in faults.items():
-            lost[span] = lost.get(span, 0) + 1
-            _bear(fault, lost[span])
-        return list(faults)
-
-
-def _fault(future: Future[Results]) -> BaseException | None:
-    """What went wrong with a block range, cancellation by a cluster included."""
-    try:
-        return future.exception()
-    except CancelledError as error:
-        return error
-
-
-def _call_back(under_way: Iterable[Future[Results]], workers: Workers) -> None:
-    """Nobody waits any more for what is under way."""
-    for future in under_way:
-        with suppress(
-            Exception
-        ):  # of whatever kind an Executor has: it is gone, and so is the work
-            future.cancel()
-    workers.drop()
-
-
-def _bear(fault: BaseException, times: int) -> None:
-    """Raise a fault of the work as it is, and the loss of workers where it has gone on too long."""
-    if isinstance(fault, ImportError):
-        raise error("", "worker-import", error=str(fault)) from fault
-    if not of_workers(fault):
-        raise fault
-    if times > RETRIES:
-        raise error("", "worker-lost", times=times, error=type(fault).__name__)
+        handout = Handout(self._block_range, self._take, self._tell)
+        self.stopped = not handout.done(todo, workers, self.means.stop)

@@ -37,6 +37,10 @@ class BlockRange:
     start: int
     stop: int
 
+    def results(self) -> Results:
+        """What is found in the blocks."""
+        return results_of(self)
+
 
 def asked(question: Question) -> Question:
     """The question that blocks answer: for all stars where Python functions choose later."""
