@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from crankstar.search.executors import threads
 from crankstar.search.sequence_fronts import SequenceFront, sequence_front
 from crankstar.search.shafts import Shaft, shaft_of
 from crankstar.search.vector_sums import Goal, SequenceQuestion, couple, straight, torsion
@@ -148,7 +149,8 @@ def agreed(front: SequenceFront, other: np.ndarray) -> None:
 def timed(question: SequenceQuestion, *, workers: int) -> tuple[SequenceFront, float]:
     """The front and the seconds it took."""
     began = perf_counter()
-    front = sequence_front(question, workers=workers)
+    with threads(workers) as pool:
+        front = sequence_front(question, workers=pool)
     return front, perf_counter() - began
 
 

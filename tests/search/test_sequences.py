@@ -23,8 +23,9 @@ from crankstar.language.search_faults import SENTENCES
 from crankstar.mechanics.balance import balance, total
 from crankstar.options.sequences import sequences_of
 from crankstar.options.words import SearchWords, SequenceWords
-from crankstar.search import sequence_fronts
+from crankstar.search import executors, sequence_fronts, sequence_work
 from crankstar.search.faults import SearchError, said
+from crankstar.search.progress import Progress
 from crankstar.search.sequence_engines import (
     engine_of,
     fired_of_engine,
@@ -279,9 +280,10 @@ def test_how_an_engine_is_numbered_does_not_change_its_front(name: str) -> None:
 def test_threads_and_a_narrow_buffer_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     about = asked(8, "M1,M2,twist")
     plainly = sequence_front(about)
-    monkeypatch.setattr(sequence_fronts, "BUFFER", 0)
-    monkeypatch.setattr(sequence_fronts, "OF_A_PART", 1)
-    assert sequence_front(about, workers=3).points == plainly.points
+    monkeypatch.setattr(sequence_work, "BUFFER", 0)
+    monkeypatch.setattr(sequence_work, "OF_A_PART", 1)
+    with executors.threads(3) as workers:
+        assert sequence_front(about, workers=workers).points == plainly.points
 
 
 def test_a_typed_order_is_told_what_beats_it() -> None:
@@ -390,7 +392,7 @@ def test_the_command_gives_the_front_as_json(capsys: pytest.CaptureFixture[str])
 
 
 @pytest.mark.parametrize(
-    "option", ["--best 3", "--scheduler x", "--uneven 1", "--checkpoint x", "--row 1 --uneven 200"]
+    "option", ["--best 3", "--uneven 1", "--speed 3000", "--row 1 --uneven 200"]
 )
 def test_options_of_other_searches_are_refused(
     option: str, capsys: pytest.CaptureFixture[str]
@@ -428,11 +430,11 @@ def test_an_interrupt_ends_the_search_with_the_best_so_far(
 ) -> None:
     """Nothing is proved then, and the command says so."""
     about = asked(8, "M1,M2,twist")
-    monkeypatch.setattr(sequence_fronts, "OF_A_PART", 1)
+    monkeypatch.setattr(sequence_work, "OF_A_PART", 1)
     told: list[int] = []
 
-    def watch(done: int, _of: int) -> None:
-        told.append(done)
+    def watch(now: Progress) -> None:
+        told.append(now.done)
         if len(told) == 20:
             os.kill(os.getpid(), signal.SIGINT)
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import PurePath
 from typing import Annotated, Literal
 
 from crankstar.cli.options import Csv, Json, option
-from crankstar.options.values import RequestError
+from crankstar.options.values import RequestError, refusal
 
 
 def not_compiled(error: ImportError) -> RequestError:
@@ -26,6 +27,16 @@ class Work:
     scheduler: Annotated[str | None, option("--scheduler")] = None
     checkpoint: Annotated[str | None, option("--checkpoint")] = None
     yes: Annotated[bool, option("--yes")] = False
+
+    def check(self, output: str | None) -> None:
+        """Refuse empty names, and a checkpoint that is the output. Raises RequestError."""
+        for name, text in (("--checkpoint", self.checkpoint), ("--scheduler", self.scheduler)):
+            if text is not None and not text.strip():
+                raise refusal(name, text, "it is empty; leave it out")
+        if None not in (output, self.checkpoint) and PurePath(f"{self.checkpoint}") == PurePath(
+            f"{output}"
+        ):
+            raise refusal("-o", f"{output}", "this is the checkpoint; name another file")
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import asdict
 from functools import partial
-from pathlib import PurePath
 from types import ModuleType
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -76,7 +75,7 @@ def search(
     row = request.within("--row", form.row, most=GREATEST_ROW)
     workers = request.within("--workers", work.workers, most=GREATEST_WORKERS)
     deviations = options.deviations(form.uneven) if form.uneven is not None else None
-    _check_work(work)
+    work.check(form.output)
     pace, tree, about = None, None, options.whole_number(cylinders)
     if about is not None:
         given = {"--set": settings, "--speed": speed, "--estimate": estimate}
@@ -92,8 +91,6 @@ def search(
     options.check_use(wanted.question, chart=chart, deviations=deviations)
     if form.output is not None:
         writable(form.output)
-        if work.checkpoint is not None and PurePath(work.checkpoint) == PurePath(form.output):
-            raise refusal("-o", form.output, "this is the checkpoint; name another file")
     answer = _job().answer_of(wanted, work, workers=workers)
     if answer.certificate.interrupted:
         return _stopped(answer, wanted.engine, kind if row is None else "engine", form.output)
@@ -102,13 +99,6 @@ def search(
     else:
         _show(cylinders, answer, wanted.engine, kind, form.chart, form.output, paper)
     return None
-
-
-def _check_work(work: Work) -> None:
-    """Refuse empty names. Raises RequestError."""
-    for option, text in (("--checkpoint", work.checkpoint), ("--scheduler", work.scheduler)):
-        if text is not None and not text.strip():
-            raise refusal(option, text, "it is empty; leave it out")
 
 
 def _job() -> ModuleType:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+from contextlib import ExitStack
 from dataclasses import asdict
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from crankstar.cli.options import Looks, engine_with_tree, write_engine
@@ -38,7 +40,8 @@ def searched(
     form: Form,
 ) -> int | None:
     """Find the front over stars and firing sequences, and show it or write a row."""
-    _refused(work, form, speed=speed, estimate=estimate)
+    _refused(form, speed=speed, estimate=estimate)
+    work.check(form.output)
     kind = _kind(form)
     paper = None
     if kind in PICTURES:
@@ -55,7 +58,7 @@ def searched(
     wanted = sequences.sequences_of(about, words, more)
     if form.output is not None:
         writable(form.output)
-    front = _front(wanted.question, workers, agreed=work.yes)
+    front = _front(wanted.question, workers, work)
     if kind in PICTURES:
         return _draw(front, cylinders, kind, form, paper)
     judged = _judged(front, wanted)
@@ -76,14 +79,9 @@ def searched(
     return 130
 
 
-def _refused(work: Work, form: Form, *, speed: str | None, estimate: bool) -> None:
+def _refused(form: Form, *, speed: str | None, estimate: bool) -> None:
     """Refuse what only the other searches have. Raises RequestError."""
-    given: dict[str, Any] = {
-        "--speed": speed,
-        "--estimate": estimate,
-        "--scheduler": work.scheduler,
-        "--checkpoint": work.checkpoint,
-    }
+    given: dict[str, Any] = {"--speed": speed, "--estimate": estimate}
     request.refuse_unused(given, beside="--minimise twist, --bank, --orders, --why, --judge")
     if form.row is not None:
         given = {"--csv": form.csv, "--json": form.json, "--chart": form.chart}
@@ -118,20 +116,32 @@ def _draw(front: Any, about: str, kind: str, form: Form, paper: Any) -> int | No
     return None
 
 
-def _front(question: Any, workers: int, *, agreed: bool) -> Any:
+def _front(question: Any, workers: int, work: Work) -> Any:
     """The front, with its progress. Raises RequestError where it takes long without consent."""
-    if question.shaft.count > LONG_STARS and not agreed:
+    if question.shaft.count > LONG_STARS and not (work.yes or work.scheduler):
         raise RequestError(
             "There are {stars} stars to go through, which takes long; to do it, add --yes.",
             stars=f"{question.shaft.count:,}",
         )
     with working(_("Getting ready (the first search is compiled for about ten seconds) ...")):
         try:
+            from crankstar.search import checkpoint, executors
+            from crankstar.search.progress import note
             from crankstar.search.sequence_fronts import sequence_front
         except ImportError as error:
             raise not_compiled(error) from None
-    with progress(_("searching")) as show:
-        return sequence_front(question, workers=workers, watch=lambda now, of: show(now, of, ""))
+    kept = checkpoint.opened(Path(work.checkpoint), question) if work.checkpoint else None
+    with ExitStack() as stack:
+        with working(_("Starting workers ...")):
+            shared = executors.cluster(work.scheduler) if work.scheduler else None
+            pool = stack.enter_context(shared or executors.threads(workers))
+        show = stack.enter_context(progress(_("searching")))
+        return sequence_front(
+            question,
+            workers=pool,
+            checkpoint=kept,
+            watch=lambda now: show(now.done, now.blocks, note(now)),
+        )
 
 
 def _judged(front: Any, wanted: sequences.Sequences) -> dict[Any, dict[Any, float]]:

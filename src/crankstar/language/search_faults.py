@@ -203,6 +203,14 @@ SENTENCES: dict[str, str | Plural] = {
         "More than {most} stars are left for a Python function to evaluate; narrow the search with "
         "limits."
     ),
+    "function-order-failed": N_("{name} fails for the firing order {order}: {error}"),
+    "function-order-value": N_(
+        "{name} is {given} for the firing order {order}; it must be a finite number."
+    ),
+    "function-orders": N_(
+        "More than {most} firing orders are left for a Python function to evaluate; narrow the "
+        "search with limits."
+    ),
     "too-large": N_(
         "The two halves of a shaft with {free} free throws have {rows} arrangements; {most} can be "
         "held at once. Fix at least {fixed} throws."

@@ -33,6 +33,9 @@
 | `sequence_arrays` | records of the loops over stars and sequences |
 | `sign_kernels` | compiled loops over signs, by halves |
 | `sequence_kernels` | compiled loops over stars and the firing sequences of each |
+| `sequence_tables` | such a question as arrays |
+| `sequence_rows` | orders found, merged in any sequence |
+| `sequence_work` | the stars in parts, and the work on one |
 | `sequence_fronts` | the front over stars and sequences, and what beats an order |
 | `sequence_engines` | a star with its sequence as an Engine, and back |
 | `uneven_sequences` | uneven angles of a star with its firing sequence |

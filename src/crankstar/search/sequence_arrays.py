@@ -47,6 +47,8 @@ class ShaftTables(NamedTuple):
     """By what their number is divided in it."""
     at_most: int
     """How many there may be."""
+    every: bool
+    """Whether all orders within the limits are written, whatever is better: for functions."""
     step: int
     """From a class to the next to fire."""
 

@@ -1,51 +1,39 @@
 """The front over all stars of a shaft and all firing sequences on each, proved complete.
 
-The stars are divided by the classes of their first throws, and the parts are handed out to threads
-(the compiled loops hold no lock). All stars are visited; the sequences of one are left out only
-where a bound shows that a point found is better. So the front is complete, whatever the order in
-which the parts are done, and so is the number of orders at each point.
+The stars are divided by the classes of their first throws, and the parts are handed out as those of
+every search. All stars are visited; the sequences of one are left out only where a bound shows that
+a point found is better. So the front is complete, whatever the order in which the parts are done,
+whoever does them, and whether it was stopped in between and resumed; and so is the number of orders
+at each point.
+
+Where a goal is a Python function no bound holds: all orders within the limits are listed and the
+function is called for each, in this process.
 """
 
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from contextlib import contextmanager
 from dataclasses import dataclass
-from fractions import Fraction
-from math import inf
-from typing import Any, NamedTuple
 
 import numpy as np
 
-from crankstar.search import sequence_kernels, sign_kernels
+from crankstar.search import checkpoint as checkpoints
+from crankstar.search.checkpoint import Checkpoint, Span
+from crankstar.search.distribution import Handout
+from crankstar.search.executors import Workers
 from crankstar.search.faults import error
 from crankstar.search.interrupts import signals_noted
-from crankstar.search.sequence_arrays import (
-    FORMED,
-    FOUND,
-    KNOWN,
-    STARS,
-    SequenceOutput,
-    ShaftTables,
-    Walk,
-)
-from crankstar.search.shafts import Fired, Shaft
+from crankstar.search.progress import Progress
+from crankstar.search.sequence_rows import GREATEST_LIST, Rows, as_json, from_json
+from crankstar.search.sequence_work import SequencePart, SequenceResults, prefixes
+from crankstar.search.shafts import Fired
 from crankstar.search.sums import SAME
-from crankstar.search.vector_sums import NEIGHBOURS, OrderSum, SequenceQuestion, straight, torsion
+from crankstar.search.vector_sums import FunctionGoal, SequenceQuestion
 
-BUFFER = 1 << 13
-"""Rows that are collected before they are merged, beside those that one star can bring."""
-GREATEST_FRONT = 1 << 15
-"""Points of a front."""
-PARTS = 64
-"""Parts into which the stars are divided, at least, where there are so many."""
-OF_A_PART = 10_000
-"""Stars that a part has at least; to begin one takes as long as to visit a thousand."""
 MOST_STARS = 4_000_000_000
 """Stars that are visited; more take hours."""
-WAIT_SECONDS = 0.5
 
 
 @dataclass(frozen=True)
@@ -67,7 +55,8 @@ class SequenceFront:
     """The points by their first value, and what was done to find them.
 
     stars: visited; formed: sequences that were looked at, which depends on the order of the parts;
-    complete: all parts were done, so that no point is missing.
+    complete: all parts were done, so that no point is missing; evaluated: for how many orders the
+    Python functions among the goals were called, mirror images counted.
     """
 
     question: SequenceQuestion
@@ -75,19 +64,28 @@ class SequenceFront:
     stars: int
     formed: int
     complete: bool = True
+    evaluated: int = 0
 
 
-Watch = Callable[[int, int], None]
-"""Receives how many parts are done, of how many."""
+Watch = Callable[[Progress], None]
 
 
 def sequence_front(
-    question: SequenceQuestion, *, workers: int = 1, watch: Watch | None = None
+    question: SequenceQuestion,
+    *,
+    workers: Workers | None = None,
+    checkpoint: Checkpoint | None = None,
+    watch: Watch | None = None,
 ) -> SequenceFront:
-    """The front of a question. An interrupt from the keyboard ends it early, not complete.
+    """The front of a question.
 
-    Raises SearchError where there are too many stars.
+    workers: who does the work (`threads`, `processes`, `cluster`, or any Executor in `Workers`);
+    None works in this thread. checkpoint: where parts are kept. watch: receives the progress. An
+    interrupt from the keyboard ends the search early, not complete. Raises SearchError where there
+    are too many stars, or too many orders for a Python function; where the checkpoint is of another
+    search or cannot be written, workers are lost again and again, or a cluster is gone.
 
+    >>> from fractions import Fraction
     >>> from crankstar.search.shafts import shaft_of
     >>> from crankstar.search.vector_sums import Goal, couple, straight, torsion
     >>> six = shaft_of(6)
@@ -97,259 +95,154 @@ def sequence_front(
     >>> [tuple(round(value, 4) for value in point.values) for point in front.points][0]
     (0.0, 0.4)
     """
+    check(question)
+    if checkpoint and checkpoint.question.digest != question.digest:
+        raise error("checkpoint", "checkpoint-other", file=str(checkpoint.path))
+    with signals_noted() as stop:
+        effort = _Effort(question, workers, checkpoint, watch, stop)
+        effort.run()
+    found, whole = effort.found, effort.done == effort.parts
+    points, evaluated = _points(question, found.rows)
+    return SequenceFront(question, points, found.stars, found.formed, whole, evaluated)
+
+
+def check(question: SequenceQuestion) -> None:
+    """Raises SearchError where there are too many stars, or orders for a Python function."""
     shaft = question.shaft
     if shaft.count > MOST_STARS:
         raise error("", "too-many-stars", stars=f"{shaft.count:,}", most=f"{MOST_STARS:,}")
-    parts = list(_prefixes(question))
-    tables, unit = _tables(question)
-    found, counts, done = Rows.nothing(len(unit), shaft), np.zeros(5, np.int64), 0
-    with signals_noted() as stop, _threads(workers) as (pool, halt):
-        todo, under_way = iter(parts), set[Future[Any]]()
-        while True:
-            while len(under_way) < 2 * workers and not stop.is_set():
-                part = next(todo, None)
-                if part is None:
-                    break
-                known = found.points
-                under_way.add(pool.submit(_of_part, tables, question, part, known, halt))
-            if not under_way:
-                break
-            ended, under_way = wait(under_way, timeout=WAIT_SECONDS, return_when=FIRST_COMPLETED)
-            if stop.is_set():
-                halt.set()
-            for future in ended:
-                new, state, whole = future.result()
-                found = found.merged(new, question.size)
-                counts += state
-                done += whole
-            if watch and ended:
-                watch(done, len(parts))
-    return SequenceFront(
-        question,
-        _answer(question, found),
-        int(counts[STARS]),
-        int(counts[FORMED]),
-        done == len(parts),
-    )
+    free = not question.caps and question.neighbours_at_most is None
+    if question.functions and free and shaft.count * shaft.sequences > 2 * GREATEST_LIST:
+        raise error("", "function-orders", most=f"{GREATEST_LIST:,}")
 
 
-@contextmanager
-def _threads(workers: int) -> Iterator[tuple[ThreadPoolExecutor, threading.Event]]:
-    """Threads, and what halts them between two calls of the loops, as any fault does."""
-    halt = threading.Event()
-    with ThreadPoolExecutor(workers) as pool:
+class _Effort:
+    """What is done and found so far."""
+
+    def __init__(
+        self,
+        question: SequenceQuestion,
+        workers: Workers | None,
+        checkpoint: Checkpoint | None,
+        watch: Watch | None,
+        stop: threading.Event,
+    ) -> None:
+        self.question = question.sent
+        self.workers, self.checkpoint, self.watch, self.stop = workers, checkpoint, watch, stop
+        self.prefixes = prefixes(question)
+        self.parts = len(self.prefixes)
+        self.found = SequenceResults(Rows.nothing(len(question.goals), question.shaft))
+        self.done = self.kept = 0
+        self.began = time.monotonic()
+
+    def run(self) -> None:
+        """Do all parts that are not done yet; a second interrupt ends it at once."""
+        spans = list(self._resumed())
+        self.kept = self.done
+        todo = checkpoints.left(self.parts, sorted(spans), 1)
         try:
-            yield pool, halt
-        finally:
-            halt.set()
+            if self.workers:
+                Handout(self._part, self._take, self._tell).done(todo, self.workers, self.stop)
+                return
+            for span in todo:
+                if self.stop.is_set():
+                    return
+                self._take(span, self._part(span).results())
+        except KeyboardInterrupt:
+            return
+
+    @property
+    def _shape(self) -> list[int]:
+        """What two runs must have in common for their parts to be parts of one search."""
+        return [self.parts, self.prefixes.shape[1]]
+
+    def _resumed(self) -> Iterator[Span]:
+        """The spans of a checkpoint, what they brought in found."""
+        if not self.checkpoint:
+            return
+        for body in self.checkpoint.parts(0, self._shape, self.parts):
+            rows = from_json(body, self.question)
+            new = SequenceResults(rows, int(body["stars"]), int(body["formed"]))
+            self.found = self.found.joined(new, self.question)
+            start, stop = body["blocks"]
+            self.done += stop - start
+            yield start, stop
+
+    def _part(self, span: Span) -> SequencePart:
+        halt = self.workers.halt if self.workers else self.stop
+        own = self.prefixes[slice(*span)]
+        return SequencePart(self.question, *span, own, self.found.rows.points, halt)
+
+    def _take(self, span: Span, new: SequenceResults) -> None:
+        self.found = self.found.joined(new, self.question)
+        if new.whole:
+            self.done += span[1] - span[0]
+            if self.checkpoint:
+                whose = {"attempt": 0, "regions": self._shape, "blocks": list(span)}
+                counts = {"stars": new.stars, "formed": new.formed}
+                self.checkpoint.write(whose | counts | as_json(new.rows))
+        self._tell()
+
+    def _tell(self) -> None:
+        if not self.watch:
+            return
+        seconds = time.monotonic() - self.began
+        rate = (self.done - self.kept) / max(seconds, 1e-9)
+        left = (self.parts - self.done) / rate if rate else None
+        self.watch(Progress(0, self.done, self.parts, self.found.stars, seconds, rate, left))
 
 
-def _width(shaft: Shaft) -> int:
-    return shaft.throws + (shaft.classes if shaft.room == 2 else 0)
-
-
-def mirrored(question: SequenceQuestion) -> bool:
-    """Whether mirror images have the same values: both rods of each pin have one amplitude."""
-    rods = question.shaft.rods
-    return all(
-        len(set(one.weights[place : place + rods])) == 1
-        for goal in question.goals
-        for one in goal.sums
-        if one.kind == "T"
-        for place in range(0, len(one.weights), rods)
-    )
-
-
-def _prefixes(question: SequenceQuestion) -> Iterator[np.ndarray]:
-    """The classes of the first throws, enough to make so many parts; of mirror images the first."""
-    shaft, once = question.shaft, mirrored(question)
-    listed: list[tuple[int, ...]] = [(0,)]
-    wanted = min(PARTS, shaft.count // OF_A_PART + 1)
-    while len(listed) < wanted and len(listed[0]) < shaft.throws:
-        listed = [(*row, own) for row in listed for own in range(shaft.classes)]
-        if once:
-            listed = [row for row in listed if _first(row, shaft.classes)]
-    # those in between are begun first: their couples are small sooner than those of the ends
-    for row in sorted(listed, key=lambda row: abs(row[-1] - shaft.classes / 2)):
-        yield np.array(row, np.int64)
-
-
-def _first(row: tuple[int, ...], classes: int) -> bool:
-    return row <= tuple((classes - own) % classes for own in row)
-
-
-def _tables(question: SequenceQuestion) -> tuple[ShaftTables, np.ndarray]:
-    """The question as arrays, and the unit of each goal in them."""
-    shaft = question.shaft
-    stars, signs = question.star_sums, question.sequence_sums
-    if question.counts and shaft.room == 2 and not signs:  # so that sequences are gone through
-        signs = (torsion(shaft, Fraction(1, 2), straight(shaft)),)
-    step = 2 * np.pi * np.arange(shaft.classes) / shaft.classes
-    columns = [_column(shaft, one, step) for one in stars]
-    turns = [part for one in signs for part in _parts(np.exp(-1j * float(one.order) * step))]
-    amplitudes = np.array(signs[0].weights if signs else (0,) * shaft.cylinders, float)
-    reach = [sum(map(abs, map(float, one.weights))) * one.scale for one in (*stars, *signs)]
-    at = {one: place for place, one in enumerate((*stars, *signs))}
-    sizes = [max((reach[at[one]] for one in goal.sums), default=1.0) for goal in question.goals]
-    unit = np.where(np.array(sizes) > 0, sizes, 1.0)
-    unit = np.maximum(unit / shaft.throws, 1e-9)
-    weights = np.zeros((len(unit), len(at)))
-    for row, goal, size in zip(weights, question.goals, unit, strict=True):
-        for one in goal.sums:
-            row[at[one]] = one.scale / size
-    caps = np.full(len(stars), inf)
-    for cap in question.caps:
-        place = at[cap.sum]
-        least = cap.greatest / cap.sum.scale if cap.sum.scale > 1e-12 else inf
-        caps[place] = min(caps[place], least)
-    most = question.neighbours_at_most
-    alone = np.flatnonzero(weights[:, len(stars) :].any(axis=1))
-    counted = question.goals.index(NEIGHBOURS) if NEIGHBOURS in question.goals else -1
-    tables = ShaftTables(
-        star=np.ascontiguousarray(
-            np.stack([part for column in columns for part in _parts(column)], axis=-1)
-            if columns
-            else np.zeros((shaft.throws, shaft.classes, 0))
-        ),
-        amplitudes=amplitudes.reshape(shaft.throws, shaft.rods),
-        turns=np.ascontiguousarray(
-            np.stack(turns, axis=-1) if turns else np.zeros((shaft.classes, 0))
-        ),
-        star_weights=np.ascontiguousarray(weights[:, : len(stars)]),
-        sequence_weights=np.ascontiguousarray(weights[:, len(stars) :]),
-        caps=caps,
-        shift=shaft.shift if shaft.rods == 2 else 0,
-        room=shaft.room,
-        mirrored=mirrored(question),
-        goal=int(alone[0]) if len(alone) == 1 and counted < 0 else -1,
-        counts=question.counts,
-        counted=counted,
-        size=float(unit[counted]),
-        at_most=shaft.cylinders if most is None else most,
-        step=2 % shaft.classes if shaft.room == 1 and shaft.cycle_deg == 720 else 1,
-    )
-    return tables, unit
-
-
-def _parts(column: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    return np.real(column), np.imag(column)
-
-
-def _column(shaft: Shaft, one: OrderSum, step: np.ndarray) -> np.ndarray:
-    """What each throw adds to a sum of the star in each class [n, K]."""
-    weights = np.array(one.weights, float)
-    if one.kind != "T":
-        return np.outer(weights, np.exp(-1j * float(one.order) * step))
-    own = np.arange(shaft.classes)
-    out = np.zeros((shaft.throws, shaft.classes), complex)
-    for bank, of_bank in enumerate(weights.reshape(shaft.throws, shaft.rods).T):
-        at = (own + bank * shaft.shift) % shaft.classes
-        angle = step[at] + 2 * np.pi * (at % 2) * (shaft.room == 1 and shaft.cycle_deg == 720)
-        out += np.outer(of_bank, np.exp(-1j * float(one.order) * angle))
-    return out
-
-
-class Rows(NamedTuple):
-    """Orders found: values [f, q], classes and signs [f, n + K], and how many there are [f].
-
-    The first row of a point stands for all orders with its values, the others for none. points: the
-    distinct values, those first that turn most others away [p, q].
-    """
-
-    values: np.ndarray
-    lines: np.ndarray
-    times: np.ndarray
-    points: np.ndarray
-
-    @classmethod
-    def nothing(cls, goals: int, shaft: Shaft) -> Rows:
-        """No orders."""
-        none = np.zeros((0, goals))
-        return cls(none, np.zeros((0, _width(shaft)), np.int8), np.zeros(0, np.int64), none)
-
-    def merged(self, other: Rows, size: int) -> Rows:
-        """The rows of both that are on the front of both; of each point the first ones."""
-        values, lines, times = map(np.concatenate, zip(self[:3], other[:3], strict=True))
-        points = np.empty((GREATEST_FRONT, values.shape[1]))
-        points[: len(self.points)] = self.points
-        known = sign_kernels.joined(points, len(self.points), other.points)
-        if known >= GREATEST_FRONT:
-            raise error("minimise", "front-too-large", most=f"{GREATEST_FRONT:,}")
-        points = points[:known][np.argsort(points[:known].sum(axis=1), kind="stable")]
-        order = np.lexsort(lines.T[::-1])
-        values, lines, times = values[order], lines[order], times[order]
-        home = np.empty(len(values), np.int64)
-        sign_kernels.sifted(values, times, points, size, home)
-        kept = home >= 0
-        return Rows(values[kept], lines[kept], times[kept], points)
-
-
-def _of_part(
-    tables: ShaftTables,
-    question: SequenceQuestion,
-    prefix: np.ndarray,
-    known: np.ndarray,
-    halt: threading.Event,
-) -> tuple[Rows, np.ndarray, bool]:
-    """What is found with a prefix, how much was done, and whether that was all."""
-    shaft, goals = question.shaft, len(question.goals)
-    walk, most = _walk(shaft, tables), shaft.sequences
-    rows = BUFFER + most
-    output = SequenceOutput(
-        np.empty((rows, goals)), np.empty((rows, _width(shaft)), np.int8), np.empty(rows, np.int64)
-    )
-    front = np.empty((GREATEST_FRONT, goals))
-    state = np.zeros(5, np.int64)
-    state[KNOWN] = min(len(known), GREATEST_FRONT)
-    front[: state[KNOWN]] = known[: state[KNOWN]]
-    found, ended = Rows.nothing(goals, shaft), False
-    while not ended and not halt.is_set():
-        ended = sequence_kernels.visited(tables, prefix, walk, output, front, most, state)
-        values, lines, times = (array[: state[FOUND]].copy() for array in output)
-        state[FOUND] = 0
-        new = Rows(values, lines, times, front[: state[KNOWN]].copy())
-        found = found.merged(new, question.size)
-    return found, state, ended
-
-
-def _walk(shaft: Shaft, tables: ShaftTables) -> Walk:
-    throws, classes = shaft.throws, shaft.classes
-    goals, width = len(tables.star_weights), tables.turns.shape[1]
-    middle = (classes + 1) // 2
-    few = width > 0
-    return Walk(
-        choice=np.zeros(throws, np.int64),
-        sums=np.zeros((throws + 1, tables.star.shape[2])),
-        hits=np.zeros(classes, np.int64),
-        values=np.zeros(goals),
-        bounds=np.zeros(goals),
-        whole=np.zeros(goals),
-        seen=np.zeros(classes, np.int64),
-        seat=np.zeros((classes, 2), np.int64),
-        delta=np.zeros(classes),
-        front_half=np.zeros((width, 2 ** (middle - 1) if few else 1)),
-        rear_half=np.zeros((width, 2 ** (classes - middle) if few else 1)),
-    )
-
-
-def _answer(question: SequenceQuestion, found: Rows) -> tuple[Point, ...]:
-    """The points of rows, with exact zeros."""
-    throws = question.shaft.throws
-    points: list[Point] = []
-    first = np.flatnonzero(found.times)
+def _points(question: SequenceQuestion, rows: Rows) -> tuple[tuple[Point, ...], int]:
+    """The points of rows, with exact zeros, and how many orders functions were called for."""
+    known: dict[tuple[int, ...], tuple[float, ...]] = {}
+    count = int(rows.times.sum())
+    if question.functions:
+        rows, known = _evaluated(question, rows)
+    first = np.flatnonzero(rows.times)
     if not len(first):
-        return ()
-    apart = (np.abs(found.values[first] - own).max(axis=1) for own in found.values)
+        return (), count
+    apart = (np.abs(rows.values[first] - own).max(axis=1) for own in rows.values)
     near = np.array([gaps.argmin() for gaps in apart])
+    points: list[Point] = []
     for place, row in enumerate(first):
-        lines = found.lines[near == place].tolist()
-        every = [Fired(tuple(line[:throws]), tuple(map(bool, line[throws:]))) for line in lines]
-        every.sort(key=question.shaft.firing_order)
-        if not all(map(question.within, every)):
+        lines = {_fired(question, line): tuple(line) for line in rows.lines[near == place].tolist()}
+        every = sorted(lines, key=question.shaft.firing_order)
+        if not all(map(question.kept, every)):
             raise error("zero", "near-zero")
-        times = int(found.times[row])
-        points.append(Point(question.values(every[0]), every[0], times, tuple(every[1:])))
-    return tuple(sorted(points, key=lambda point: tuple(round(v, 9) for v in point.values)))
+        own = iter(known.get(lines[every[0]], ()))
+        values = tuple(
+            next(own) if isinstance(goal, FunctionGoal) else goal.value(question.shaft, every[0])
+            for goal in question.goals
+        )
+        points.append(Point(values, every[0], int(rows.times[row]), tuple(every[1:])))
+    points.sort(key=lambda point: tuple(round(value, 9) for value in point.values))
+    return tuple(points), count if question.functions else 0
+
+
+def _fired(question: SequenceQuestion, line: list[int]) -> Fired:
+    throws = question.shaft.throws
+    return Fired(tuple(line[:throws]), tuple(map(bool, line[throws:])))
+
+
+def _evaluated(
+    question: SequenceQuestion, rows: Rows
+) -> tuple[Rows, dict[tuple[int, ...], tuple[float, ...]]]:
+    """The front of listed orders with the values of functions, and these by line.
+
+    Values of a function are the same where they differ by less than 1e-9 of its largest.
+    """
+    columns, known = rows.values.copy(), {}
+    for line in rows.lines.tolist():
+        fired = _fired(question, line)
+        known[tuple(line)] = tuple(f.value(question.shaft, fired) for f in question.functions)
+    found = np.array([*known.values()]).reshape(len(known), len(question.functions))
+    good = (found <= [each.greatest for each in question.functions]).all(axis=1)
+    places = [q for q, goal in enumerate(question.goals) if isinstance(goal, FunctionGoal)]
+    most = np.abs(found).max(axis=0, initial=0.0)
+    columns[:, places] = found / np.where(most > 0, most, 1.0)
+    new = Rows(columns[good], rows.lines[good], rows.times[good], columns[good])
+    nothing = Rows.nothing(len(question.goals), question.shaft)
+    return nothing.merged(new, question.size), known
 
 
 def beaten(

@@ -65,6 +65,12 @@ def written(
     if dominated(walk.whole, front, state[KNOWN], 0.0):
         return
     state[KNOWN] = entered(walk.whole, front, state[KNOWN])
+    recorded(tables, walk, code, times, output, state)
+
+
+@compiled
+def recorded(tables: Any, walk: Any, code: int, times: int, output: Any, state: Any) -> None:
+    """Write a star with a sequence."""
     row = state[FOUND]
     throws = walk.choice.shape[0]
     output.values[row] = walk.whole
@@ -219,6 +225,32 @@ def sequences(tables: Any, walk: Any, times: int, output: Any, front: Any, state
 
 
 @compiled
+def every_one(tables: Any, walk: Any, times: int, output: Any, state: Any) -> None:
+    """Write all sequences of a star within the limit of neighbours, whatever their values."""
+    classes, width = tables.turns.shape
+    ahead, rear, middle = walk.front_half, walk.rear_half, (classes + 1) // 2
+    differences(tables, walk)
+    aheads = rears = 1
+    if tables.room == 2:
+        aheads = signed(walk.delta, tables.turns, 0, middle, True, ahead, 0, width)
+        rears = signed(walk.delta, tables.turns, middle, classes, False, rear, 0, width)
+    for i in range(aheads):
+        for j in range(rears):
+            state[FORMED] += times
+            code = i + (j << (middle - 1))
+            walk.whole[:] = walk.values
+            if width > 0:
+                goals_of(walk, i, j, tables)
+            if tables.counts:
+                number = succession(tables, walk, code)
+                if tables.counted >= 0:
+                    walk.whole[tables.counted] = number / tables.size
+                if number > tables.at_most:
+                    continue
+            recorded(tables, walk, code, times, output, state)
+
+
+@compiled
 def met(tables: Any, walk: Any, output: Any, front: Any, state: Any) -> None:
     """Weigh the star that the walk has come to."""
     throws, classes = walk.choice.shape[0], tables.turns.shape[0]
@@ -237,7 +269,9 @@ def met(tables: Any, walk: Any, output: Any, front: Any, state: Any) -> None:
             return
         for q in range(walk.values.shape[0]):
             walk.values[q] = max(walk.values[q], tables.star_weights[q, o] * length)
-    if tables.turns.shape[1] > 0:
+    if tables.every:
+        every_one(tables, walk, times, output, state)
+    elif tables.turns.shape[1] > 0:
         sequences(tables, walk, times, output, front, state)
     else:
         walk.whole[:] = walk.values

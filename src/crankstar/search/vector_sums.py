@@ -26,11 +26,12 @@ F_k and M_k; J. P. Den Hartog, Mechanical Vibrations, section 5.4 (star diagrams
 from __future__ import annotations
 
 from cmath import rect
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
-from math import cos, inf, radians
+from hashlib import sha256
+from math import cos, inf, isfinite, isnan, radians
 from typing import Literal
 
 from crankstar.derive.algebra import cyclotomic
@@ -207,6 +208,64 @@ NEIGHBOURS = Goal("neighbours", (), neighbours=True)
 """How many cylinders that stand side by side in a bank fire in succession."""
 
 
+def _absent(fired: Fired) -> float:
+    """Stands in for a function on its way to the workers, since not every function can be sent."""
+    raise NotImplementedError(fired)
+
+
+@dataclass(frozen=True)
+class FunctionGoal(Goal):
+    """A Python function of a star with its sequence, to be minimised. See `function_goal`."""
+
+    function: Callable[[Fired], float] = field(default=_absent, repr=False)
+    greatest: float = inf
+    symmetric: bool = False
+    function_unit: str = ""
+
+    @property
+    def unit(self) -> str:
+        """The unit that was given."""
+        return self.function_unit
+
+    def value(self, shaft: Shaft, fired: Fired) -> float:
+        """What the function makes of a star with its sequence. Raises SearchError."""
+        order = "-".join(map(str, shaft.firing_order(fired)))
+        try:
+            value = float(self.function(fired))
+        except Exception as raised:  # the user's function may raise anything
+            what = f"{type(raised).__name__}: {raised}"
+            raise error(
+                "", "function-order-failed", name=self.name, order=order, error=what
+            ) from raised
+        if not isfinite(value):
+            raise error("", "function-order-value", name=self.name, given=value, order=order)
+        return value
+
+
+def function_goal(
+    name: str,
+    function: Callable[[Fired], float],
+    *,
+    greatest: float = inf,
+    symmetric: bool = False,
+    unit: str = "",
+) -> FunctionGoal:
+    """A Python function of a star with its sequence as a goal; less is better.
+
+    It is called for every order within the limits, so these must leave few enough. greatest: orders
+    with more are left out; symmetric: whether it is the same for mirror images.
+
+    >>> from crankstar.search.shafts import shaft_of
+    >>> six = shaft_of(6)
+    >>> late = function_goal("late", lambda fired: six.firing_order(fired).index(6))
+    >>> late.value(six, six.fired_in((1, 5, 3, 6, 2, 4)))
+    3.0
+    """
+    return FunctionGoal(
+        name, (), function=function, greatest=greatest, symmetric=symmetric, function_unit=unit
+    )
+
+
 @dataclass(frozen=True)
 class Cap:
     """A sum that belongs to the star and may be at most so long; 0: it vanishes, exactly."""
@@ -240,6 +299,11 @@ class SequenceQuestion:
             faults.append(fault("minimise", "too-many-objectives", **wrong))
         if any(not 0 <= cap.greatest < inf for cap in self.caps):
             faults.append(fault("limit", "cap-value"))
+        faults += [
+            fault("", "function-limit", name=each.name)
+            for each in self.functions
+            if isnan(each.greatest)
+        ]
         if faults:
             raise SearchError(faults)
 
@@ -265,16 +329,44 @@ class SequenceQuestion:
         """Whether neighbours in succession matter."""
         return NEIGHBOURS in self.goals or self.neighbours_at_most is not None
 
+    @property
+    def functions(self) -> tuple[FunctionGoal, ...]:
+        """The goals that are Python functions."""
+        return tuple(goal for goal in self.goals if isinstance(goal, FunctionGoal))
+
+    @property
+    def sent(self) -> SequenceQuestion:
+        """The question as workers are sent it: without the functions, which they do not call."""
+        if not self.functions:
+            return self
+        goals = (
+            replace(goal, function=_absent) if isinstance(goal, FunctionGoal) else goal
+            for goal in self.goals
+        )
+        return replace(self, goals=tuple(goals))
+
+    @property
+    def digest(self) -> str:
+        """A digest that is the same for equal questions only, for a checkpoint."""
+        return sha256(f"sequences {self!r}".encode()).hexdigest()[:16]
+
     def values(self, fired: Fired) -> tuple[float, ...]:
         """The values of the goals, exact zeros as zero."""
         return tuple(goal.value(self.shaft, fired) for goal in self.goals)
 
-    def within(self, fired: Fired) -> bool:
-        """Whether a star keeps the caps."""
+    def kept(self, fired: Fired) -> bool:
+        """Whether a star keeps the caps, functions apart."""
         most = self.neighbours_at_most
         if most is not None and NEIGHBOURS.value(self.shaft, fired) > most:
             return False
         return all(
             cap.sum.length(self.shaft, fired) <= (cap.greatest and cap.greatest + SLACK)
             for cap in self.caps
+        )
+
+    def within(self, fired: Fired) -> bool:
+        """Whether a star keeps all limits."""
+        return self.kept(fired) and all(
+            each.greatest == inf or each.value(self.shaft, fired) <= each.greatest
+            for each in self.functions
         )
