@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 
 from crankstar.search.compiling import compiled
-from crankstar.search.kernels import dominated, entered
+from crankstar.search.kernels import entered
 from crankstar.search.sequence_arrays import DEPTH, FORMED, FOUND, KNOWN, STARS
-from crankstar.search.sign_kernels import beyond, driver, largest, least, short, signed
+from crankstar.search.sign_kernels import beyond, driver, largest, least, short, signed, surpassed
 from crankstar.search.sums import SAME
 
 AT_ONCE = 200_000
@@ -62,7 +62,7 @@ def written(
     tables: Any, walk: Any, code: int, times: int, output: Any, front: Any, state: Any
 ) -> None:
     """Write a star with a sequence that no point of the front dominates."""
-    if dominated(walk.whole, front, state[KNOWN], 0.0):
+    if surpassed(walk.whole, front, state[KNOWN], 0.0):
         return
     state[KNOWN] = entered(walk.whole, front, state[KNOWN])
     recorded(tables, walk, code, times, output, state)
@@ -96,7 +96,7 @@ def allowed(tables: Any, walk: Any, code: int, front: Any, state: Any) -> bool:
     """Whether neighbours in succession are few enough; writes their number where it is a goal."""
     if not tables.counts:
         return True
-    if dominated(walk.whole, front, state[KNOWN], 1e-11):
+    if surpassed(walk.whole, front, state[KNOWN], 1e-11):
         return False
     number = succession(tables, walk, code)
     if tables.counted >= 0:
@@ -199,7 +199,7 @@ def each(tables: Any, walk: Any, times: int, output: Any, front: Any, state: Any
         if tables.sequence_weights[q].max() > 0.0:
             own = least(ahead, aheads, rear, rears, tables.sequence_weights[q])
             walk.bounds[q] = max(walk.bounds[q], own)
-    if dominated(walk.bounds, front, state[KNOWN], 1e-11):
+    if surpassed(walk.bounds, front, state[KNOWN], 1e-11):
         return
     for i in range(aheads):
         for j in range(rears):
@@ -214,7 +214,7 @@ def each(tables: Any, walk: Any, times: int, output: Any, front: Any, state: Any
 def sequences(tables: Any, walk: Any, times: int, output: Any, front: Any, state: Any) -> None:
     """Look for sequences of a star that no point of the front dominates."""
     if tables.goal < 0:
-        if not dominated(walk.values, front, state[KNOWN], 1e-11):
+        if not surpassed(walk.values, front, state[KNOWN], 1e-11):
             differences(tables, walk)
             each(tables, walk, times, output, front, state)
         return
@@ -275,7 +275,7 @@ def met(tables: Any, walk: Any, output: Any, front: Any, state: Any) -> None:
         sequences(tables, walk, times, output, front, state)
     else:
         walk.whole[:] = walk.values
-        if dominated(walk.whole, front, state[KNOWN], 1e-11):
+        if surpassed(walk.whole, front, state[KNOWN], 1e-11):
             return
         differences(tables, walk)
         if not allowed(tables, walk, 0, front, state):

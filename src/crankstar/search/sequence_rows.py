@@ -51,19 +51,28 @@ class Rows(NamedTuple):
 
     def merged(self, other: Rows, size: int) -> Rows:
         """The rows of both that are on the front of both; of each point the first ones."""
-        values, lines, times = map(np.concatenate, zip(self[:3], other[:3], strict=True))
-        points = np.empty((GREATEST_FRONT, values.shape[1]))
+        points = np.empty((GREATEST_FRONT, self.values.shape[1]))
         points[: len(self.points)] = self.points
         known = sign_kernels.joined(points, len(self.points), other.points)
-        if known >= GREATEST_FRONT:
+        return self.sifted(other, points[:known], size)
+
+    def sifted(self, other: Rows, points: np.ndarray, size: int) -> Rows:
+        """The rows of both that are on a front; of each point the first ones."""
+        if len(points) >= GREATEST_FRONT:
             raise error("minimise", "front-too-large", most=f"{GREATEST_FRONT:,}")
-        points = points[:known][np.argsort(points[:known].sum(axis=1), kind="stable")]
+        points = points[np.argsort(points.sum(axis=1), kind="stable")]
+        values, lines, times = map(np.concatenate, zip(self[:3], other[:3], strict=True))
         order = np.lexsort(lines.T[::-1])
         values, lines, times = values[order], lines[order], times[order]
         home = np.empty(len(values), np.int64)
         sign_kernels.sifted(values, times, points, size, home)
         kept = home >= 0
         return Rows(values[kept], lines[kept], times[kept], points)
+
+    @property
+    def own(self) -> Rows:
+        """The rows with their own points only."""
+        return self._replace(points=self.values[self.times > 0])
 
 
 def as_json(rows: Rows) -> dict[str, Any]:
@@ -76,5 +85,5 @@ def from_json(tree: dict[str, Any], question: SequenceQuestion) -> Rows:
     rows, goals = len(tree["times"]), len(question.goals)
     values = np.array(tree["values"], float).reshape(rows, goals)
     lines = np.array(tree["lines"], np.int8).reshape(rows, width_of(question.shaft))
-    points = values[:0] if question.functions else values
-    return Rows(values, lines, np.array(tree["times"], np.int64).reshape(rows), points)
+    found = Rows(values, lines, np.array(tree["times"], np.int64).reshape(rows), values[:0])
+    return found if question.functions else found.own

@@ -106,6 +106,10 @@ def _results(part: SequencePart, prefix: np.ndarray) -> SequenceResults:
         ended = sequence_kernels.visited(tables, prefix, walk, output, front, most, state)
         values, lines, times = (array[: state[FOUND]].copy() for array in output)
         state[FOUND] = 0
-        new = Rows(values, lines, times, front[: state[KNOWN]].copy())
-        found = found.joined(new, question)
-    return SequenceResults(found, int(state[STARS]), int(state[FORMED]), ended)
+        new = Rows(values, lines, times, front[:0])
+        if question.functions:
+            found = found.beside(new)
+        else:  # what was known is in the front of the loops, too
+            found = found.sifted(new, front[: state[KNOWN]], question.size)
+    rows = found if question.functions else found.own
+    return SequenceResults(rows, int(state[STARS]), int(state[FORMED]), ended)

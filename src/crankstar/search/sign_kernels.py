@@ -115,16 +115,26 @@ def beyond(tables: Any, walk: Any, code: int, drive: int, weights: Any, square: 
 def sifted(values: Any, times: Any, points: Any, size: int, home: Any) -> None:
     """Find the point of each row, and keep so many rows of each: home is -1 for the others.
 
-    times: how many orders a row stands for; the first row of a point gets them all. A row whose
-    values are no point's is dominated.
+    points: ascending by the sum of their values; times: how many orders a row stands for; the first
+    row of a point gets them all. A row whose values are no point's is dominated.
     """
+    goals = values.shape[1]
     seen = np.zeros(points.shape[0], np.int64)
     first = np.zeros(points.shape[0], np.int64)
+    sums = np.zeros(points.shape[0])
+    for f in range(points.shape[0]):
+        for q in range(goals):
+            sums[f] += points[f, q]
+    slack = 3 * goals * SAME
     for row in range(values.shape[0]):
         home[row] = -1
-        for f in range(points.shape[0]):
+        whole = 0.0
+        for q in range(goals):
+            whole += values[row, q]
+        f = np.searchsorted(sums, whole - slack)
+        while f < points.shape[0] and sums[f] <= whole + slack:
             same = True
-            for q in range(values.shape[1]):
+            for q in range(goals):
                 if abs(values[row, q] - points[f, q]) > 2 * SAME:
                     same = False
                     break
@@ -138,6 +148,30 @@ def sifted(values: Any, times: Any, points: Any, size: int, home: Any) -> None:
                     home[row] = f
                 seen[f] += 1
                 break
+            f += 1
+
+
+@compiled
+def surpassed(values: Any, front: Any, known: int, slack: float) -> bool:
+    """Whether a point of the front is as good in all values and better in one.
+
+    slack: by how much the values may be off. Such a point changes places with one halfway to the
+    first: those that turn many away are soon looked at first.
+    """
+    for f in range(known):
+        better = False
+        for q in range(values.shape[0]):
+            if front[f, q] > values[q] + SAME - slack:
+                break
+            if front[f, q] < values[q] - SAME - slack:
+                better = True
+        else:
+            if better:
+                ahead = f // 2
+                for q in range(values.shape[0]):
+                    front[f, q], front[ahead, q] = front[ahead, q], front[f, q]
+                return True
+    return False
 
 
 @compiled
