@@ -63,7 +63,9 @@ def searched(
         return _draw(front, cylinders, kind, form, paper)
     judged = _judged(front, wanted)
     if form.row is not None and front.complete:
-        _show_row(front, wanted.engine, form.row, form, tree)
+        first = next(iter(judged.values())).rows if judged else {}
+        best = {shown: way.fired for shown, way in first.items()}
+        _show_row(front, wanted.engine, best, form, tree)
         return None
     from crankstar.tables.search_sequences import ROWS, search_sequences
 
@@ -144,43 +146,51 @@ def _front(question: Any, workers: int, work: Work) -> Any:
         )
 
 
-def _judged(front: Any, wanted: sequences.Sequences) -> dict[Any, dict[Any, float]]:
-    """What the whole engine does with each point of a front. Raises RequestError."""
-    from crankstar.search.sequence_engines import fired_of_engine, with_fired
-    from crankstar.studies.judged_orders import FAILURES, judgement
+def _judged(front: Any, wanted: sequences.Sequences) -> dict[Any, Any]:
+    """What the whole engine does with the best way of each point. Raises RequestError."""
+    from crankstar.search.sequence_engines import fired_of_engine
+    from crankstar.search.sequence_fronts import ways
+    from crankstar.studies.judged_orders import FAILURES, JudgedWays, best_way
 
     engine, out = wanted.engine, {}
     if engine is None or not wanted.judges:
         return out
     shaft = front.question.shaft
     beside = [each for each in (fired_of_engine(engine, shaft), wanted.why) if each is not None]
-    every = dict.fromkeys([*(point.fired for point in front.points), *beside])
-    whole, done = len(wanted.judges) * len(every), 0
+    every = {point.fired: ways(front, point) for point in front.points}
+    judged, of = sum(map(len, every.values())), sum(point.orders for point in front.points)
+    whole, done = len(wanted.judges) * (judged + len(beside)), 0
     with progress(_("judging")) as show:
         for judge in wanted.judges:
-            out[judge] = {}
-            for fired in every:
-                show(done, whole, "")
-                done += 1
-                try:
-                    out[judge][fired] = judgement(with_fired(engine, shaft, fired), judge)
-                except FAILURES as error:
-                    raise RequestError(f"{engine.name}: {error}") from None
+            out[judge] = JudgedWays({}, {}, judged, of)
+            try:
+                for shown, those in every.items():
+                    show(done, whole, "")
+                    out[judge].rows[shown] = best_way(engine, shaft, those, judge)
+                    done += len(those)
+                for fired in beside:
+                    out[judge].beside[fired] = best_way(engine, shaft, [fired], judge).value
+            except FAILURES as error:
+                raise RequestError(f"{engine.name}: {error}") from None
+            done += len(beside)
     return out
 
 
-def _show_row(front: Any, engine: Any, row: int, form: Form, tree: Any) -> None:
+def _show_row(front: Any, engine: Any, best: dict[Any, Any], form: Form, tree: Any) -> None:
     """Write a row as an engine file; uneven angles as a table, or the engine of the last one.
 
-    Raises RequestError where there is no such row.
+    best: the ways that were judged best, by the orders that rows show. Raises RequestError where
+    there is no such row.
     """
     from crankstar.search.sequence_engines import engine_of, with_fired
     from crankstar.search.uneven_sequences import uneven_sequences
     from crankstar.tables.uneven_angles import uneven_angles
 
+    row = form.row or 1
     if row > len(front.points):
         raise refusal("--row", row, "the answer has {count} rows", count=len(front.points))
-    fired, shaft, later = front.points[row - 1].fired, front.question.shaft, ()
+    shown, shaft, later = front.points[row - 1].fired, front.question.shaft, ()
+    fired = best.get(shown, shown)
     if form.uneven is not None:
         with working(_("Refining the angles ...")):
             deviations = options.deviations(form.uneven)

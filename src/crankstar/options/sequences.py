@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     from crankstar.studies.judged_orders import Judge
 
 MOST_ORDERS = 12
+MOST_WAYS = 256
+"""Orders of each row that are kept to be judged, mirror images apart."""
 USUAL_GOALS = ("M1", "M2", TWIST)
 
 
@@ -83,8 +85,10 @@ def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -
             why = shaft.fired_in(order(more.why))
     if faults:
         raise SearchError(faults)
-    question = SequenceQuestion(shaft, tuple(goals), tuple(caps), few)
-    return Sequences(question, engine, why, asked.mode, _judges(more.judge, engine))
+    judges = _judges(more.judge, engine)
+    size = {"size": MOST_WAYS} if judges else {}
+    question = SequenceQuestion(shaft, tuple(goals), tuple(caps), few, **size)
+    return Sequences(question, engine, why, asked.mode, judges)
 
 
 def _judges(text: str | None, engine: Engine | None) -> tuple[Judge, ...]:

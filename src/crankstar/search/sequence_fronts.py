@@ -27,6 +27,7 @@ from crankstar.search.faults import error
 from crankstar.search.interrupts import signals_noted
 from crankstar.search.progress import Progress
 from crankstar.search.sequence_rows import GREATEST_LIST, Rows, as_json, from_json
+from crankstar.search.sequence_tables import mirrored
 from crankstar.search.sequence_work import SequencePart, SequenceResults, prefixes
 from crankstar.search.shafts import Fired
 from crankstar.search.sums import SAME
@@ -65,6 +66,24 @@ class SequenceFront:
     formed: int
     complete: bool = True
     evaluated: int = 0
+
+
+def ways(front: SequenceFront, point: Point) -> tuple[Fired, ...]:
+    """The orders of a point that were kept, the shown one first, and their mirror images.
+
+    All that the point counts, where the question keeps so many (`size`).
+
+    >>> from crankstar.search.shafts import shaft_of
+    >>> from crankstar.search.vector_sums import Goal, couple
+    >>> five = shaft_of(5)
+    >>> front = sequence_front(SequenceQuestion(five, (Goal("M1", (couple(five, 1),)),)))
+    >>> [five.firing_order(fired) for fired in ways(front, front.points[0])]
+    [(1, 2, 4, 5, 3), (1, 3, 5, 4, 2)]
+    """
+    every = dict.fromkeys((point.fired, *point.like))
+    if mirrored(front.question):
+        every |= dict.fromkeys(map(front.question.shaft.mirrored, tuple(every)))
+    return tuple(every)
 
 
 Watch = Callable[[Progress], None]

@@ -210,6 +210,19 @@ class Shaft:
             raise error("why", "order-uneven")
         return Fired(star, first)
 
+    def mirrored(self, fired: Fired) -> Fired:
+        """The mirror image: what comes later comes earlier by as much; of a V, banks change places.
+
+        >>> six = shaft_of(6)
+        >>> six.firing_order(six.mirrored(six.fired_in((1, 5, 3, 6, 2, 4))))
+        (1, 4, 2, 6, 3, 5)
+        """
+        angles = self.angles_deg(fired)
+        pairs = (
+            (own, other) for pin in self.numbers for own, other in zip(pin, pin[::-1], strict=True)
+        )
+        return self.fired_of({own: float(-angles[other]) for own, other in pairs})
+
     def fired_in(self, order: Sequence[int]) -> Fired:
         """The star and sequence of a firing order. Raises SearchError.
 

@@ -17,9 +17,9 @@ from crankstar.tables.table import Column, Document, Remarks, Table, Value, rema
 
 if TYPE_CHECKING:
     from crankstar.dynamics.torsion_modes import Mode
-    from crankstar.studies.judged_orders import Judge
+    from crankstar.studies.judged_orders import Judge, JudgedWays
 
-Judged = Mapping["Judge", Mapping[Fired, float]]
+Judged = Mapping["Judge", "JudgedWays"]
 """What the whole engine does with a star and its firing order."""
 FORMAT = 1
 """Of the JSON."""
@@ -46,23 +46,22 @@ def search_sequences(
     question = front.question
     known = {} if found is None else found
     rows = tuple(
-        (*_row(question, place, point), *(values[point.fired] for values in known.values()))
+        (*_row(question, place, point), *_best(question, point, known))
         for place, point in enumerate(shown, 1)
     )
-    columns = [judge_column(judge) for judge in known]
-    table = Table("", (*_columns(question), *columns), rows, key="rows")
+    table = Table("", (*_columns(question), *_judge_columns(known)), rows, key="rows")
     judged = list(_judged(front, engine, why))
     lines = [
         *(_verdict(front, label, fired) + _found(fired, known) for label, fired in judged),
         *_notes(front, len(shown)),
         *([] if mode is None else [mode_sentence(mode)]),
         *(_(JUDGEMENTS[judge]) for judge in known),
-        *([_("Judged is the order that is shown, not others of its ways.")] if known else []),
+        *_judged_sentences(known),
         certificate(front),
     ]
     told = [
         _judgement(front, label, fired)
-        | {judge: values[fired] for judge, values in known.items() if fired in values}
+        | {judge: own.beside[fired] for judge, own in known.items() if fired in own.beside}
         for label, fired in judged
     ]
     facts = _facts(front) | {"judged": told}
@@ -191,6 +190,41 @@ def _row(question: SequenceQuestion, place: int, point: Point) -> tuple[Value, .
     )
 
 
+def _judge_columns(known: Judged) -> list[Column]:
+    """What the best way of a row is judged by, and which way it is."""
+    out: list[Column] = []
+    for judge in known:
+        way = Column(_("by firing order"), kind="order", key=f"{judge}_order")
+        out += [judge_column(judge), way]
+    return out
+
+
+def _best(question: SequenceQuestion, point: Point, known: Judged) -> Iterator[Value]:
+    for own in known.values():
+        yield own.rows[point.fired].value
+        yield question.shaft.firing_order(own.rows[point.fired].fired)
+
+
+def _judged_sentences(known: Judged) -> Iterator[str]:
+    """Which orders were judged."""
+    if not known:
+        return
+    own = next(iter(known.values()))
+    if own.judged == own.of:
+        yield _(
+            "All ways of a row were judged ({count} in all): the least is shown, with the order "
+            "that has it.",
+            count=f"{own.judged:,}",
+        )
+    else:
+        yield _(
+            "{judged} of the {count} ways of all rows were judged: the least is shown, with the "
+            "order that has it.",
+            judged=f"{own.judged:,}",
+            count=f"{own.of:,}",
+        )
+
+
 def _judged(
     front: SequenceFront, engine: Engine | None, why: Fired | None
 ) -> Iterator[tuple[str, Fired]]:
@@ -234,7 +268,7 @@ def _verdict(front: SequenceFront, label: str, fired: Fired) -> str:
 def _found(fired: Fired, known: Judged) -> str:
     """What an order beside the rows is judged by, as the end of its sentence."""
     values = [
-        judge_text(judge, values[fired]) for judge, values in known.items() if fired in values
+        judge_text(judge, own.beside[fired]) for judge, own in known.items() if fired in own.beside
     ]
     words = "; ".join(values)
     return f" {words[0].upper()}{words[1:]}." if words else ""
@@ -308,6 +342,15 @@ def _notes(front: SequenceFront, shown: int) -> list[str]:
             _(
                 "Counterweights can take {share} of M1, of every star.",
                 share=f"{100 * along / (along + against):.4g} %",
+            )
+        )
+    for goal in question.functions:
+        out.append(
+            _(
+                "{name} is a Python function, called for each of the {count} firing orders within "
+                "the limits: no bound leaves any out.",
+                name=goal.name,
+                count=f"{front.evaluated:,}",
             )
         )
     out.append(_("--row N -o FILE writes the engine with that star and order."))
