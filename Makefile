@@ -104,6 +104,7 @@ chromium poppler latex:
 bench: $(READY) front-end chromium
 	$(BIN)/python benchmarks/start.py
 	$(BIN)/python benchmarks/run.py
+	$(BIN)/python benchmarks/sequences.py
 	$(BIN)/python benchmarks/gas.py
 	$(BIN)/python benchmarks/torsion.py
 	$(BIN)/python benchmarks/mounts.py

@@ -17,7 +17,6 @@ from statistics import median
 from time import perf_counter
 
 import numpy as np
-import sequences
 
 import search
 import tables
@@ -228,7 +227,6 @@ def rows() -> list[tables.Row]:
     out += pairs()
     out += pictures()
     out += search.rows()
-    out += sequences.rows()
     out.append((f"batch of {VARIANTS:,} V8s", f"{batch_rate():,.0f} engines/s", ""))
     return out
 

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+import tables
 from crankstar.search.executors import threads
 from crankstar.search.sequence_fronts import SequenceFront, sequence_front
 from crankstar.search.shafts import Shaft, shaft_of
@@ -21,7 +22,7 @@ from crankstar.search.vector_sums import Goal, SequenceQuestion, couple, straigh
 
 BUDGETS = {(16, 45): 10, (16, 90): 10, (20, 108): 180, (20, 72): 180}
 """Cylinders and bank angle of a V engine, and the seconds that its front may take."""
-OTHERS = ((12, None), (14, None), (24, 30))
+OTHERS = ((11, None), (12, None), (13, None), (14, None), (24, 30))
 """Cylinders and bank angle, None in line, of fronts that are only timed."""
 SAME = 1e-9
 
@@ -167,12 +168,15 @@ def rows(*, others: bool = True) -> list[tuple[str, str, str]]:
         whole = perf_counter() - began
         agreed(front, slow)
         orders = question.shaft.count * question.shaft.sequences
-        what = f"V{cylinders} at {bank} deg, {len(front.points)} points (M1, M2, twist)"
+        what = f"V{cylinders} at {bank} deg, {len(front.points)} points"
         figure = f"{seconds:.2g} s; all {orders:,} orders one by one {whole:.2g} s"
-        out.append((f"proved front over stars and firing orders: {what}", figure, f"{budget} s"))
+        out.append((what, figure, f"{budget} s"))
     for cylinders, bank in OTHERS if others else ():
         front, seconds = timed(asked(cylinders, bank), workers=cpu_count() or 1)
         kind = f"{cylinders} in line" if bank is None else f"V{cylinders} at {bank} deg"
-        what = f"proved front over stars and firing orders: {kind}, {len(front.points)} points"
-        out.append((what, f"{seconds:.3g} s", ""))
+        out.append((f"{kind}, {len(front.points):,} points", f"{seconds:.3g} s", ""))
     return out
+
+
+if __name__ == "__main__":
+    tables.show("sequences", rows())

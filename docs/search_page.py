@@ -24,11 +24,21 @@ NO_BREAK = "\u2060-\u2060"
 SPACE = "\u00a0"
 SHOWN = 12
 MAKERS = (
+    "suzuki-hayabusa",
+    "honda-b18c",
+    "audi-25-tfsi",
+    "rolls-royce-six-1928",
+    "diesel-six-1939",
+    "mwm-6-diesel",
     "toyota-2jz",
     "bmw-m52b28",
+    "man-s50mc-c",
+    "man-s90mc-c",
     "gm-l76",
+    "rover-v8-39",
     "ford-coyote",
     "ford-46-sohc",
+    "cadillac-ld8",
     "toyota-1uz-fe",
     "bmw-s65",
     "porsche-cayenne-48",
@@ -36,6 +46,8 @@ MAKERS = (
     "merlin",
 )
 """Engines of the catalog whose orders are placed on their fronts."""
+FOURS = 4
+"""Cylinders of engines whose throws are all in phase in order 2."""
 MOST = 14
 """Greatest number of cylinders whose front is searched whenever the page is built."""
 
@@ -70,7 +82,8 @@ def page(what: str) -> str:
 def judged(name: str) -> tuple[SequenceFront, Fired]:
     """The front of an engine of the catalog, and its own star and firing order."""
     engine = load(name)
-    goals = SearchWords(minimise="M1,M2,twist,neighbours", mode_shape="straight")
+    sums = "M1" if len(engine.cylinders) == FOURS else "M1,M2"
+    goals = SearchWords(minimise=f"{sums},twist,neighbours", mode_shape="straight")
     front = sequence_front(sequences_of(engine, goals, SequenceWords()).question)
     own = fired_of_engine(engine, front.question.shaft)
     if own is None:
@@ -93,7 +106,10 @@ def makers() -> str:
             goals = front.question.goals
             less = ", ".join(f"{goals[q].name} {_number(point[q])}" for q in which)
             where = f"no: {less} is possible, the rest no worse"
-        cells = [f"`{name}`", order, *map(_number, values[:3]), f"{values[3]:g}", where]
+        sums = list(map(_number, values[:-1]))
+        if len(sums) < FOURS - 1:
+            sums.insert(1, "0")
+        cells = [f"`{name}`", order, *sums, f"{values[-1]:g}", where]
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
 

@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from tests.commands import Run
+from tests.search import plain_orders as plain
 
-from crankstar import bearing_loads, cycle, load, spectra, torsion
+from crankstar import bearing_loads, cycle, load, spectra
+from crankstar import torsion as torsional
 from crankstar.dynamics.torsion_criticals import stresses
 from crankstar.dynamics.torsion_shapes import cylinder_shape
 from crankstar.files.catalog import tree_of
 from crankstar.firing.intervals import firing
-from crankstar.studies.judged_orders import judgement
+from crankstar.firing.orders import even_orders
+from crankstar.search.sequence_engines import shaft_of_engine, with_fired
+from crankstar.search.shafts import followed
+from crankstar.search.vector_sums import couple, shape_of, torsion
+from crankstar.studies.judged_orders import JUDGES, Judge, judged, judgement
 
 OWN = {
     "inertia": "0.03 kg*m^2",
@@ -85,7 +92,7 @@ def test_an_engine_that_twists_weighs_orders_in_its_own_mode(run: Run, six: str)
     arguments = ("orders", six, "--minimise", "twist", "--orders", "0.5,1.5")
     rows = json.loads(run(*arguments, "--json").out)["orders"]
     engine = load(six)
-    found = torsion(engine)
+    found = torsional(engine)
     mode = found.modes[0]
     shape = mode.shape[list(found.chain.cylinders)]
     own = next(row for row in rows if row["order"] == list(engine.firing_order))
@@ -116,8 +123,8 @@ def test_orders_are_sorted_by_the_stress_that_each_makes(
     assert run(*arguments, "--row", "1", "-o", place).code == 0
     best = load(place)
     assert list(firing(best).order) == rows[0]["order"]
-    low, *_, high = torsion(best).speeds.tolist()
-    found = torsion(best, speeds=np.linspace(low, high, 900))
+    low, *_, high = torsional(best).speeds.tolist()
+    found = torsional(best, speeds=np.linspace(low, high, 900))
     assert found.response is not None
     peak = np.nanmax(stresses(found.response)[0]) / 1e6
     assert peak == pytest.approx(values[0], rel=0.02)
@@ -149,14 +156,59 @@ def test_a_front_weighs_the_engine_s_own_mode_and_judges_each_row(
     assert own["values"]["twist"] == pytest.approx(max(torsions), rel=1e-5)
     assert own["bearings"] == pytest.approx(judgement(engine, "bearings"), rel=1e-9)
     assert own["stress"] == pytest.approx(judgement(engine, "stress"), rel=1e-9)
-    row = 5
+    row = next(
+        place
+        for place, each in enumerate(told["rows"], 1)
+        if each["stress_order"] != each["firing_order"]
+    )
     place = str(tmp_path / "row.toml")
-    assert run(*arguments, "--row", str(row), "-o", place).code == 0
-    written = load(place)
-    assert told["rows"][row - 1]["stress"] == pytest.approx(judgement(written, "stress"), rel=1e-6)
+    for more in (("--judge", "bearings,stress"), ()):
+        assert run(*arguments, *more, "--row", str(row), "-o", place).code == 0
+        written = load(place)
+        value, best = told["rows"][row - 1]["stress"], tuple(told["rows"][row - 1]["stress_order"])
+        assert (written.firing_order == best) == bool(more)
+        assert (judgement(written, "stress") == pytest.approx(value, rel=1e-6)) == bool(more)
     shown = " ".join(run(*arguments, "--judge", "stress").out.split())
     assert f"mode {mode.number} of the crankshaft, {mode.frequency:.1f} Hz" in shown
     assert f"Shear stress {own['stress']:.5g} MPa." in shown
+
+
+@pytest.mark.parametrize("judge", JUDGES)
+def test_a_row_shows_the_best_of_all_orders_with_its_sums(run: Run, six: str, judge: Judge) -> None:
+    """Every permutation that fires evenly, put into the engine and computed."""
+    words = ("search", six, "--minimise", "M1,T1.5,neighbours", "--judge", judge, "--json")
+    rows = json.loads(run(*words).out)["rows"]
+    engine = load(six)
+    shaft = shaft_of_engine(engine)
+    goals = (couple(shaft, 1), torsion(shaft, Fraction(3, 2), _shape(engine, shaft)))
+    found: dict[tuple[float, ...], list[tuple[float, tuple[int, ...]]]] = {}
+    for order in plain.angles(6, 720, 0)[0].tolist():
+        fired = shaft.fired_in(order)
+        sums = [round(one.length(shaft, fired), 5) for one in goals]
+        key = (*sums, float(len(followed(shaft, order).neighbours)))
+        if key in {_key(row) for row in rows}:
+            value = judgement(with_fired(engine, shaft, fired), judge)
+            found.setdefault(key, []).append((value, tuple(order)))
+    assert len(rows) == len(found) > 5
+    better = 0
+    for row in rows:
+        every = found[_key(row)]
+        assert len(every) == row["orders"]
+        assert row[judge] == pytest.approx(min(every)[0], rel=1e-9)
+        own = {order: value for value, order in every}
+        assert own[tuple(row[f"{judge}_order"])] == pytest.approx(row[judge], rel=1e-9)
+        better += own[tuple(row["firing_order"])] > 1.001 * row[judge]
+    if judge == "stress":  # the order that stands for a row is not always its best
+        assert better > 0
+
+
+def _key(row: dict[str, Any]) -> tuple[float, ...]:
+    return (round(row["M1"], 5), round(row["T1.5"], 5), float(row["neighbours_in_succession"]))
+
+
+def _shape(engine: Any, shaft: Any) -> tuple[Fraction, ...]:
+    shape = cylinder_shape(engine)[1]
+    return shape_of(shaft, [Fraction(f"{shape[number]:.6f}") for number in sorted(shape)])
 
 
 @pytest.mark.parametrize(
@@ -203,3 +255,14 @@ def test_a_wrong_request_to_weigh_orders_is_told(
     assert result.code == 2
     assert words in " ".join(result.err.split())
     assert "Traceback" not in result.err
+
+
+def test_orders_are_sorted_by_any_function_of_the_engine(six: str) -> None:
+    engine = load(six)
+    orders = even_orders(engine)
+    best, values = judged(engine, orders, lambda each: judgement(each, "stress") / 2)
+    plainly, halves = judged(engine, orders, "stress")
+    assert best == plainly
+    assert values == pytest.approx([value / 2 for value in halves])
+    third = judged(engine, orders, lambda each: float(each.firing_order.index(4)))
+    assert third[1] == tuple(sorted(each.firing.order.index(4) for each in orders))

@@ -32,7 +32,7 @@ from crankstar.search.sequence_engines import (
     shaft_of_engine,
     with_fired,
 )
-from crankstar.search.sequence_fronts import beaten, sequence_front
+from crankstar.search.sequence_fronts import beaten, sequence_front, ways
 from crankstar.search.shafts import Fired, Shaft, followed, shaft_of
 from crankstar.search.uneven_sequences import uneven_sequences
 from crankstar.search.vector_sums import (
@@ -284,6 +284,47 @@ def test_threads_and_a_narrow_buffer_change_nothing(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(sequence_work, "OF_A_PART", 1)
     with executors.threads(3) as workers:
         assert sequence_front(about, workers=workers).points == plainly.points
+
+
+@pytest.mark.parametrize("minimise", ["M1,M2,twist", "M1,twist,neighbours", "M2,T1.5"])
+@pytest.mark.parametrize(("cylinders", "bank"), [(5, 0), (6, 0), (7, 0), (8, 90), (10, 72)])
+def test_ways_are_all_orders_of_a_point(cylinders: int, bank: float, minimise: str) -> None:
+    """As many as the point counts, each once, all with its values."""
+    about = question(cylinders, bank, minimise)
+    assert about is not None
+    about = dataclasses.replace(about, size=1000)
+    front = sequence_front(about)
+    for point in front.points:
+        every = ways(front, point)
+        assert len(every) == len(set(every)) == point.orders
+        assert every[0] == point.fired
+        for fired in every:
+            assert about.values(fired) == pytest.approx(point.values, abs=1e-8)
+            back = about.shaft.mirrored(about.shaft.mirrored(fired))
+            assert about.shaft.firing_order(back) == about.shaft.firing_order(fired)
+
+
+def test_the_mirror_image_in_line_fires_backwards() -> None:
+    for order in [(1, 2, 4, 5, 3), (1, 5, 3, 6, 2, 4), (1, 3, 2, 7, 5, 6, 4)]:
+        shaft = shaft_of(len(order))
+        other = shaft.firing_order(shaft.mirrored(shaft.fired_in(order)))
+        assert other == (1, *reversed(order[1:]))
+
+
+def test_a_typed_order_is_told_which_limits_it_breaks(capsys: pytest.CaptureFixture[str]) -> None:
+    line = "search 8 --bank 90 --minimise twist --limit neighbours=0 --limit M1=3 --why"
+    with pytest.raises(SystemExit):
+        cli.main([*line.split(), "1-8-4-3-6-5-7-2"])
+    told = " ".join(capsys.readouterr().out.split())
+    assert "1-8-4-3-6-5-7-2 breaks a limit: M1 3.1623 > 3, neighbours 1 > 0." in told
+
+
+def test_an_engine_that_fires_unevenly_is_told_to_be_no_star(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    with pytest.raises(SystemExit):
+        cli.main(["search", "yamaha-r1-crossplane", "--minimise", "M1,twist"])
+    assert "as it is does not fire evenly" in " ".join(capsys.readouterr().out.split())
 
 
 def test_a_typed_order_is_told_what_beats_it() -> None:

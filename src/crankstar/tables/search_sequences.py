@@ -2,31 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
-from crankstar.search.sequence_engines import fired_of_engine
-from crankstar.search.sequence_fronts import Point, SequenceFront, beaten
+from crankstar.search.sequence_fronts import Point, SequenceFront
 from crankstar.search.shafts import Fired, followed
-from crankstar.search.vector_sums import Goal, OrderSum, SequenceQuestion, couple, force, shares
-from crankstar.tables.firing_orders import JUDGEMENTS, judge_column, judge_text, mode_sentence
+from crankstar.search.vector_sums import OrderSum, SequenceQuestion, couple, force, shares
+from crankstar.tables.firing_orders import JUDGEMENTS, judge_column, mode_sentence
+from crankstar.tables.sequence_verdicts import Judged, judged_by, judgement, placed, uneven, verdict
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 if TYPE_CHECKING:
     from crankstar.dynamics.torsion_modes import Mode
-    from crankstar.studies.judged_orders import Judge, JudgedWays
 
-Judged = Mapping["Judge", "JudgedWays"]
-"""What the whole engine does with a star and its firing order."""
 FORMAT = 1
 """Of the JSON."""
 ROWS = 60
 """Rows that are shown; all of them go into a file."""
-BEATEN = 3
-"""Points that are named as better than an order."""
 
 
 def search_sequences(
@@ -50,9 +45,10 @@ def search_sequences(
         for place, point in enumerate(shown, 1)
     )
     table = Table("", (*_columns(question), *_judge_columns(known)), rows, key="rows")
-    judged = list(_judged(front, engine, why))
+    judged = list(placed(front, engine, why))
     lines = [
-        *(_verdict(front, label, fired) + _found(fired, known) for label, fired in judged),
+        *(verdict(front, label, fired) + judged_by(fired, known) for label, fired in judged),
+        *uneven(front, engine),
         *_notes(front, len(shown)),
         *([] if mode is None else [mode_sentence(mode)]),
         *(_(JUDGEMENTS[judge]) for judge in known),
@@ -60,7 +56,7 @@ def search_sequences(
         certificate(front),
     ]
     told = [
-        _judgement(front, label, fired)
+        judgement(front, label, fired)
         | {judge: own.beside[fired] for judge, own in known.items() if fired in own.beside}
         for label, fired in judged
     ]
@@ -223,95 +219,6 @@ def _judged_sentences(known: Judged) -> Iterator[str]:
             judged=f"{own.judged:,}",
             count=f"{own.of:,}",
         )
-
-
-def _judged(
-    front: SequenceFront, engine: Engine | None, why: Fired | None
-) -> Iterator[tuple[str, Fired]]:
-    """The order of the engine and the one that was typed, with their names."""
-    own = None if engine is None else fired_of_engine(engine, front.question.shaft)
-    if own is not None:
-        yield "engine", own
-    if why is not None:
-        yield "why", why
-
-
-def _verdict(front: SequenceFront, label: str, fired: Fired) -> str:
-    """Whether an order is on the front, else which rows are better, and in what."""
-    question = front.question
-    order = "-".join(map(str, question.shaft.firing_order(fired)))
-    name = _("The engine as it is ({order})", order=order) if label == "engine" else order
-    if not question.within(fired):
-        return _("{name} breaks a limit.", name=name)
-    values, better = beaten(front, fired)
-    known = {"name": name, "values": _valued(question.goals, values)}
-    if not better:
-        return _("{name}: {values}.", **known)
-    first, which = better[0]
-    if not which:
-        return _("{name} is on the front, row {row}: {values}.", row=first + 1, **known)
-    ranked = sorted(better, key=lambda each: -len(each[1]))
-    beating = "; ".join(
-        _beating(front.points[place], place, goals, values, question.goals)
-        for place, goals in ranked[:BEATEN]
-    )
-    if len(better) > BEATEN:
-        more = len(better) - BEATEN
-        beating = _("{rows}; and {count} more", rows=beating, count=more)
-    return _(
-        "{name} is not on the front: {values}. No worse in anything and better: {rows}.",
-        rows=beating,
-        **known,
-    )
-
-
-def _found(fired: Fired, known: Judged) -> str:
-    """What an order beside the rows is judged by, as the end of its sentence."""
-    values = [
-        judge_text(judge, own.beside[fired]) for judge, own in known.items() if fired in own.beside
-    ]
-    words = "; ".join(values)
-    return f" {words[0].upper()}{words[1:]}." if words else ""
-
-
-def _valued(goals: tuple[Goal, ...], values: tuple[float, ...]) -> str:
-    return ", ".join(
-        f"{goal.name} {number(value)}" for goal, value in zip(goals, values, strict=True)
-    )
-
-
-def _beating(
-    point: Point,
-    place: int,
-    which: tuple[int, ...],
-    values: tuple[float, ...],
-    goals: tuple[Goal, ...],
-) -> str:
-    """A row that beats an order, and in what."""
-    what = ", ".join(
-        f"{goals[q].name} {number(point.values[q])} < {number(values[q])}" for q in which
-    )
-    return _("row {row} ({what})", row=place + 1, what=what)
-
-
-def _judgement(front: SequenceFront, label: str, fired: Fired) -> dict[str, Any]:
-    """The same for programs."""
-    question = front.question
-    out: dict[str, Any] = {
-        "of": "engine" if label == "engine" else "order",
-        "firing_order": list(question.shaft.firing_order(fired)),
-        "within_limits": question.within(fired),
-    }
-    if not out["within_limits"]:
-        return out
-    values, better = beaten(front, fired)
-    names = [goal.name for goal in question.goals]
-    out["values"] = dict(zip(names, values, strict=True))
-    out["row"] = next((place + 1 for place, which in better if not which), None)
-    out["dominated_by"] = [
-        {"row": place + 1, "in": [names[q] for q in which]} for place, which in better if which
-    ]
-    return out
 
 
 def _notes(front: SequenceFront, shown: int) -> list[str]:
