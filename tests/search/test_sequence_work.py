@@ -5,7 +5,9 @@ from __future__ import annotations
 import dataclasses
 import signal
 from concurrent.futures import BrokenExecutor, Future, ThreadPoolExecutor
+from itertools import count as count_of
 from pathlib import Path
+from time import sleep
 from typing import Any
 
 import numpy as np
@@ -15,7 +17,7 @@ from tests.search import plain_orders as plain
 from crankstar import cli
 from crankstar.options.sequences import sequences_of
 from crankstar.options.words import SearchWords, SequenceWords
-from crankstar.search import checkpoint, executors, sequence_rows, sequence_work
+from crankstar.search import checkpoint, executors, sequence_kernels, sequence_rows, sequence_work
 from crankstar.search.executors import Workers, cluster, processes, threads
 from crankstar.search.faults import SearchError
 from crankstar.search.progress import Progress
@@ -123,6 +125,40 @@ def test_an_interrupted_front_goes_on_from_its_checkpoint(
     assert told[0].done > 20
     assert told[-1].done == told[-1].blocks
     assert told[-1].seconds_left == 0
+
+
+@pytest.mark.usefixtures("interruptible")
+@pytest.mark.parametrize("count", [0, 1])
+def test_a_part_that_is_halted_is_shown_and_not_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, count: int
+) -> None:
+    """Ten in line in one part; the loops come up whenever their buffer is full."""
+    about, path = asked(10, "M1,M2"), tmp_path / "kept"
+    whole = sequence_front(about)
+    monkeypatch.setattr(sequence_work, "PARTS", 1)
+    monkeypatch.setattr(sequence_work, "BUFFER", 0)
+    loops, calls = sequence_kernels.visited, count_of()
+
+    def visited(*given: Any) -> bool:
+        if next(calls) == 3:
+            signal.raise_signal(signal.SIGINT)
+        if count and next(calls) > 3:
+            sleep(0.5)
+        return loops(*given)
+
+    monkeypatch.setattr(sequence_kernels, "visited", visited)
+    pool = threads(count) if count else None
+    with pool or threads(1) as workers:
+        given = workers if count else None
+        kept = checkpoint.opened(path, about)
+        halted = sequence_front(about, workers=given, checkpoint=kept)
+    assert not halted.complete
+    assert halted.points
+    assert 0 < halted.stars < whole.stars
+    assert path.read_bytes().count(b"\n") == 1  # the head alone
+    monkeypatch.setattr(sequence_kernels, "visited", loops)
+    again = sequence_front(about, checkpoint=checkpoint.opened(path, about))
+    assert same(again, whole)
 
 
 @pytest.mark.usefixtures("many_parts")

@@ -24,7 +24,9 @@ GOALS = {
         ("--pareto",),
     ),
     "--judge": Option(
-        "text", "Stress, bearings: what the whole engine makes of each row, with gas, as columns."
+        "text",
+        "Stress, bearings: what the whole engine makes of the best way of each row, with gas, as "
+        "columns.",
     ),
     "--mode-shape": Option(
         "text",
