@@ -208,7 +208,7 @@ def _judged_sentences(known: Judged) -> Iterator[str]:
     own = next(iter(known.values()))
     if own.judged == own.of:
         yield _(
-            "All ways of a row were judged ({count} in all): the least is shown, with the order "
+            "All ways of each row were judged ({count} in all): the least is shown, with the order "
             "that has it.",
             count=f"{own.judged:,}",
         )
