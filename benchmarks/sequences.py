@@ -155,6 +155,11 @@ def timed(question: SequenceQuestion, *, workers: int) -> tuple[SequenceFront, f
     return front, perf_counter() - began, process_time() - worked
 
 
+def written(seconds: float) -> str:
+    """Two digits, none after the point from ten up."""
+    return f"{seconds:.0f}" if seconds >= 10 else f"{seconds:.2g}"
+
+
 def rows(*, others: bool = True) -> list[tuple[str, str, str]]:
     """What is measured, the figure, and the budget where there is one."""
     sequence_front(asked(8, 90))
@@ -169,12 +174,13 @@ def rows(*, others: bool = True) -> list[tuple[str, str, str]]:
         agreed(front, slow)
         orders = question.shaft.count * question.shaft.sequences
         what = f"V{cylinders} at {bank} deg, {len(front.points)} points"
-        figure = f"{seconds:.2g} s ({worked:.2g} s); all {orders:,} orders one by one {whole:.2g} s"
+        plainly = f"all {orders:,} orders one by one {written(whole)} s"
+        figure = f"{written(seconds)} s ({written(worked)} s); {plainly}"
         out.append((what, figure, f"{budget} s"))
     for cylinders, bank in OTHERS if others else ():
         front, seconds, worked = timed(asked(cylinders, bank), workers=cpu_count() or 1)
         kind = f"{cylinders} in line" if bank is None else f"V{cylinders} at {bank} deg"
-        figure = f"{seconds:.2g} s ({worked:.2g} s)"
+        figure = f"{written(seconds)} s ({written(worked)} s)"
         out.append((f"{kind}, {len(front.points):,} points", figure, ""))
     return out
 

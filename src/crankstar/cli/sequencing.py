@@ -23,7 +23,7 @@ from crankstar.options.values import RequestError, refusal
 from crankstar.options.words import SearchWords, SequenceWords
 
 MOST_THREADS = 64
-LONG_STARS = 300_000_000
+LONG_STARS = 1_000_000_000
 """Stars that take more than a few minutes."""
 
 
