@@ -7,7 +7,7 @@ import signal
 from concurrent.futures import BrokenExecutor, Future, ThreadPoolExecutor
 from itertools import count as count_of
 from pathlib import Path
-from time import sleep
+from threading import Event
 from typing import Any
 
 import numpy as np
@@ -137,18 +137,21 @@ def test_a_part_that_is_halted_is_shown_and_not_kept(
     whole = sequence_front(about)
     monkeypatch.setattr(sequence_work, "PARTS", 1)
     monkeypatch.setattr(sequence_work, "BUFFER", 0)
-    loops, calls = sequence_kernels.visited, count_of()
+    loops, calls = sequence_kernels.visited, count_of(1)
+    pool = threads(1)
+    pool_halt: Event | None = None
 
     def visited(*given: Any) -> bool:
-        if next(calls) == 3:
+        number = next(calls)
+        if number == 3:
             signal.raise_signal(signal.SIGINT)
-        if count and next(calls) > 3:
-            sleep(0.5)
+        if number > 3 and pool_halt is not None:
+            pool_halt.wait(30)  # the loops come up only when all is over
         return loops(*given)
 
     monkeypatch.setattr(sequence_kernels, "visited", visited)
-    pool = threads(count) if count else None
-    with pool or threads(1) as workers:
+    with pool as workers:
+        pool_halt = workers.halt if count else None
         given = workers if count else None
         kept = checkpoint.opened(path, about)
         halted = sequence_front(about, workers=given, checkpoint=kept)
