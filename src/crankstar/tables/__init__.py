@@ -28,7 +28,7 @@
 | `firing_orders` | firing orders of a crank |
 | `vee_engines` | V engines that fire evenly |
 | `search_stars` | the stars of a search |
-| `sequence_verdicts` | where an order stands beside such a front as follows |
+| `sequence_verdicts` | where an order stands beside a front over stars and firing orders |
 | `search_sequences` | the front over crank stars and firing orders |
 | `uneven_angles` | uneven angles of a star |
 | `field_names` | the values of an engine file in words |
