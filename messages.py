@@ -89,6 +89,7 @@ MESSAGE_ERRORS = [
     "ErrataError",
     "FatigueError",
     "GasError",
+    "MarineError",
     "NoSuchKeyError",
     "OilFilmError",
     "OutputError",

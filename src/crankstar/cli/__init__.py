@@ -12,6 +12,7 @@
 | `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
 | `torque` | torque |
 | `mounts` | mounts |
+| `marine` | marine |
 | `torsion` | torsion |
 | `estimating` | estimate |
 | `deriving` | derive, errata |

@@ -26,7 +26,7 @@ from crankstar.options.vocabulary import OPTIONS
 from crankstar.search.faults import SearchError
 
 COMPLETION = "--install-completion"
-FILES = ("--beside", "--checkpoint", "--output")
+FILES = ("--beside", "--checkpoint", "--output", "--save")
 """Options that take a file."""
 LANGUAGE = ("--language", "--lang")
 """The option of the language, and its short name."""
@@ -54,6 +54,7 @@ VERBS = {
     "export": "exporting:export",
     "grade": "workshop:grade",
     "list": "inspect:list_engines",
+    "marine": "marine:marine",
     "mounts": "mounts:mounts",
     "new": "files:new",
     "orders": "firing:orders",

@@ -36,8 +36,8 @@ def plot(
         Parameter(
             help="crank-star, vector-star, polygon, hodograph, over-turn, amplitudes, spectrum, "
             "shaft, stroke-chart, firing-ring, exhaust-orders, torque, pressure, side-thrust, "
-            "forces, bearing-loads, bending, balance-shafts, torsion-modes, campbell, "
-            "torsion-response or torsion-star."
+            "guide-moments, forces, bearing-loads, bending, balance-shafts, torsion-modes, "
+            "campbell, torsion-response or torsion-star."
         ),
     ],
     /,

@@ -120,6 +120,7 @@ Diameter = Annotated[Number, Field(gt=0), Quantity("length", "60 mm", least=LEAS
 """Of a shaft that twists: known in metres."""
 FilmThickness = Annotated[Number, Field(gt=0), Quantity("length", "25 um", least=LEAST)]
 Viscosity = Annotated[Number, Field(gt=0), Quantity("viscosity", "8 mPa*s", least=1e-6)]
+POWER = Quantity("power", "12 MW")
 VOLUME = Quantity("volume", "1998 cm^3", least=1e-9)
 ShareOfValue = Annotated[Number, Field(gt=0, le=100)]
 """A multiple of a value."""

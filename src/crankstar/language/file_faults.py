@@ -21,6 +21,7 @@ _DIMENSIONS = {
     "damping": N_("a damping"),
     "elastic modulus": N_("an elastic modulus"),
     "viscosity": N_("a viscosity"),
+    "power": N_("a power"),
     "pressure": N_("a pressure"),
     "temperature": N_("a temperature"),
     "area": N_("an area"),

@@ -20,6 +20,8 @@
 | `gas` | the pressure in every chamber over a cycle |
 | `doubts` | values that hardly any engine has: slips of unit and of thought |
 | `gas_torque` | gas torque of every chamber by order; the roll of the block with it |
+| `external_moments` | force and moment of each order about a point, over the power |
+| `guide_moments` | how the side thrusts rock and twist the frame: H and X by order |
 | `gas_loads` | gas torque at many loads, and over the speed |
 | `exhaust_pulses` | pulses of the exhaust with the pressure of the cycle, by order |
 | `side_thrust` | how hard each piston presses on its wall over a cycle |

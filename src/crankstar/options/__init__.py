@@ -22,5 +22,6 @@
 | `search` | the values of the options of a search |
 | `shapes` | a shape of torsion: straight, a mode of the engine's own, or numbers |
 | `sequences` | goals of a front over stars and firing sequences, as typed |
+| `marine` | shares, places, top bracings and power of `marine` |
 | `sounds` | the speeds and the pipes of a sound |
 """

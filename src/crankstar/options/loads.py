@@ -39,6 +39,43 @@ LOADS = {
     "--peak-pressure": Option(
         "text", 'Greatest pressure of the cycle, such as "75 bar".', ("--pmax",)
     ),
+    "--bracing": Option(
+        "text",
+        "Height of the top bracings over the crankshaft, and the distance of their two planes "
+        'along it, such as "5.2 m, 8 m".',
+        ("--top-bracing", "--stays"),
+    ),
+    "--compensate": Option(
+        "several texts",
+        "Compensators for the vertical moment of an order, and the one place or two along the "
+        'crankshaft at which they stand, such as "2: 6 m, -6 m"; repeatable.',
+        ("--compensator", "--compensators"),
+    ),
+    "--first-order": Option(
+        "text",
+        "Weights at the ends of the crankshaft that make the first-order moment vertical, equal "
+        "(as much vertical as horizontal) or horizontal, or so great a share horizontal, such as "
+        "0.3.",
+        ("--end-weights",),
+    ),
+    "--node": Option(
+        "text",
+        "Place along the crankshaft of a node of the hull, about which moments are told and "
+        'compensated, such as "-25 m".',
+        ("--hull-node",),
+    ),
+    "--phase-error": Option(
+        "text", 'By how much compensators are late, in degrees of their own turn, such as "5 deg".'
+    ),
+    "--rated-power": Option(
+        "text",
+        'Power against which moments are set, such as "12 MW" (default: that of the operating '
+        "point).",
+        ("--rating", "--mcr"),
+    ),
+    "--save": Option(
+        "text", "File in which the engine is written with what is added to it: .toml, .json, .xlsx."
+    ),
     "--to": Option(
         "text",
         "Program for which a .py is written: exudyn (the default), opentorsion or ross.",

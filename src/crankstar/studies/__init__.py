@@ -10,6 +10,7 @@
 | `study` | what is varied, in which units and about which point |
 | `gas_results` | torque, roll, pressure and irregularity of each engine of a sweep |
 | `torsion_results` | torsional frequency, stress and amplitude of each engine of a sweep |
+| `marine` | external and guide-force moments of an engine with weights and compensators |
 | `judged_orders` | firing orders by the stress and the bearing loads that they make |
 | `sweep` | one or two values of an engine file varied, and what becomes of its quantities |
 | `best_value` | the least or greatest of a curve, refined between its points |

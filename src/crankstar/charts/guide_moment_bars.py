@@ -1,0 +1,97 @@
+"""Guide-force moments H and X of each order as bars, at an operating point."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from crankstar.charts.canvas import curve_height, panel_width
+from crankstar.charts.drawing import BLUE, ORANGE, figure, layered
+from crankstar.charts.gas_curves import ROOM, about, without
+from crankstar.charts.grammar import Chart, field, of_rows, span
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import order_text, unit_text
+from crankstar.language.shown_units import shown
+from crankstar.mechanics.gas import check_gas, cycle
+from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
+from crankstar.mechanics.operating_points import GasError
+
+TITLE = N_("Guide-force moments")
+AXIS = N_("moment ({unit})")
+HIGHEST = 16.0
+"""The highest order of the bars."""
+VISIBLE = 0.005
+"""Share of the greatest bar from which one is drawn."""
+
+
+def guide_moment_chart(
+    engine: Engine, *, point: str | None = None, speed: float | None = None
+) -> Chart:
+    """The H-moment and the X-moment of each order, of gas and, where masses are known, inertia.
+
+    At an operating point, or at the load of the file, and at `speed` (rad/s). X needs the distance
+    of the cylinders. Raises ChartError.
+    """
+    try:
+        check_gas(engine)
+        found = cycle(engine, point=point or "", speed=speed)
+        guide = guide_moments(engine, found)
+    except (GasError, MarineError) as error:
+        if point:
+            raise
+        return without(engine, title=_(TITLE), reason=str(error))
+    series = [(_("H: all heads sway together"), BLUE, np.abs(guide.h))]
+    subtitle = about(engine, found)
+    if guide.pitch_known:
+        series.append((_("X: front and rear sway apart"), ORANGE, np.abs(guide.x)))
+    else:
+        subtitle.append(_("X needs the distance of the cylinders: give layout.bore_pitch."))
+    if not guide.with_inertia:
+        subtitle.append(_("Of gas alone."))
+    return figure([[_bars(guide, series)]], title=_(TITLE), subtitle=subtitle)
+
+
+def _bars(guide: GuideMoments, series: list[tuple[str, str, np.ndarray]]) -> dict:
+    """The bars of both moments beside each other, order by order."""
+    kept = [place for place, order in enumerate(guide.orders.tolist()) if order <= HIGHEST]
+    greatest = max(float(values[kept].max(initial=0.0)) for _name, _colour, values in series)
+    said = shown("N*m", greatest)
+    names = [
+        order_text(guide.orders[place])
+        for place in kept
+        if any(values[place] > VISIBLE * greatest for _name, _colour, values in series)
+    ] or ["1"]
+    rows = [
+        {
+            "order": order_text(guide.orders[place]),
+            "what": name,
+            "to": float(f"{values[place] * said.factor:.6g}"),
+            "from": 0.0,
+        }
+        for name, _colour, values in series
+        for place in kept
+        if values[place] > VISIBLE * greatest
+    ]
+    colours = {"domain": [each[0] for each in series], "range": [each[1] for each in series]}
+    drawn = (
+        of_rows(rows)
+        .mark("bar")
+        .encode(
+            x=field(
+                "order:N",
+                sort=None,
+                scale={"domain": names},
+                title=_("order"),
+                axis={"labelAngle": 0},
+            ),
+            xOffset=field("what:N", sort=None, scale={"domain": colours["domain"]}),
+            y=field(
+                "to:Q",
+                title=_(AXIS, unit=unit_text(said.unit)),
+                scale=span(0, ROOM * (greatest * said.factor or 1.0)),
+                axis={"tickCount": 4},
+            ),
+            color=field("what:N", scale=colours, legend={"orient": "top", "title": None}),
+        )
+    )
+    return layered([drawn], width=panel_width(), height=curve_height(170))

@@ -1,0 +1,112 @@
+"""The verb marine: external and guide-force moments, as project guides print them."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Annotated
+
+from crankstar.cli.options import (
+    Csv,
+    EngineName,
+    Estimating,
+    Json,
+    Output,
+    Settings,
+    Speed,
+    engine_over_ranges,
+    option,
+    together,
+    write_engine,
+)
+from crankstar.cli.output import working, writable
+from crankstar.cli.speed_ranges import speeds_of
+from crankstar.cli.tabulating import give, words_for
+from crankstar.language.messages import _
+from crankstar.options import values as request
+from crankstar.options.forms import TABLES, form_of
+from crankstar.options.gas import gas_orders
+from crankstar.options.refusals import RequestError
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
+    from crankstar.studies.marine import MarineAnalysis
+    from crankstar.tables.table import Document
+
+
+def marine(
+    engine: EngineName,
+    /,
+    *,
+    point: Annotated[str | None, option("--point")] = None,
+    speed: Speed = None,
+    speeds: Annotated[
+        str | None, option("--speeds", "External moments go with its square.")
+    ] = None,
+    rated_power: Annotated[str | None, option("--rated-power")] = None,
+    first_order: Annotated[str | None, option("--first-order")] = None,
+    compensate: Annotated[list[str] | None, option("--compensate")] = None,
+    phase_error: Annotated[str | None, option("--phase-error")] = None,
+    node: Annotated[str | None, option("--node")] = None,
+    bracing: Annotated[str | None, option("--bracing")] = None,
+    orders: Annotated[
+        str | None, option("--orders", "Default: 1, 2, 4 and others of note.")
+    ] = None,
+    save: Annotated[str | None, option("--save")] = None,
+    settings: Settings = None,
+    estimate: Estimating = False,
+    json: Json = False,
+    csv: Csv = False,
+    output: Output = None,
+) -> None:
+    """Compute external and guide-force moments as project guides have them, and compensators."""
+    from crankstar.options import marine as asked
+    from crankstar.studies.marine import marine as analysis
+    from crankstar.tables.marine import marine_document
+    from crankstar.tables.ranges import ranged
+
+    form = form_of(output, TABLES, json=json, csv=csv)
+    ((loaded, spread), tree), turning, over, wanted, share, watts, late, braced = together(
+        partial(engine_over_ranges, engine, settings, estimate=estimate),
+        partial(request.speed, speed),
+        partial(speeds_of, speeds),
+        partial(gas_orders, None if orders and orders.strip() == "all" else orders),
+        partial(asked.horizontal_share, first_order),
+        partial(asked.power, rated_power),
+        partial(asked.phase_error, phase_error),
+        partial(asked.bracing, bracing),
+    )
+    places, hull = together(
+        partial(asked.compensations, compensate, loaded), partial(asked.node, node, loaded)
+    )
+    if phase_error is not None and not places:
+        request.refuse_unused({"--phase-error": phase_error}, without="--compensate")
+    if save is not None:
+        if not (places or share is not None):
+            raise RequestError(
+                "--save writes the engine with what is added to it: give --first-order or "
+                "--compensate"
+            )
+        writable(save)
+
+    def found(each: Engine) -> MarineAnalysis:
+        return analysis(
+            each,
+            point=point or "",
+            speed=turning,
+            speeds=over,
+            power=watts,
+            horizontal_share=share,
+            compensate=places,
+            node=hull,
+            phase_error=late,
+            orders=wanted,
+        )
+
+    def sheet(each: Engine) -> Document:
+        return marine_document(found(each), bracing=braced, machine=form not in ("txt", "xlsx"))
+
+    with working(_("Computing the moments ...")), words_for(form):
+        document = ranged(sheet, spread, loaded)
+    if save is not None:
+        write_engine(found(loaded).engine, tree, save)
+    give(document, output, form=form)

@@ -1,0 +1,144 @@
+"""External moments as project guides of marine engines print them: order by order, about a point.
+
+The inertia forces of all moving parts leave a force and a moment of each order k,
+
+    F_kV = Re(F exp(i k theta)),    M_kV = sum (z - z_0) F_V    N, N m
+
+in the vertical plane (V), and the same in the horizontal one (H). Both grow with the square of the
+speed. Where the forces add up to nought, as in even-firing engines of three cylinders and more, the
+moment is the same about every point; else that about another point z_n, such as a node of the hull,
+is M + (z_0 - z_n) F.
+
+The power-related unbalance is the moment over the power of the engine, N m/kW. MAN B&W class it by
+the need of a compensator.
+
+Source: MAN Diesel, Project Guide S80MC-C7/ME-C7, section 17.04: the scaling, the power-related
+unbalance and its classes (table 17.04.01); WinGD, Marine Installation Manual X72DF (2021),
+section 6.1: the same for M_2V, M_1V and M_1H.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_
+from crankstar.mechanics.balance import Units, balance, default_reference, total
+from crankstar.mechanics.excitation import Reference
+from crankstar.spectra import Complex, Real
+
+USUAL = (1.0, 2.0, 4.0)
+"""Orders that project guides print: M_1V, M_1H, M_2V, M_4V."""
+NOTED = 1e-3
+"""Share of the greatest moment, or of the greatest force of a part, from which an order is told."""
+FREE = 1e-6
+"""Share of the greatest force of a part below which a sum of forces is none."""
+UNBALANCE_CLASSES: tuple[tuple[float, str], ...] = (
+    (60.0, N_("not relevant")),
+    (120.0, N_("unlikely")),
+    (220.0, N_("likely")),
+    (np.inf, N_("most likely")),
+)
+"""N m/kW up to which a compensator is so much needed."""
+
+
+@dataclass(frozen=True)
+class ExternalMoments:
+    """Force and moment of each order about z, amplitudes c of Re(c exp(i k theta)) [order].
+
+    In `units`: N and N m at `speed` (rad/s), or those of m r w^2 where masses are not known.
+    `of_a_part` is the greatest force of a single part, against which sums are small or not.
+
+    >>> from crankstar.files.catalog import load
+    >>> found = external_moments(load("triple-120"))
+    >>> [float(abs(each).round(4)) for each in found.vertical[:2]]  # a three: sqrt(3) m r w^2 a
+    [1.7321, 0.44]
+    """
+
+    z: float
+    speed: float | None
+    units: Units
+    orders: Real
+    force_vertical: Complex
+    force_horizontal: Complex
+    vertical: Complex
+    horizontal: Complex
+    of_a_part: float
+
+    @property
+    def free(self) -> bool:
+        """Whether the forces add up to nothing, so that the moments are so about every point."""
+        pushed = np.abs([self.force_vertical, self.force_horizontal])
+        return float(pushed.max(initial=0.0)) <= FREE * self.of_a_part
+
+    def moment(self, order: float, side: str = "V") -> float:
+        """The amplitude of M_kV or M_kH, nought where the order does not occur."""
+        values = self.vertical if side == "V" else self.horizontal
+        return float(np.abs(values[np.abs(self.orders - order) < 1e-9]).sum())
+
+    def at(self, speed: float) -> float:
+        """The factor from the moments of this record to those at another speed (rad/s)."""
+        return 1.0 if self.speed is None else (speed / self.speed) ** 2
+
+
+def external_moments(
+    engine: Engine,
+    *,
+    speed: float | None = None,
+    about: float | None = None,
+    orders: Sequence[float] | None = None,
+) -> ExternalMoments:
+    """The external moments at a speed (rad/s), `about` the place z, else the middle of cylinders.
+
+    `orders` are those wanted: by default 1, 2, 4 and all others of note up to 24. Without speed or
+    masses they are in units of m r w^2.
+
+    >>> from crankstar.files.catalog import load
+    >>> five = load("audi-25-tfsi", changes={"cylinder.reciprocating_mass": "0.6 kg"})
+    >>> slow, fast = (external_moments(five, speed=speed) for speed in (50.0, 100.0))
+    >>> round(fast.moment(2) / slow.moment(2), 9), round(slow.at(100.0), 9)
+    (4.0, 4.0)
+    """
+    place = default_reference(engine).z if about is None else about
+    result = balance(engine, speed=speed, reference=Reference(place), orders=orders)
+    sums = total(result)
+    force, couple = sums.force, sums.couple
+    values = {
+        "force_vertical": spectra.vertical(force),
+        "force_horizontal": spectra.horizontal(force),
+        "vertical": spectra.vertical(couple),
+        "horizontal": spectra.horizontal(couple),
+    }
+    kept = np.arange(force.orders.size)
+    each = np.abs(result.force.forward) + np.abs(result.force.backward)
+    of_a_part = float(each.max(initial=0.0))
+    if orders is None:
+        size = np.maximum(np.abs(values["vertical"]), np.abs(values["horizontal"]))
+        push = np.maximum(np.abs(values["force_vertical"]), np.abs(values["force_horizontal"]))
+        noted = (size > NOTED * size.max(initial=0.0)) | (push > NOTED * of_a_part)
+        usual = np.isclose(force.orders[:, None], USUAL, rtol=0, atol=1e-9).any(axis=1)
+        kept = np.flatnonzero((noted | usual) & (force.orders <= 24 + 1e-9))
+    return ExternalMoments(
+        place,
+        result.speed,
+        result.units,
+        force.orders[kept],
+        **{name: value[kept] for name, value in values.items()},
+        of_a_part=of_a_part,
+    )
+
+
+def unbalance_class(power_related: float) -> str:
+    """How much a compensator is needed at a power-related unbalance (N m/kW), by MAN B&W's table.
+
+    The class is a word of UNBALANCE_CLASSES, not translated. A moment grows with the square of the
+    speed, the power of a propeller with its cube: an engine that is derated along it is worse.
+
+    >>> [unbalance_class(value) for value in (36.4, 60.1, 146.4, 300)]
+    ['not relevant', 'unlikely', 'likely', 'most likely']
+    """
+    return next(word for most, word in UNBALANCE_CLASSES if power_related <= most)

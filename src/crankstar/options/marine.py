@@ -1,0 +1,106 @@
+"""What the verb `marine` is asked in words: shares, places, top bracings, power."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from math import radians
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import LENGTH, POSITION, POWER
+from crankstar.files import units
+from crankstar.options import values as request
+from crankstar.options.numbers import is_number
+from crankstar.options.refusals import refusal
+from crankstar.studies.marine import Compensation
+
+SHARES = {"vertical": 0.0, "equal": 0.5, "horizontal": 1.0}
+
+
+def horizontal_share(text: str | None) -> float | None:
+    """The share of the first-order moment that is to be horizontal. Raises RequestError.
+
+    >>> horizontal_share("equal"), horizontal_share("30%")
+    (0.5, 0.3)
+    """
+    if text is None:
+        return None
+    words = text.strip().lower()
+    if words in SHARES:
+        return SHARES[words]
+    number = re.fullmatch(r"(\d{1,3}(?:\.\d{1,9})?|\.\d{1,9})\s*(%?)", words)
+    share = float(number[1]) / (100 if number[2] else 1) if number else -1.0
+    if not 0 <= share <= 1:
+        raise refusal(
+            "--first-order",
+            text,
+            "give vertical, equal, horizontal, or the horizontal share, such as 0.5",
+        )
+    return share
+
+
+def power(text: str | None) -> float | None:
+    """A power above nought, W. Raises RequestError."""
+    if text is None:
+        return None
+    with request.reading("--rated-power"):
+        value = units.si(text, POWER)
+    if value <= 0:
+        raise request.not_positive("--rated-power", text, POWER)
+    return value
+
+
+def compensations(texts: Sequence[str] | None, engine: Engine) -> tuple[Compensation, ...]:
+    """The compensators that are asked for, as in "2: 6 m, -6 m". Raises RequestError."""
+    found: list[Compensation] = []
+    for text in texts or ():
+        order, colon, places = text.partition(":")
+        if not colon or not re.fullmatch(r"[1-8]", order.strip()):
+            raise refusal(
+                "--compensate",
+                text,
+                "give the order, a colon, and one place or two along the crankshaft, as in "
+                '"2: 6 m, -6 m"',
+            )
+        where = request.planes("--compensate", places, engine)
+        if len(where) > 2 or len(set(where)) < len(where):
+            raise refusal("--compensate", text, "give one place or two that differ")
+        found.append(Compensation(int(order), tuple(where)))
+    return tuple(found)
+
+
+def node(text: str | None, engine: Engine) -> float | None:
+    """The place of a node along the crankshaft. Raises RequestError."""
+    if text is None:
+        return None
+    return request.places("--node", [text.strip()], [POSITION], engine, 'as in "-25 m"')[0]
+
+
+def bracing(text: str | None) -> tuple[float, float] | None:
+    """Height of the top bracings, and the distance of their two planes, m. Raises RequestError."""
+    if text is None:
+        return None
+    parts = request.listed(text)
+    if len(parts) != 2:
+        raise refusal(
+            "--bracing",
+            text,
+            "give the height over the crankshaft and the distance of the two planes of bracing, as "
+            'in "5.2 m, 8 m"',
+        )
+    with request.reading("--bracing"):
+        height, apart = (units.si(part, LENGTH) for part in parts)
+    for part, value in zip(parts, (height, apart), strict=True):
+        if value <= 0:
+            raise request.not_positive("--bracing", part, LENGTH)
+    return height, apart
+
+
+def phase_error(text: str | None) -> float:
+    """By how much compensators come late, radians of their own turn. Raises RequestError."""
+    if text is None:
+        return 0.0
+    angles = request.degrees("--phase-error", text)
+    if len(angles) > 1 or not is_number(angles[0]) or abs(angles[0]) > 180:
+        raise refusal("--phase-error", text, "give one angle up to 180 deg")
+    return radians(angles[0])

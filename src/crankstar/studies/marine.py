@@ -1,0 +1,157 @@
+"""All that a project guide tells of an engine's vibration, in one record.
+
+External moments with weights at the ends and compensators, about the middle of the cylinders and
+about a node of the hull; guide-force moments at an operating point; the power that they are set
+against. Axial vibration of the crankshaft, and what the propeller does, are left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.mechanics.external_moments import ExternalMoments, external_moments
+from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
+from crankstar.mechanics.operating_points import GasError
+from crankstar.remedy.compensators import Compensator, compensators, with_compensators
+from crankstar.remedy.end_weights import with_end_weights
+from crankstar.spectra import Real
+
+
+@dataclass(frozen=True)
+class Compensation:
+    """What is to be compensated: the vertical moment of an order, from one place z or two."""
+
+    order: int
+    places: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class MarineAnalysis:
+    """External moments before and after what is added, guide-force moments, power (W).
+
+    `engine` is the engine with weights and compensators. `at_node` are the moments about the node,
+    before and after. `guide` is None where gas is not known; `without_guide` says why.
+    """
+
+    engine: Engine
+    before: ExternalMoments
+    after: ExternalMoments
+    at_node: tuple[ExternalMoments, ExternalMoments] | None
+    end_weights: float | None
+    compensators: tuple[Compensator, ...]
+    phase_error: float
+    guide: GuideMoments | None
+    cycle: Cycle | None
+    without_guide: str
+    power: float | None
+    speeds: Real
+
+    def unbalance(self, moment: float) -> float | None:
+        """The power-related unbalance of a moment (N m), N m/kW; None without power or masses."""
+        known = self.power is not None and self.after.units.couple == "N*m"
+        return moment / (self.power / 1e3) if known and self.power else None
+
+
+def marine(
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    speeds: Sequence[float] | Real = (),
+    power: float | None = None,
+    horizontal_share: float | None = None,
+    compensate: Sequence[Compensation] = (),
+    node: float | None = None,
+    phase_error: float = 0.0,
+    orders: Sequence[float] | None = None,
+) -> MarineAnalysis:
+    """The external and guide-force moments of an engine at an operating point and speed (rad/s).
+
+    `horizontal_share` has weights at the ends that make this share of the first-order moment
+    horizontal; `compensate` are the moments to compensate, about `node` (z) where there is one.
+    `power` (W) stands before that of the operating point. Raises RemedyError, and GasError for a
+    point that the engine has not.
+
+    >>> from crankstar.files.catalog import load
+    >>> changes = {"layout.bore_pitch": "1.6 m", "cylinder.reciprocating_mass": "9 t"}
+    >>> seven = load("man-s90mc-c", changes=changes)
+    >>> found = marine(seven, compensate=[Compensation(2, (6.0, -6.0))])
+    >>> found.before.moment(2) > 7e5, found.after.moment(2) < 1e-3
+    (True, True)
+    """
+    found, why = _cycle(engine, point, speed)
+    turning = found.speed if found is not None else speed
+    turning = engine.speed if turning is None else turning
+    changed = engine
+    if horizontal_share is not None:
+        changed = with_end_weights(changed, share=horizontal_share)
+    fitted: list[Compensator] = []
+    for each in compensate:
+        own = compensators(
+            changed, order=each.order, places=each.places, node=node, phase_error=phase_error
+        )
+        changed = with_compensators(changed, own)
+        fitted += own
+    guide = None
+    if found is not None:
+        try:
+            guide = guide_moments(engine, found)
+        except MarineError as error:
+            why = str(error)
+    at = {"speed": turning, "orders": orders}
+    pair = [external_moments(each, **at) for each in (engine, changed)]
+    about = None
+    if node is not None:
+        about = [external_moments(each, about=node, **at) for each in (engine, changed)]
+    if changed is not engine:
+        changed = with_values(changed, name=_name(engine, horizontal_share, compensate))
+    return MarineAnalysis(
+        engine=changed,
+        before=pair[0],
+        after=pair[1],
+        at_node=None if about is None else (about[0], about[1]),
+        end_weights=horizontal_share,
+        compensators=tuple(fitted),
+        phase_error=phase_error,
+        guide=guide,
+        cycle=found,
+        without_guide=why,
+        power=_power(found) if power is None else power,
+        speeds=np.unique(np.asarray(speeds, float)),
+    )
+
+
+def _name(engine: Engine, share: float | None, compensate: Sequence[Compensation]) -> str:
+    """The name of the engine, and what was added to it."""
+    added = [] if share is None else [_("weights at the ends")]
+    if compensate:
+        orders = ", ".join(f"{each.order}" for each in compensate)
+        added.append(_("compensators of order {orders}", orders=orders))
+    return ", ".join((engine.name, *added))
+
+
+def _cycle(engine: Engine, point: str, speed: float | None) -> tuple[Cycle | None, str]:
+    """The cycle of an operating point, or why there is none."""
+    if engine.gas is None and not point:
+        return None, _("the engine file has no table [gas]")
+    try:
+        return cycle(engine, point=point, speed=speed), ""
+    except GasError as error:
+        if point:
+            raise
+        return None, str(error)
+
+
+def _power(found: Cycle | None) -> float | None:
+    """The brake power of a cycle, W."""
+    if found is None or found.speed is None:
+        return None
+    swept = float(found.volumes.swept[[*found.volumes.kind]].sum())
+    return found.bmep * swept / found.volumes.cycle * found.speed

@@ -1,0 +1,288 @@
+"""External and guide-force moments as tables, in the manner of a project guide."""
+
+from __future__ import annotations
+
+from math import degrees, pi
+from typing import Any
+
+import numpy as np
+
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.mechanics.balance import scales, unit_unbalance
+from crankstar.mechanics.external_moments import USUAL, ExternalMoments, unbalance_class
+from crankstar.mechanics.guide_moments import GuideMoments
+from crankstar.studies.marine import MarineAnalysis
+from crankstar.tables.headings import heading
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+
+RPM = 30 / pi
+MM = 1e3
+CLASSED = (1.0, 2.0)
+"""Orders for which the makers class the power-related unbalance."""
+SILENT = 1e-9
+"""Share of the greatest moment below which one has no phase to tell."""
+
+
+def marine_document(
+    found: MarineAnalysis, *, bracing: tuple[float, float] | None = None, machine: bool = False
+) -> Document:
+    """All of an analysis. `bracing`: height of top bracings, and distance of their planes, m."""
+    engine = found.engine
+    parts: list[Table | Remarks] = [] if machine else [heading(engine)]
+    parts.append(_moment_table(found))
+    if found.compensators:
+        parts.append(_compensator_table(found))
+    if found.guide is not None:
+        parts.append(_guide_table(found.guide, bracing, every=machine))
+    if found.speeds.size:
+        parts.append(_speed_table(found))
+    if not machine:
+        parts += [*remarks(*_notes(found, bracing), kind="note")]
+        parts += [*remarks(*_doubts(found), kind="doubt")]
+    return Document(engine.name, tuple(parts), _facts(found, bracing))
+
+
+def _facts(found: MarineAnalysis, bracing: tuple[float, float] | None) -> dict[str, Any]:
+    guide = found.guide
+    return {
+        "format": 1,
+        "engine": found.engine.name,
+        "speed_rpm": None if found.after.speed is None else found.after.speed * RPM,
+        "power_kw": None if found.power is None else found.power / 1e3,
+        "point": None if found.cycle is None else found.cycle.name or None,
+        "about": found.after.z,
+        "node": None if found.at_node is None else found.at_node[1].z,
+        "horizontal_share": found.end_weights,
+        "phase_error_deg": degrees(found.phase_error),
+        "bracing": None if bracing is None else list(bracing),
+        "guide_length": None if guide is None else guide.length,
+        "with_inertia": None if guide is None else guide.with_inertia,
+        "without_guide": found.without_guide or None,
+        "units": {"moment": found.after.units.couple, "force": found.after.units.force},
+    }
+
+
+def _moment_table(found: MarineAnalysis) -> Table:
+    """M_kV and M_kH, as they were where something was added, about the node, over the power."""
+    after, units = found.after, found.after.units
+    changed = bool(found.compensators) or found.end_weights is not None
+    columns = [Column(_("order"), key="order", label=True)]
+    if changed:
+        columns += [
+            Column(_("M_V without"), units.couple, key="vertical_before"),
+            Column(_("M_H without"), units.couple, key="horizontal_before"),
+        ]
+    columns += [
+        Column(_("M_V, vertical"), units.couple, "wave", key="vertical"),
+        Column(_("M_H, horizontal"), units.couple, "wave", key="horizontal"),
+    ]
+    with_force = not after.free
+    if with_force:
+        columns.append(Column(_("force, vertical"), units.force, key="force_vertical"))
+        columns.append(Column(_("force, horizontal"), units.force, key="force_horizontal"))
+    if found.at_node is not None:
+        columns.append(Column(_("M_V about the node"), units.couple, "wave", key="at_node"))
+    if found.power is not None and units.couple == "N*m":
+        columns.append(Column(_("over the power"), "N*m/kW", key="unbalance", fixed=True, digits=3))
+        columns.append(Column(_("compensator"), kind="text", key="compensator"))
+    rows: list[tuple[Value, ...]] = []
+    for order in after.orders.tolist():
+        row: list[Value] = [order]
+        if changed:
+            row += [found.before.moment(order), found.before.moment(order, "H")]
+        row += [_wave(after, after.vertical, order), _wave(after, after.horizontal, order)]
+        if with_force:
+            row += [
+                abs(_wave(after, after.force_vertical, order)),
+                abs(_wave(after, after.force_horizontal, order)),
+            ]
+        if found.at_node is not None:
+            row.append(_wave(found.at_node[1], found.at_node[1].vertical, order))
+        if found.power is not None and units.couple == "N*m":
+            value = found.unbalance(_greater(found, order)) or 0.0
+            row += [value, _(unbalance_class(value)) if order in CLASSED else ""]
+        rows.append(tuple(row))
+    title = _("External moments")
+    if after.speed is not None:
+        title = _("External moments at {rpm} rpm", rpm=number(round(after.speed * RPM, 6)))
+    return Table(title, tuple(columns), tuple(rows), key="moments")
+
+
+def _wave(moments: ExternalMoments, values: np.ndarray, order: float) -> complex:
+    """The amplitude of an order, nought where rounding leaves it alone."""
+    value = complex(values[np.abs(moments.orders - order) < 1e-9].sum())
+    greatest = float(np.abs(values).max(initial=0.0))
+    return value if abs(value) > SILENT * greatest else 0j
+
+
+def _greater(found: MarineAnalysis, order: float) -> float:
+    """The greater of M_V and M_H of an order, about the node where there is one."""
+    moments = found.after if found.at_node is None else found.at_node[1]
+    return max(moments.moment(order), moments.moment(order, "H"))
+
+
+def _compensator_table(found: MarineAnalysis) -> Table:
+    """The masses of each compensator, and its force at the speed of the analysis."""
+    engine = found.engine
+    scale, units = scales(engine, found.after.speed)
+    in_pitches = "pitch" in engine.relative
+    weighed = {"mass", "radius"}.isdisjoint(engine.relative)
+    unit = 1.0 if weighed else unit_unbalance(engine)
+    mass = "kg*m" if weighed else "m*r"
+    columns = (
+        Column(_("order"), key="order", label=True),
+        Column(_("place along the crankshaft"), "a" if in_pitches else "mm", key="z", fixed=True),
+        Column(_("mass x radius of each of two"), mass, key="unbalance", fixed=True),
+        Column(_("force, vertical"), units.force, "wave", key="force"),
+    )
+    rows = tuple(
+        (
+            each.order,
+            each.z * (1.0 if in_pitches else MM),
+            each.unbalance / unit,
+            complex(each.force * scale.force),
+        )
+        for each in found.compensators
+    )
+    return Table(_("Compensators"), columns, rows, key="compensators")
+
+
+def _guide_table(
+    guide: GuideMoments, bracing: tuple[float, float] | None, *, every: bool = False
+) -> Table:
+    """H and X of each order, and what they push the top bracings with."""
+    columns = [
+        Column(_("order"), key="order", label=True),
+        Column(_("H-moment"), "N*m", "wave", key="h"),
+    ]
+    if guide.pitch_known:
+        columns.append(Column(_("X-moment"), "N*m", "wave", key="x"))
+        columns.append(Column("", "N*m^2", "signal", key="bimoment", machine=True))
+    if bracing is not None:
+        columns.append(Column(_("top bracings, H"), "N", key="bracing_h"))
+        if guide.pitch_known:
+            columns.append(Column(_("each end, X"), "N", key="bracing_x"))
+    rows: list[tuple[Value, ...]] = []
+    places = range(guide.orders.size) if every else guide.noted()
+    for place in places:
+        h, bimoment = complex(guide.h[place]), complex(guide.bimoment[place])
+        row: list[Value] = [float(guide.orders[place]), h]
+        if guide.pitch_known:
+            row += [bimoment / guide.length, bimoment]
+        if bracing is not None:
+            row.append(abs(h) / bracing[0])
+            if guide.pitch_known:
+                row.append(abs(bimoment) / (bracing[0] * bracing[1]))
+        rows.append(tuple(row))
+    return Table(_("Guide-force moments"), tuple(columns), tuple(rows), key="guide")
+
+
+def _speed_table(found: MarineAnalysis) -> Table:
+    """The usual external moments at other speeds, which go with the speed squared."""
+    after = found.after
+    asked = [("M_1V", 1.0, "V"), ("M_1H", 1.0, "H")]
+    asked += [(f"M_{order:g}V", order, "V") for order in USUAL[1:]]
+    columns = [Column(_("speed"), "rpm", key="speed_rpm", label=True)]
+    columns += [
+        Column(name, after.units.couple, key=name.replace("_", "").lower())
+        for name, _order, _side in asked
+    ]
+    rows = tuple(
+        (
+            float(speed * RPM),
+            *(after.moment(order, side) * after.at(float(speed)) for _n, order, side in asked),
+        )
+        for speed in found.speeds
+    )
+    return Table(_("External moments over the speeds"), tuple(columns), rows, key="speeds")
+
+
+def _notes(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[str]:
+    """What the numbers mean, and what is left out."""
+    lines = [
+        _(
+            "Moments are about the middle of the cylinders; since the forces of the moving parts "
+            "add up to nothing, they are the same about any point."
+        )
+        if found.after.free
+        else _(
+            "Moments are about the middle of the cylinders; since forces remain, they differ "
+            "about other points: see --node."
+        )
+    ]
+    if found.end_weights is not None:
+        share = number(round(100 * found.end_weights, 6))
+        lines.append(
+            _(
+                "Weights at the ends of the crankshaft make {share} % of the first-order moment "
+                "horizontal.",
+                share=share,
+            )
+        )
+    if found.compensators:
+        lines.append(_(COMPENSATED))
+    if found.phase_error:
+        late = number(round(degrees(found.phase_error), 6))
+        left = number(float(f"{200 * np.sin(abs(found.phase_error) / 2):.4g}"))
+        lines.append(
+            _(
+                "Compensators that are {late} deg of their own turn late leave {left} % of what "
+                "they should cancel.",
+                late=late,
+                left=left,
+            )
+        )
+    if found.power is not None and found.after.units.couple == "N*m":
+        lines.append(_(OVER_POWER, power=number(float(f"{found.power / 1e3:.5g}"))))
+    if found.guide is not None:
+        lines.append(
+            _(
+                "X is the bimoment over the rod length, {length} m; forces of X are those of each "
+                "of two planes of top bracing.",
+                length=number(round(found.guide.length, 6)),
+            )
+            if bracing is not None and found.guide.pitch_known
+            else _(
+                "X is the bimoment over the rod length, {length} m.",
+                length=number(round(found.guide.length, 6)),
+            )
+        )
+    lines.append(_("Axial vibration, and what the propeller does, are left out."))
+    return lines
+
+
+COMPENSATED = N_(
+    "Each compensator is two equal masses that turn against each other at so many times the crank "
+    "speed, by chain, gear or motor."
+)
+OVER_POWER = N_(
+    "Over the power: the greater of M_V and M_H, about the node if there is one, set against "
+    "{power} kW; the need of a compensator is that of MAN B&W's table for orders 1 and 2."
+)
+
+
+def _doubts(found: MarineAnalysis) -> list[str]:
+    """What is missing."""
+    lines: list[str] = []
+    if found.without_guide:
+        reason = found.without_guide.rstrip(".")
+        lines.append(_("Without guide-force moments: {reason}.", reason=reason))
+    guide = found.guide
+    if guide is not None and not guide.with_inertia:
+        lines.append(
+            _(
+                "Guide-force moments are those of gas alone: without reciprocating masses or a "
+                "speed there is no inertia."
+            )
+        )
+    if guide is not None and not guide.pitch_known:
+        lines.append(_("X needs the distance of the cylinders: give layout.bore_pitch."))
+    if found.after.units.couple != "N*m":
+        lines.append(
+            _(
+                "The file does not say what it takes for N m: masses, sizes or a speed; moments "
+                "are in units of the first cylinder."
+            )
+        )
+    return lines

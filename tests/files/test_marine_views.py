@@ -1,0 +1,154 @@
+"""The verb marine: its tables and what it says, JSON, CSV, Excel; questions that cannot be."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import openpyxl
+import pytest
+from tests.commands import Run
+from tests.marine import marine_engine
+
+import crankstar
+from crankstar.files import toml
+from crankstar.studies.marine import Compensation, marine
+
+
+def written(folder: Path, **changes: Any) -> str:
+    """An engine file of the seven."""
+    path = folder / "seven.toml"
+    path.write_text(toml(marine_engine(**changes)))
+    return str(path)
+
+
+def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
+    asked = ("--compensate", "2: 4.5 m", "--node", "-28 m", "--bracing", "5 m, 6 m")
+    out = json.loads(run("marine", written(tmp_path), *asked, "--json").out)
+    found = marine(marine_engine(), compensate=[Compensation(2, (4.5,))], node=-28.0)
+    assert out["format"] == 1
+    assert (out["node"], out["bracing"]) == (-28, [5, 6])
+    assert found.power is not None
+    assert out["power_kw"] == pytest.approx(found.power / 1e3)
+    by_order = {row["order"]: row for row in out["moments"]}
+    for order in (1, 2, 4):
+        assert by_order[order]["vertical"]["amplitude"] == pytest.approx(found.after.moment(order))
+        assert by_order[order]["vertical_before"] == pytest.approx(found.before.moment(order))
+    assert by_order[2]["at_node"]["amplitude"] == 0
+    [one] = out["compensators"]
+    assert one["unbalance"] == pytest.approx(found.compensators[0].unbalance)
+    assert one["z"] == 4500
+    guide = {row["order"]: row for row in out["guide"]}
+    assert found.guide is not None
+    place = found.guide.orders.tolist().index(7)
+    assert guide[7]["h"]["amplitude"] == pytest.approx(abs(found.guide.h[place]))
+    assert guide[7]["bracing_h"] == pytest.approx(abs(found.guide.h[place]) / 5)
+    assert guide[4]["bracing_x"] == pytest.approx(abs(found.guide.bimoment[3]) / 30)
+
+
+def test_readers_are_told_what_is_counted_and_left_out(run: Run, tmp_path: Path) -> None:
+    out = " ".join(run("marine", written(tmp_path), "--first-order", "equal").out.split())
+    for said in (
+        "External moments at 104 rpm",
+        "they are the same about any point",
+        "make 50 % of the first-order moment horizontal",
+        "X is the bimoment over the rod length, 2.46 m",
+        "Axial vibration, and what the propeller does, are left out.",
+    ):
+        assert said in out
+    out = " ".join(run("marine", "man-s90mc-c").out.split())
+    assert "Guide-force moments are those of gas alone" in out
+    assert "give layout.bore_pitch" in out
+    assert "in units of the first cylinder" in out
+    out = " ".join(run("marine", "i4").out.split())
+    assert "Without guide-force moments: the engine file has no table [gas]." in out
+    assert "since forces remain, they differ about other points" in out
+
+
+def test_without_masses_compensators_are_counted_in_those_of_the_engine(run: Run) -> None:
+    asked = ("--compensate", "2: 4.5", "--node", "-20")
+    out = json.loads(run("marine", "man-s90mc-c", *asked, "--json").out)
+    [one] = out["compensators"]
+    second = next(row for row in out["moments"] if row["order"] == 2)
+    assert one["z"] == 4.5
+    assert one["force"]["amplitude"] == pytest.approx(second["vertical_before"] / 24.5)
+    assert 2 * one["unbalance"] * 2**2 == pytest.approx(one["force"]["amplitude"])
+
+
+def test_the_engine_that_is_saved_has_the_moments_that_were_shown(run: Run, tmp_path: Path) -> None:
+    saved = str(tmp_path / "quiet.toml")
+    asked = ("--compensate", "2: 4.5 m, -4.5 m", "--first-order", "0.3", "--save", saved)
+    shown = json.loads(run("marine", written(tmp_path), *asked, "--json").out)
+    again = json.loads(run("marine", saved, "--json").out)
+    assert "compensators of order 2" in crankstar.load(saved).name
+    one, other = ({row["order"]: row for row in each["moments"]} for each in (shown, again))
+    for order in (1, 2, 4):
+        for side in ("vertical", "horizontal"):
+            wanted = one[order][side]["amplitude"]
+            assert other[order][side]["amplitude"] == pytest.approx(wanted, abs=0.01)
+
+
+def test_the_csv_has_a_row_for_each_order(run: Run, tmp_path: Path) -> None:
+    out = run("marine", written(tmp_path), "--csv").out
+    rows = list(csv.DictReader(io.StringIO(out)))
+    assert [float(row["order"]) for row in rows] == [1, 2, 4, 6]
+
+
+def test_a_workbook_has_a_sheet_for_each_table(run: Run, tmp_path: Path) -> None:
+    book = tmp_path / "seven.xlsx"
+    run("marine", written(tmp_path), "--speeds", "60..110 rpm by 10", "-o", str(book))
+    assert {"moments", "guide", "speeds"} <= {*openpyxl.load_workbook(book).sheetnames}
+
+
+def test_moments_over_speeds_go_with_their_square(run: Run, tmp_path: Path) -> None:
+    place = written(tmp_path)
+    out = json.loads(run("marine", place, "--speeds", "52 rpm, 104 rpm", "--json").out)
+    slow, fast = out["speeds"]
+    for name in ("m1v", "m2v", "m4v"):
+        assert fast[name] == pytest.approx(4 * slow[name])
+    assert fast["m1h"] == 0
+
+
+def test_an_estimated_engine_has_ranges(run: Run) -> None:
+    out = json.loads(run("marine", "audi-25-tfsi", "--estimate", "--json").out)
+    first = out["moments"][0]
+    assert first["vertical_low"] < first["vertical"]["amplitude"] < first["vertical_high"]
+    plain = " ".join(run("marine", "audi-25-tfsi", "--estimate").out.split())
+    assert "What rests on them is marked" in plain
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--first-order", "most"), "give vertical, equal, horizontal"),
+        (("--first-order", "1.5"), "give vertical, equal, horizontal"),
+        (("--compensate", "2 6 m"), "give the order, a colon"),
+        (("--compensate", "9: 6 m"), "give the order, a colon"),
+        (("--compensate", "2: 6"), "write it with a unit"),
+        (("--compensate", "2: 1 m, 2 m, 3 m"), "give one place or two that differ"),
+        (("--compensate", "2: 1 m, 1 m"), "give one place or two that differ"),
+        (("--compensate", "2: 0 m"), "no arm"),
+        (("--compensate", "3: 1 m, -1 m"), "no vertical moment of order 3"),
+        (("--phase-error", "3 deg"), "--phase-error"),
+        (("--compensate", "2: 4 m, -4 m", "--phase-error", "400 deg"), "up to 180 deg"),
+        (("--node", "25"), "write it with a unit"),
+        (("--bracing", "5 m"), "give the height over the crankshaft and the distance"),
+        (("--bracing", "5 m, 0 m"), "greater than 0"),
+        (("--rated-power", "12 kg"), "a power is needed"),
+        (("--rated-power", "0 kW"), "greater than 0"),
+        (("--rated-power", "12"), "12"),
+        (("--save", "quiet.toml"), "give --first-order or --compensate"),
+        (("--point", "full"), "full"),
+    ],
+)
+def test_what_cannot_be_is_one_sentence(
+    run: Run, tmp_path: Path, options: tuple[str, ...], said: str
+) -> None:
+    refused = run("marine", written(tmp_path), *options)
+    assert refused.code == 2
+    assert said in " ".join(refused.err.split())
+    assert "Traceback" not in refused.err
+    assert not (tmp_path / "quiet.toml").exists()
