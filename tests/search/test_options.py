@@ -36,7 +36,7 @@ def test_a_quantity_is_called_by_the_name_that_was_typed(name: str) -> None:
         ("single", {}, "", "one-cylinder"),
         ("i6", {"gaps": "1"}, "gaps", "engine-gaps"),
         ("i6", {"cycle": "two-stroke"}, "cycle", "engine-cycle"),
-        (7, {"minimise": "X3"}, "minimise", "no-quantity"),
+        (7, {"minimise": "Q3"}, "minimise", "no-quantity"),
         (7, {"minimise": "roll"}, "minimise", "roll-alike"),
         (7, {"limit": ["roll 2=1"]}, "limit", "roll-alike"),
         (7, {"minimise": "M\u00b2"}, "minimise", "no-quantity"),
@@ -85,7 +85,7 @@ def test_each_fault_names_its_option_and_nothing_else_is_reported(about, words, 
 
 
 def test_every_fault_is_reported_at_once():
-    words = {"fix": "9=1", "symmetric": True, "minimise": "X3,M0", "limit": ["M2"], "best": "0"}
+    words = {"fix": "9=1", "symmetric": True, "minimise": "Q3,M0", "limit": ["M2"], "best": "0"}
     wanted = ["best", "fix", "limit", "minimise", "minimise", "symmetric"]
     assert sorted(path for path, _ in faults(7, **words)) == wanted
 

@@ -58,7 +58,8 @@ SENTENCES: dict[str, str | Plural] = {
     # objectives and limits
     "no-quantity": N_(
         "There is no quantity {given}; choose from couples (M1, M2; M1V, M1H: in the vertical, in "
-        "the horizontal plane), forces (F1), torsion (T3, with {mode_shape}) and neighbours."
+        "the horizontal plane), forces (F1), torsion (T3, with {mode_shape}), guide-force moments "
+        "that twist the frame (X3) and neighbours."
     ),
     "roll-alike": N_(
         "{given}: the roll does not depend on the star, because all stars have the same throw "
@@ -76,6 +77,17 @@ SENTENCES: dict[str, str | Plural] = {
         "of a number of cylinders M1 is vertical."
     ),
     "needs-shape": N_("{name} needs a torsional mode, as in {mode_shape} 1,0.5,-0.5,-1."),
+    "two-stroke-x": N_("{name}: a two-stroke engine has whole orders of guide forces only."),
+    "half-x": N_(
+        "{name}: where two cylinders share a direction, half orders depend on the firing order; "
+        "search for whole orders."
+    ),
+    "x-pitch": N_(
+        "{name} of {engine} needs the distance of the cylinders: give layout.bore_pitch."
+    ),
+    "x-gas": N_("{name}: {problem}"),
+    "x-none": N_("{name}: the guide forces have no such order; leave it out."),
+    "x-unequal": N_("{name}: the cylinders of {engine} are not alike; leave it out."),
     "two-stroke-torsion": N_("{name}: a two-stroke engine has whole orders of torsion only."),
     "half-torsion": N_(
         "{name}: where two cylinders share a direction, half orders depend on the firing order; "

@@ -124,8 +124,8 @@ def measure(text: str) -> Measure:
         return Measure("couple")
     if ROLL.fullmatch(name):
         raise error("", "roll-alike", given=name)
-    match = re.fullmatch(r"([FMT])(\d{1,3}(?:\.5|\.0)?)([VH]?)", name)
-    if match is None or (match[1] == "T" and match[3]):
+    match = re.fullmatch(r"([FMTX])(\d{1,3}(?:\.5|\.0)?)([VH]?)", name)
+    if match is None or (match[1] in ("T", "X") and match[3]):
         raise error("", "no-quantity", given=seen(name))
     kind, order, side = cast("tuple[Any, str, Any]", match.groups())
     return Measure(kind, Fraction(order), side)
@@ -171,7 +171,7 @@ def amount(text: str, measured: Measure) -> tuple[float, str] | None:
         return None if bare < 0 else (float(bare), "")
     if not re.match(r"\s*\+?[\d.]+(e[-+]?\d+)?\s*[a-z]", text, re.IGNORECASE):
         return None
-    moment = measured.kind == "M"
+    moment = measured.kind in ("M", "X")
     try:
         return units.si(text, COUPLE if moment else FORCE), "N*m" if moment else "N"
     except ValueFaultError as fault:

@@ -29,16 +29,21 @@ from crankstar.derive.algebra import rational
 from crankstar.engine.copies import throws_of_weights, with_throws_turned
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import Balance, balance
+from crankstar.mechanics.gas import cycle
+from crankstar.mechanics.guide_moments import MarineError, guide_moments
+from crankstar.mechanics.operating_points import GasError
 from crankstar.search.engines import firing_order
-from crankstar.search.faults import SearchError, fault
+from crankstar.search.faults import SearchError, error, fault
 from crankstar.search.stars import Star, Stars
-from crankstar.search.sums import Objective, Side, VectorSum, couple, force, sizes
+from crankstar.search.sums import Objective, Side, VectorSum, couple, force, sizes, twisting
 from crankstar.spectra import Spectrum
 
 ORDERS = (1, 2, 4, 6)
 """Of the couple of all orders together: those that a piston makes, but for the small."""
 ALIKE = 1e-11
 """Share of the greatest by which vectors and ratios may differ and be equal, or be zero."""
+SAME_COUPLE = 1e-6
+"""Share by which the couples of alike cylinders may differ, each from its own samples."""
 PISTONS = "{name} (pistons)"
 IN_PHASE = "{name} (pistons in phase)"
 """Names of sums that leave out the rotating parts, or also what offsets shift the pistons by."""
@@ -114,6 +119,31 @@ def couple_of(
     0.8516
     """
     return _sum_of(engine, couple(stars, order), "couple", speed, side)[0]
+
+
+def twisting_of(
+    engine: Engine, stars: Stars, order: Fraction, *, speed: float | None = None
+) -> VectorSum:
+    """X_k of an engine, the guide-force moment that twists its frame, for a star, N m.
+
+    With the gas of its file at a speed (rad/s), and inertia where masses are known. Raises
+    SearchError for an engine without gas or pitch, or with cylinders that differ.
+    """
+    plain = twisting(stars, order)
+    if "pitch" in engine.relative:
+        raise error("", "x-pitch", name=plain.name, engine=engine.name)
+    try:
+        found = guide_moments(engine, cycle(engine, speed=speed))
+    except (GasError, MarineError) as problem:
+        raise error("", "x-gas", name=plain.name, problem=str(problem)) from None
+    at = np.flatnonzero(np.isclose(found.orders, float(order), rtol=0, atol=1e-9))
+    couples = np.abs(found.rolling[:, at]).sum(axis=1)
+    if not couples.any():
+        raise error("", "x-none", name=plain.name)
+    if np.ptp(couples) > SAME_COUPLE * couples.max():
+        raise error("", "x-unequal", name=plain.name, engine=engine.name)
+    scale = float(couples.mean()) / found.length
+    return replace(plain, scale=scale, unit="N*m")
 
 
 def rms_couple(engine: Engine, stars: Stars, *, speed: float | None = None) -> Objective:

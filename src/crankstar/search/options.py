@@ -31,6 +31,7 @@ from crankstar.search.sums import (
     neighbours,
     of,
     torsion,
+    twisting,
 )
 
 GREATEST_ORDER = 100
@@ -39,20 +40,22 @@ GREATEST_BEST, USUAL_BEST = 10_000, 20
 
 
 class Measure(NamedTuple):
-    """A quantity of a star: a couple (M), force (F) or torsion (T) of an order, or one without.
+    """A quantity of a star: a couple (M), force (F), torsion (T), or guide-force moment (X).
+
+    Each of an order; or one without.
 
     side: of a force or couple only what acts vertically (V) or horizontally (H), as in the external
     moments M1V and M1H; else its greatest value over a turn.
     """
 
-    kind: Literal["F", "M", "T", "couple", "neighbours"]
+    kind: Literal["F", "M", "T", "X", "couple", "neighbours"]
     order: Fraction = Fraction(0)
     side: Side = ""
 
     @property
     def name(self) -> str:
         """As it is written: `M1`, `M1V`, `T1.5`, `neighbours`."""
-        if self.kind not in ("F", "M", "T"):
+        if self.kind not in ("F", "M", "T", "X"):
             return self.kind
         return f"{self.kind}{float(self.order):g}{self.side}"
 
@@ -239,6 +242,10 @@ class _Questioner:
                 known = [fault for fault in self.faults if "mode_shape" in fault.path]
                 raise SearchError(known) if known else error("", "needs-shape", name=name)
             return torsion(self.stars, order=order, shape=self.shape)
+        if measure.kind == "X":
+            if self.engine is None:
+                return twisting(self.stars, order)
+            return engine_stars.twisting_of(self.engine, self.stars, order, speed=self.speed)
         if order.denominator != 1:
             raise error("", "half-order", name=name)
         if self.engine is None:

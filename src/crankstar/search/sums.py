@@ -162,6 +162,27 @@ def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> Vect
     return VectorSum(f"T{float(order):g}", order, tuple(shape), turns)
 
 
+def twisting(stars: Stars, order: Fraction) -> VectorSum:
+    """X_k, the sum of the couples of guide forces of an order with their arms along the engine.
+
+    In units of the couple of one cylinder, times a pitch, over the rod length. Raises SearchError
+    where the star does not determine the firing order and the order is not whole.
+
+    >>> seven = Stars(7, "two-stroke", tuple(Fraction(3 - j) for j in range(7)))
+    >>> star = (0, 2, 5, 4, 3, 6, 1)  # 1-7-2-5-4-3-6
+    >>> [round(twisting(seven, Fraction(k)).length(star), 4) for k in (1, 3, 7)]  # 1, 3: as M1, M3
+    [0.2673, 9.8447, 0.0]
+    """
+    name = f"X{float(order):g}"
+    if stars.cycle == "two-stroke" and order.denominator != 1:
+        raise error("", "two-stroke-x", name=name)
+    if stars.step == 0 and order.denominator != 1:
+        raise error("", "half-x", name=name)
+    angles = stars.firing_deg() or stars.angles_deg
+    turns = tuple(order * angle / 360 % 1 for angle in angles)
+    return VectorSum(name, order, stars.positions, turns)
+
+
 def check_torsion(stars: Stars, order: Fraction) -> None:
     """Raises SearchError where an order of torsion does not exist, or the star leaves it open."""
     if stars.cycle == "two-stroke" and order.denominator != 1:
