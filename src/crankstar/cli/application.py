@@ -53,6 +53,7 @@ VERBS = {
     "estimate": "estimating:estimate",
     "export": "exporting:export",
     "grade": "workshop:grade",
+    "guide": "guide:guide",
     "list": "inspect:list_engines",
     "marine": "marine:marine",
     "mounts": "mounts:mounts",

@@ -23,5 +23,6 @@
 | `shapes` | a shape of torsion: straight, a mode of the engine's own, or numbers |
 | `sequences` | goals of a front over stars and firing sequences, as typed |
 | `marine` | shares, places, top bracings and power of `marine` |
+| `guide` | numbers of cylinders and firing orders of `guide` |
 | `sounds` | the speeds and the pipes of a sound |
 """

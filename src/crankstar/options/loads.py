@@ -45,6 +45,12 @@ LOADS = {
         'along it, such as "5.2 m, 8 m".',
         ("--top-bracing", "--stays"),
     ),
+    "--chain-drive": Option(
+        "text",
+        "From how many cylinders up the two middle ones are farther apart, and by how much, such "
+        'as "9: 600 mm": the chain or the gears of the camshaft stand there.',
+        ("--middle-gap", "--drive-gap"),
+    ),
     "--compensate": Option(
         "several texts",
         "Compensators for the vertical moment of an order, and the one place or two along the "
@@ -57,6 +63,14 @@ LOADS = {
         "(as much vertical as horizontal) or horizontal, or so great a share horizontal, such as "
         "0.3.",
         ("--end-weights",),
+    ),
+    "--given": Option(
+        "several texts",
+        "A firing order to be listed beside the best, as in 1-7-2-5-4-3-6; repeatable.",
+        ("--published",),
+    ),
+    "--numbers": Option(
+        "text", "Numbers of cylinders, such as 5..12 or 5,6,8.", ("--count", "--counts")
     ),
     "--node": Option(
         "text",

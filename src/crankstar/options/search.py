@@ -14,7 +14,7 @@ from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
 from crankstar.options.values import RequestError, bounded, listed, refusal
 from crankstar.options.words import SearchWords
-from crankstar.search.faults import Faults, error
+from crankstar.search.faults import Faults, SearchError, error
 from crankstar.search.options import (
     GREATEST_BEST,
     NEIGHBOURS,
@@ -41,6 +41,19 @@ def search_of(about: int | Engine, words: SearchWords, *, speed: float | None = 
     """The search that the words ask for. Raises SearchError with every fault in them."""
     faults = Faults()
     return search_for(about, _options(words, faults), speed=speed, faults=faults)
+
+
+def goals_of(words: SearchWords) -> SearchOptions:
+    """Goals and limits for several engines, one after the other. Raises SearchError.
+
+    >>> [measure.name for _weight, measure in goals_of(SearchWords(minimise="M2,X3")).minimise]
+    ['M2', 'X3']
+    """
+    faults = Faults()
+    options = _options(words, faults)
+    if faults:
+        raise SearchError(faults)
+    return options
 
 
 def _options(words: SearchWords, faults: Faults) -> SearchOptions:

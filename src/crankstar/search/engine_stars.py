@@ -28,6 +28,7 @@ from crankstar import spectra
 from crankstar.derive.algebra import rational
 from crankstar.engine.copies import throws_of_weights, with_throws_turned
 from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.guide_moments import MarineError, guide_moments
@@ -132,6 +133,9 @@ def twisting_of(
     plain = twisting(stars, order)
     if "pitch" in engine.relative:
         raise error("", "x-pitch", name=plain.name, engine=engine.name)
+    if engine.gas is None:
+        problem = _("the engine file has no table [gas]")
+        raise error("", "x-gas", name=plain.name, problem=problem)
     try:
         found = guide_moments(engine, cycle(engine, speed=speed))
     except (GasError, MarineError) as problem:

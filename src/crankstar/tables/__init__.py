@@ -48,6 +48,7 @@
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `mounts` | an engine on its mounts: modes, axes, vibration and forces by speed |
 | `marine` | external and guide-force moments, and compensators |
+| `engine_family` | a family of engines with their firing orders, as a project guide |
 | `torsion_chain` | a chain that twists: masses, shafts, modes, Holzer's table |
 | `crank_fatigue` | the safety of a crankshaft against fatigue |
 | `torsion` | critical speeds, torsional vibration over the speeds, stress and heat |

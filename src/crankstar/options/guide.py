@@ -1,0 +1,71 @@
+"""What the verb `guide` is asked in words: numbers of cylinders, firing orders, a wider gap."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import POSITION
+from crankstar.options import values as request
+from crankstar.options.refusals import refusal
+from crankstar.studies.engine_family import LEAST, MOST, ChainDrive
+
+
+def numbers_of_cylinders(text: str | None) -> tuple[int, ...]:
+    """Numbers of cylinders: a range, or a list with commas. Raises RequestError.
+
+    >>> numbers_of_cylinders("5..7, 9")
+    (5, 6, 7, 9)
+    """
+    found: set[int] = set()
+    for part in request.listed("5..12" if text is None else text):
+        ends = re.fullmatch(r"(\d{1,3})(?:\s*\.\.\s*(\d{1,3}))?", part)
+        first, last = (int(ends[1]), int(ends[2] or ends[1])) if ends else (0, 0)
+        if not LEAST <= first <= last <= MOST:
+            found.clear()
+            break
+        found |= {*range(first, last + 1)}
+    if not found:
+        raise refusal(
+            "--numbers",
+            text or "",
+            "give numbers of cylinders from {least} to {most}, as in 5..12 or 5,6,8",
+            least=LEAST,
+            most=MOST,
+        )
+    return tuple(sorted(found))
+
+
+def firing_orders(texts: Sequence[str] | None) -> tuple[tuple[int, ...], ...]:
+    """Firing orders, each with all its cylinders. Raises RequestError."""
+    found: list[tuple[int, ...]] = []
+    for text in texts or ():
+        words = re.split(r"[-\s]+", text.strip())
+        order = tuple(int(word) for word in words if re.fullmatch(r"\d{1,2}", word))
+        if len(order) < len(words) or sorted(order) != list(range(1, len(order) + 1)):
+            raise refusal("--given", text, "give a firing order, as in 1-7-2-5-4-3-6; repeatable")
+        found.append(order)
+    return tuple(found)
+
+
+def chain_drive(text: str | None, engine: Engine) -> ChainDrive | None:
+    """From how many cylinders up the middle ones are farther apart, and by how much.
+
+    Raises RequestError.
+    """
+    if text is None:
+        return None
+    count, colon, wider = text.partition(":")
+    if not colon or not re.fullmatch(r"\d{1,3}", count.strip()):
+        raise refusal(
+            "--chain-drive",
+            text,
+            "give a number of cylinders, a colon, and by how much the gap is wider, as in "
+            '"9: 600 mm"',
+        )
+    example = 'as in "9: 600 mm"'
+    value = request.places("--chain-drive", [wider.strip()], [POSITION], engine, example)[0]
+    if value <= 0:
+        raise request.not_positive("--chain-drive", wider, POSITION)
+    return ChainDrive(int(count), value)

@@ -1,0 +1,253 @@
+"""A family of engines: the same cylinder unit in rows of 5 to 12, each with the best firing order.
+
+Each member has the cylinders of one engine, at its pitch, on a crankshaft with evenly spaced throws
+as the firing order needs; gas and speed are those of the engine, so that the power is in proportion
+to the number of cylinders. Of all crank stars the search takes the one that is best by its goals,
+with proof; a given order stands beside it. Engines whose chain or gear drive stands in the middle
+have a wider gap there.
+
+Counterweights, balance shafts, the table [torsion], block and mounts of the engine are its own and
+are left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import pi
+from typing import Literal
+
+import numpy as np
+
+from crankstar.engine.copies import with_values, wrapped
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Cylinder, Throw
+from crankstar.firing.weighing import vector_sums
+from crankstar.language.messages import _
+from crankstar.mechanics.guide_moments import MarineError
+from crankstar.remedy.counterweights import RemedyError
+from crankstar.search.answer import answer_to
+from crankstar.search.engine_stars import star_of, stars_of, with_star
+from crankstar.search.options import SearchOptions, search_for
+from crankstar.search.question import Best
+from crankstar.search.stars import Star, Stars
+from crankstar.studies.marine import MarineAnalysis, marine
+
+LEAST, MOST = 2, 14
+"""Numbers of cylinders of a family; of more the search takes long."""
+Chosen = Literal["best", "given"]
+
+
+@dataclass(frozen=True)
+class ChainDrive:
+    """A wider gap between the two middle cylinders, from so many cylinders up, m or pitches."""
+
+    cylinders: int
+    wider: float
+
+
+@dataclass(frozen=True)
+class Member:
+    """An engine of a family with a firing order: its moments, and why this order.
+
+    `none` says that no order keeps the limits; there is no engine then. `h` and `x` are the
+    greatest guide-force moments and their orders; `star` the vector sum of torsion of the order of
+    X with a straight shape, 1 at the end cylinders.
+    """
+
+    cylinders: int
+    chosen: Chosen
+    order: tuple[int, ...]
+    found: MarineAnalysis | None
+    h: tuple[float, float] | None
+    x: tuple[float, float] | None
+    star: float | None
+
+    @property
+    def none(self) -> bool:
+        """Whether no firing order keeps the limits."""
+        return self.found is None
+
+
+def engine_family(
+    engine: Engine,
+    *,
+    numbers: Sequence[int],
+    given: Sequence[Sequence[int]] = (),
+    options: SearchOptions | None = None,
+    drive: ChainDrive | None = None,
+    point: str = "",
+    speed: float | None = None,
+    horizontal_share: float | None = None,
+) -> tuple[Member, ...]:
+    """The members with these numbers of cylinders, the best of each and then other known orders.
+
+    Orders are known that are `given`, and that of the engine. `options` are goals and limits of the
+    search, by default least M1 and M2 together.
+    Weights at the ends are left out where there is no first-order moment to be shared. Raises
+    MarineError for an engine that is not a row of alike cylinders, SearchError for goals that
+    cannot be.
+
+    >>> from crankstar.files.catalog import load
+    >>> five, seven = engine_family(load("man-s90mc-c"), numbers=[5, 7])
+    >>> "-".join(map(str, seven.order)), round(seven.found.after.moment(2), 4)
+    ('1-7-2-5-4-3-6', 0.5235)
+    """
+    asked = {"point": point, "speed": speed, "horizontal_share": horizontal_share}
+    members: list[Member] = []
+    for count in numbers:
+        orders = dict.fromkeys(tuple(order) for order in (*given, engine.firing_order))
+        known = [
+            with_cylinders(engine, order, drive=drive) for order in orders if len(order) == count
+        ]
+        plain = with_cylinders(engine, range(1, count + 1), drive=drive)
+        best = _best(plain, known, options, speed=speed)
+        if best is None:
+            members.append(Member(count, "best", (), None, None, None, None))
+        else:
+            members.append(_member(best, "best", asked))
+        members += [_member(one, "given", asked) for one in known if one is not best]
+    return tuple(members)
+
+
+def with_cylinders(
+    engine: Engine, order: Sequence[int], *, drive: ChainDrive | None = None
+) -> Engine:
+    """An engine with as many of its cylinders in a row as fire in this order, evenly.
+
+    Raises MarineError for an engine that is not a row of alike cylinders on one crankshaft.
+
+    >>> from crankstar.files.catalog import load
+    >>> five = with_cylinders(load("man-s90mc-c"), [1, 4, 3, 2, 5])
+    >>> five.firing_order, [round(cylinder.z, 6) for cylinder in five.cylinders]
+    ((1, 4, 3, 2, 5), [2.0, 1.0, 0.0, -1.0, -2.0])
+    """
+    first, throw, pitch = _unit(engine)
+    count = len(order)
+    if sorted(order) != list(range(1, count + 1)):
+        raise MarineError(
+            "{order} is no firing order; give each cylinder from 1 on once",
+            order="-".join(map(str, order)),
+        )
+    places = [(count - 1) / 2 * pitch - index * pitch for index in range(count)]
+    if drive is not None and count >= drive.cylinders:
+        half = drive.wider / 2
+        places = [z + half if place < count // 2 else z - half for place, z in enumerate(places)]
+    step = engine.sense * (2 if engine.cycle == "four-stroke" else 1) * 2 * pi / count
+    fires = {number: place for place, number in enumerate(order)}
+    top = first.bearing
+    throws = tuple(
+        with_values(throw, angle=wrapped(top - fires[number] * step), z=places[number - 1])
+        for number in range(1, count + 1)
+    )
+    cylinders = tuple(
+        with_values(first, number=number, throw=number, z=places[number - 1], chamber=None)
+        for number in range(1, count + 1)
+    )
+    shaft = with_values(
+        engine.shaft(first.shaft),
+        throws=throws,
+        weights=(),
+        bearings=(),
+        bearing_count=None,
+        webs=(),
+    )
+    return with_values(
+        engine,
+        name=_("{engine}, {count} cylinders", engine=engine.name, count=count),
+        shafts=(shaft,),
+        cylinders=cylinders,
+        firing_order=tuple(order),
+        firing_angles=None,
+        valves=engine.valves and with_values(engine.valves, manifolds=()),
+        block=None,
+        torsion=None,
+        mounts=(),
+        foundation=None,
+        oil=None,
+        provenance={},
+    )
+
+
+def _unit(engine: Engine) -> tuple[Cylinder, Throw, float]:
+    """The cylinder and throw that all have, and their distance. Raises MarineError."""
+    shafts = {cylinder.shaft for cylinder in engine.cylinders}
+    own = {
+        (
+            cylinder.bearing,
+            cylinder.bore,
+            cylinder.rod_length,
+            cylinder.offset,
+            round(cylinder.reciprocating, 9),
+            round(engine.throw(cylinder).radius, 9),
+            round(engine.throw(cylinder).turning_mass, 9),
+        )
+        for cylinder in engine.cylinders
+    }
+    shared = len({cylinder.throw for cylinder in engine.cylinders}) < len(engine.cylinders)
+    strange = any(cylinder.articulated or cylinder.chamber for cylinder in engine.cylinders)
+    if len(shafts) > 1 or len(own) > 1 or shared or strange or len(engine.cylinders) < 2:
+        raise MarineError(
+            "a family is made of one row of alike cylinders, each on a throw of its own; "
+            "{engine} is another engine",
+            engine=engine.name,
+        )
+    places = sorted(cylinder.z for cylinder in engine.cylinders)
+    return engine.first, engine.throw(engine.first), float(np.min(np.diff(places)))
+
+
+def _best(
+    engine: Engine, known: Sequence[Engine], options: SearchOptions | None, *, speed: float | None
+) -> Engine | None:
+    """The engine with the best star; None where no star keeps the limits. Raises SearchError.
+
+    One of those that are known, if its star is of the class of the best: as good, seen from the
+    other end or turning the other way.
+    """
+    asked = SearchOptions(ask=Best(1)) if options is None else options
+    pace = engine.speed if speed is None else speed
+    rows = answer_to(search_for(engine, asked, speed=pace).question).rows
+    if not rows:
+        return None
+    stars = stars_of(engine)
+    alike = {_from_first(star, stars) for star in stars.same(rows[0].star)}
+    for one in known:
+        own = star_of(one, stars)
+        if own is not None and _from_first(own, stars) in alike:
+            return one
+    return with_values(with_star(engine, stars, rows[0].star), name=engine.name)
+
+
+def _from_first(star: Star, stars: Stars) -> Star:
+    """A star turned so that cylinder 1 has direction 0."""
+    return tuple((direction - star[0]) % stars.directions for direction in star)
+
+
+def _member(engine: Engine, chosen: Chosen, asked: Mapping[str, object]) -> Member:
+    """A member with its moments."""
+    try:
+        found = marine(engine, **asked)  # pyright: ignore[reportArgumentType]
+    except RemedyError:
+        found = marine(engine, **{**asked, "horizontal_share": None})
+    guide = found.guide
+    h = x = star = None
+    if guide is not None:
+        top = int(np.argmax(np.abs(guide.h)))
+        h = float(guide.orders[top]), float(abs(guide.h[top]))
+        if guide.pitch_known:
+            top = int(np.argmax(np.abs(guide.x)))
+            x = float(guide.orders[top]), float(abs(guide.x[top]))
+            star = _twist(engine, x[0])
+    return Member(len(engine.cylinders), chosen, tuple(engine.firing_order), found, h, x, star)
+
+
+def _twist(engine: Engine, order: float) -> float:
+    """The vector sum of an order with a straight shape, 1 at the end cylinders."""
+    fires = {number: place for place, number in enumerate(engine.firing_order)}
+    turns = 2 if engine.cycle == "four-stroke" else 1
+    angles = [
+        fires[each.number] * turns * 2 * pi / len(engine.cylinders) for each in engine.cylinders
+    ]
+    places = np.array([cylinder.z for cylinder in engine.cylinders])
+    arms = places - (places.max() + places.min()) / 2
+    return float(vector_sums(arms / np.abs(arms).max(), np.array(angles), [order])[0])

@@ -1,0 +1,169 @@
+"""A family of engines as the table of a project guide: one row a firing order."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+from typing import Any
+
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.mechanics.external_moments import unbalance_class
+from crankstar.studies.engine_family import ChainDrive, Member
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+
+RPM = 30 / pi
+CHOSEN = {"best": N_("best"), "given": N_("given")}
+
+
+def family_document(
+    engine: Engine,
+    members: Sequence[Member],
+    *,
+    goals: str,
+    horizontal_share: float | None = None,
+    drive: ChainDrive | None = None,
+    machine: bool = False,
+) -> Document:
+    """The members of a family; `goals` says in words by what the best were found."""
+    parts: list[Table | Remarks] = [] if machine else [Remarks((_heading(engine, members),))]
+    parts.append(_table(members))
+    if not machine:
+        parts += remarks(*_notes(members, goals, horizontal_share, drive), kind="note")
+    facts: dict[str, Any] = {
+        "format": 1,
+        "engine": engine.name,
+        "speed_rpm": next((_speed(member) for member in members if member.found), None),
+        "goals": goals,
+        "horizontal_share": horizontal_share,
+        "chain_drive": None if drive is None else [drive.cylinders, drive.wider],
+    }
+    return Document(engine.name, tuple(parts), facts)
+
+
+def _speed(member: Member) -> float | None:
+    speed = member.found and member.found.after.speed
+    return None if speed is None else speed * RPM
+
+
+def _heading(engine: Engine, members: Sequence[Member]) -> str:
+    """The engine whose cylinders they are, and at which speed."""
+    speed = next((_speed(member) for member in members if member.found), None)
+    if speed is None:
+        return _("Engines with the cylinders of {engine}", engine=engine.name)
+    return _(
+        "Engines with the cylinders of {engine}, at {rpm} rpm",
+        engine=engine.name,
+        rpm=number(round(speed, 6)),
+    )
+
+
+def _table(members: Sequence[Member]) -> Table:
+    """A row for each member; guide-force moments where gas is known."""
+    known = [member.found for member in members if member.found is not None]
+    unit = known[0].after.units.couple if known else "N*m"
+    powered = any(found.power is not None and unit == "N*m" for found in known)
+    guided = any(member.h for member in members)
+    twisted = any(member.x for member in members)
+    columns = [
+        Column(_("cylinders"), key="cylinders", label=True),
+        Column(_("firing order"), kind="order", key="firing_order"),
+        Column(_("chosen"), kind="text", key="chosen"),
+        Column("M_1V", unit, key="m1v"),
+        Column("M_1H", unit, key="m1h"),
+        Column("M_2V", unit, key="m2v"),
+        Column("M_4V", unit, key="m4v"),
+    ]
+    if powered:
+        columns += [
+            Column(_("power"), "W", key="power"),
+            Column(_("M_2V over the power"), "N*m/kW", key="unbalance", fixed=True, digits=3),
+            Column(_("compensator"), kind="text", key="compensator", optional=2),
+        ]
+    if guided:
+        columns += [Column(_("greatest H"), "N*m", key="h"), Column(_("of order"), key="h_order")]
+    if twisted:
+        columns += [
+            Column(_("greatest X"), "N*m", key="x"),
+            Column(_("of order"), key="x_order"),
+            Column(_("torsion sum"), key="torsion_sum", digits=4, optional=1),
+        ]
+    rows = tuple(
+        _row(member, powered=powered, guided=guided, twisted=twisted) for member in members
+    )
+    return Table(_("Family"), tuple(columns), rows, key="members")
+
+
+def _row(member: Member, *, powered: bool, guided: bool, twisted: bool) -> tuple[Value, ...]:
+    """The cells of a member; empty ones where no order keeps the limits."""
+    found = member.found
+    chosen = _("none keeps the limits") if found is None else _(CHOSEN[member.chosen])
+    row: list[Value] = [member.cylinders, member.order or None, chosen]
+    if found is None:
+        count = 4 + 3 * powered + 2 * guided + 3 * twisted
+        empty: list[Value] = [None] * count
+        if powered:
+            empty[6] = ""
+        return (*row, *empty)
+    after = found.after
+    row += [after.moment(1), after.moment(1, "H"), after.moment(2), after.moment(4)]
+    if powered:
+        value = found.unbalance(after.moment(2))
+        row += [found.power, value, "" if value is None else _(unbalance_class(value))]
+    if guided:
+        row += [member.h[1], member.h[0]] if member.h else [None, None]
+    if twisted:
+        row += [member.x[1], member.x[0], member.star] if member.x else [None, None, None]
+    return tuple(row)
+
+
+def _notes(
+    members: Sequence[Member], goals: str, horizontal_share: float | None, drive: ChainDrive | None
+) -> list[str]:
+    """How the orders were chosen, and what the columns mean."""
+    lines = [
+        _(
+            "Best: by {goals}, of all crank stars with evenly spaced throws, with proof; mirror "
+            "images and orders counted from the rear end are as good.",
+            goals=goals,
+        )
+    ]
+    if horizontal_share is not None:
+        share = number(round(100 * horizontal_share, 6))
+        lines.append(
+            _(
+                "Weights at the ends of the crankshaft make {share} % of the first-order moment "
+                "horizontal, once the order is chosen.",
+                share=share,
+            )
+        )
+    if drive is not None:
+        lines.append(
+            _(
+                "From {count} cylinders up the two middle ones are farther apart, for the drive.",
+                count=drive.cylinders,
+            )
+        )
+    if any(member.x for member in members):
+        lines.append(
+            _(
+                "Torsion sum: of the order of X, with a straight shape, 1 at the end cylinders; X "
+                "is the same star."
+            )
+        )
+    found = next((member.found for member in members if member.found is not None), None)
+    if found is not None and found.after.units.couple != "N*m":
+        lines.append(
+            _(
+                "The file does not say what it takes for N m: masses, sizes or a speed; moments "
+                "are in units of the first cylinder."
+            )
+        )
+    lines.append(
+        _(
+            "Counterweights, torsion, block and mounts of the engine are left out, and so is axial "
+            "vibration."
+        )
+    )
+    return lines

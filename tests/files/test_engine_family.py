@@ -1,0 +1,163 @@
+"""A family of engines: the same as engine files, the best of all orders, the verb guide."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from itertools import pairwise, permutations
+from math import hypot
+from pathlib import Path
+
+import openpyxl
+import pytest
+from tests.commands import Run
+from tests.marine import SEVEN, marine_engine
+
+import crankstar
+from crankstar.engine.engine import Engine
+from crankstar.files import toml
+from crankstar.mechanics.external_moments import external_moments
+from crankstar.mechanics.guide_moments import MarineError
+from crankstar.options.search import goals_of
+from crankstar.options.words import SearchWords
+from crankstar.studies.engine_family import ChainDrive, engine_family, with_cylinders
+from crankstar.studies.marine import marine
+
+FOUR_STROKE = {"cycle": "four-stroke", "firing_order": [1, 2, 4, 6, 7, 5, 3]}
+
+
+def both(engine: Engine) -> float:
+    found = external_moments(engine, speed=10.0)
+    return hypot(found.moment(1), found.moment(2))
+
+
+@pytest.mark.parametrize("order", [(1, 4, 3, 2, 5), (1, 8, 3, 4, 7, 2, 5, 6)])
+@pytest.mark.parametrize("changes", [{}, FOUR_STROKE, {"rotation": "counter-clockwise"}])
+def test_a_member_is_the_engine_of_a_file_with_that_order(
+    order: tuple[int, ...], changes: dict[str, object]
+) -> None:
+    made = with_cylinders(marine_engine(**changes), order)
+    written = marine_engine(**{**changes, "firing_order": list(order)})
+    one, other = (marine(engine) for engine in (made, written))
+    assert made.firing_order == written.firing_order
+    for left, right in zip(made.cylinders, written.cylinders, strict=True):
+        assert left.z == pytest.approx(right.z)
+    assert one.power == pytest.approx(other.power)
+    scale = abs(other.before.vertical).max()
+    assert one.before.vertical == pytest.approx(other.before.vertical, abs=1e-9 * scale)
+    assert one.guide is not None
+    assert other.guide is not None
+    assert one.guide.x == pytest.approx(other.guide.x, abs=1e-6 * abs(other.guide.x).max())
+
+
+@pytest.mark.parametrize("drive", [None, ChainDrive(5, 0.6)])
+@pytest.mark.parametrize("count", [5, 6])
+def test_the_best_is_the_least_of_all_orders(count: int, drive: ChainDrive | None) -> None:
+    engine = marine_engine()
+    [member, *_rest] = engine_family(engine, numbers=[count], drive=drive)
+    every = [
+        both(with_cylinders(engine, (1, *rest), drive=drive))
+        for rest in permutations(range(2, count + 1))
+    ]
+    assert member.found is not None
+    assert both(member.found.engine) == pytest.approx(min(every))
+    assert member.order == member.found.engine.firing_order
+
+
+def test_a_known_order_of_the_class_of_the_best_is_the_best() -> None:
+    given = [(1, 5, 3, 4, 2, 6)]
+    members = engine_family(marine_engine(), numbers=[6, 7], given=given)
+    assert [(member.order, member.chosen) for member in members] == [
+        ((1, 5, 3, 4, 2, 6), "best"),
+        ((1, 7, 2, 5, 4, 3, 6), "best"),
+    ]
+
+
+def test_a_wider_gap_stands_in_the_middle_from_its_number_up() -> None:
+    engine, drive = marine_engine(), ChainDrive(6, 0.6)
+    five, six = (
+        with_cylinders(engine, range(1, count + 1), drive=drive).cylinders for count in (5, 6)
+    )
+    gaps = [[a.z - b.z for a, b in pairwise(row)] for row in (five, six)]
+    assert gaps[0] == pytest.approx([1.02] * 4)
+    assert gaps[1] == pytest.approx([1.02, 1.02, 1.62, 1.02, 1.02])
+
+
+def test_limits_that_none_keeps_leave_a_row_without_an_engine() -> None:
+    goals = goals_of(SearchWords(minimise="M2", limit=["M1=1 N m", "M2=1 N m"], best="1"))
+    five, twelve = engine_family(marine_engine(), numbers=[5, 12], options=goals)
+    assert five.none
+    assert five.found is None
+    assert not twelve.none
+
+
+def test_only_a_row_of_alike_cylinders_has_a_family() -> None:
+    for name in ("harley-45", "square-four", "single", "jumo-205"):
+        with pytest.raises(MarineError, match="one row of alike cylinders"):
+            with_cylinders(crankstar.load(name), [1, 2, 3])
+    with pytest.raises(MarineError, match="each cylinder from 1 on once"):
+        with_cylinders(marine_engine(), [1, 3, 3])
+
+
+def written(folder: Path) -> str:
+    path = folder / "seven.toml"
+    path.write_text(toml(marine_engine()))
+    return str(path)
+
+
+def test_the_verb_gives_the_page_of_a_guide(run: Run, tmp_path: Path) -> None:
+    place = written(tmp_path)
+    asked = ("--numbers", "5..7", "--given", "1-3-5-4-2", "--first-order", "equal")
+    out = json.loads(run("guide", place, *asked, "--json").out)
+    assert out["format"] == 1
+    assert [row["cylinders"] for row in out["members"]] == [5, 5, 6, 7]
+    seven = out["members"][-1]
+    found = marine(marine_engine(), horizontal_share=0.5)
+    assert seven["firing_order"] == SEVEN["firing_order"]
+    assert (seven["m1v"], seven["m1h"]) == pytest.approx((found.after.moment(1),) * 2)
+    assert seven["unbalance"] == pytest.approx(found.unbalance(found.after.moment(2)))
+    assert found.guide is not None
+    assert (seven["x_order"], seven["x"]) == pytest.approx((4, abs(found.guide.x).max()))
+    assert (seven["h_order"], seven["h"]) == pytest.approx((7, abs(found.guide.h).max()))
+    rows = list(csv.DictReader(io.StringIO(run("guide", place, *asked, "--csv").out)))
+    assert len(rows) == 4
+    book = tmp_path / "guide.xlsx"
+    run("guide", place, *asked, "-o", str(book))
+    assert "members" in openpyxl.load_workbook(book).sheetnames
+    text = " ".join(run("guide", place, *asked).out.split())
+    assert "Best: by M1,M2, of all crank stars with evenly spaced throws, with proof" in text
+    assert "Torsion sum: of the order of X" in text
+
+
+def test_without_masses_and_pitch_the_page_is_in_their_units(run: Run) -> None:
+    out = run("guide", "man-s90mc-c", "--numbers", "6,7")
+    assert "1-7-2-5-4-3-6" in out.out
+    assert "in units of the first cylinder" in " ".join(out.out.split())
+
+
+def test_a_row_that_no_order_fills_is_told(run: Run, tmp_path: Path) -> None:
+    asked = ("--numbers", "5", "--limit", "M1=1 N m", "--limit", "M2=1 N m")
+    out = " ".join(run("guide", written(tmp_path), *asked).out.split())
+    assert "none keeps the limits" in out
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--numbers", "5..99"), "give numbers of cylinders from 2 to 14"),
+        (("--numbers", "7..5"), "give numbers of cylinders from 2 to 14"),
+        (("--given", "1-2-2"), "give a firing order"),
+        (("--chain-drive", "600 mm"), "give a number of cylinders, a colon"),
+        (("--chain-drive", "9: 0 mm"), "greater than 0"),
+        (("--minimise", "Q1"), "There is no quantity"),
+        (("--minimise", "X1.5"), "whole orders"),
+        (("--first-order", "some"), "give vertical, equal"),
+    ],
+)
+def test_what_cannot_be_asked_is_one_sentence(
+    run: Run, tmp_path: Path, options: tuple[str, ...], said: str
+) -> None:
+    refused = run("guide", written(tmp_path), *options)
+    assert refused.code == 2
+    assert said in " ".join(refused.err.split())
