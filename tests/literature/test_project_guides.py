@@ -10,7 +10,7 @@ from crankstar.remedy.end_weights import with_end_weights
 
 SEVEN, SIX = [1, 7, 2, 5, 4, 3, 6], [1, 5, 3, 4, 2, 6]
 EIGHT = [1, 8, 3, 4, 7, 2, 5, 6]
-"""Usual orders of MAN B&W sevens, sixes and eights, not read in the source; the numbers agree with them."""
+"""Usual orders of MAN B&W engines, not read in the source; the numbers agree with them."""
 PUBLISHED = {"first, seven": 9.3, "second, seven": 36.4, "second, six": 146.4, "first, eight": 27.3}
 """N m/kW. MAN Diesel, Project Guide S80MC-C7/ME-C7, 198 46 79-8.2, section 17.04. The copy that
 was read leaves out most figures 1 (it has "Table 7.04.0" for 17.04.01), and 46.4 for the six."""

@@ -13,6 +13,7 @@
 | `torque` | torque |
 | `mounts` | mounts |
 | `marine` | marine |
+| `genset` | genset |
 | `torsion` | torsion |
 | `estimating` | estimate |
 | `deriving` | derive, errata |

@@ -52,6 +52,7 @@ VERBS = {
     "errata": "deriving:errata",
     "estimate": "estimating:estimate",
     "export": "exporting:export",
+    "genset": "genset:genset",
     "grade": "workshop:grade",
     "guide": "guide:guide",
     "list": "inspect:list_engines",

@@ -105,7 +105,7 @@ def running(
     for _ in range(MOST_ROUNDS):
         load = shape * (now / speed) ** exponent
         load = load * (gas.mean() / load.mean())
-        change = _integral(gas - load, span)
+        change = periodic_integral(gas - load, span)
         energy = _energy(change, whole, speed)
         after = np.sqrt(2 * energy / whole)
         moved = float(np.abs(after - now).max()) / speed
@@ -119,7 +119,7 @@ def running(
     torque = spectra.total(part_spectra(mechanism(engine)).torque)
     moving = np.real(spectra.value(torque, theta)) * speed**2
     steady = shape * gas.mean()
-    fluctuation = float(np.ptp(_integral(gas + moving - steady, span)))
+    fluctuation = float(np.ptp(periodic_integral(gas + moving - steady, span)))
     mean = flywheel + mean_inertia(mechanism(engine)) + throw_inertia(engine)
     return Running(
         theta=theta,
@@ -143,7 +143,7 @@ def _stopped(speed: float) -> UnevenError:
     )
 
 
-def _integral(torque: Real, span: float) -> Real:
+def periodic_integral(torque: Real, span: float) -> Real:
     """The integral over the angle of a periodic torque without its mean, of mean nought."""
     count = torque.size
     numbers = np.fft.rfftfreq(count, 1 / count)

@@ -26,5 +26,6 @@
 | `exhaust_pulses` | pulses of the exhaust with the pressure of the cycle, by order |
 | `side_thrust` | how hard each piston presses on its wall over a cycle |
 | `gas_pins` | what gas puts on crank pins and walls, by order |
+| `phase_sums` | sums of vibrations of unknown phase: worst, typical, exceeded so often |
 | `remains` | what remains of a balance: zero, negligible or worth a cure |
 """

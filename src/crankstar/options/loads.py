@@ -57,6 +57,7 @@ LOADS = {
         'crankshaft at which they stand, such as "2: 6 m, -6 m"; repeatable.',
         ("--compensator", "--compensators"),
     ),
+    "--engines": Option("whole number", "Engines that are alike, on one foundation.", ("--sets",)),
     "--first-order": Option(
         "text",
         "Weights at the ends of the crankshaft that make the first-order moment vertical, equal "
@@ -80,6 +81,9 @@ LOADS = {
     ),
     "--phase-error": Option(
         "text", 'By how much compensators are late, in degrees of their own turn, such as "5 deg".'
+    ),
+    "--pole-pairs": Option(
+        "whole number", "Pairs of poles of the generator, on the crankshaft.", ("--poles",)
     ),
     "--rated-power": Option(
         "text",

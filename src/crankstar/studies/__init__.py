@@ -12,6 +12,7 @@
 | `torsion_results` | torsional frequency, stress and amplitude of each engine of a sweep |
 | `marine` | external and guide-force moments of an engine with weights and compensators |
 | `engine_family` | the cylinders of an engine in rows of 5 to 12, each with the best order |
+| `generating_sets` | how evenly a generating set runs, and several on one foundation |
 | `judged_orders` | firing orders by the stress and the bearing loads that they make |
 | `sweep` | one or two values of an engine file varied, and what becomes of its quantities |
 | `best_value` | the least or greatest of a curve, refined between its points |

@@ -49,6 +49,7 @@
 | `mounts` | an engine on its mounts: modes, axes, vibration and forces by speed |
 | `marine` | external and guide-force moments, and compensators |
 | `engine_family` | a family of engines with their firing orders, as a project guide |
+| `generating_sets` | uneven running of a generating set, and several on one foundation |
 | `torsion_chain` | a chain that twists: masses, shafts, modes, Holzer's table |
 | `crank_fatigue` | the safety of a crankshaft against fatigue |
 | `torsion` | critical speeds, torsional vibration over the speeds, stress and heat |

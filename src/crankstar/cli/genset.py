@@ -1,0 +1,82 @@
+"""The verb genset: how evenly a generating set runs, and several of them on one foundation."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Annotated
+
+from crankstar.cli.options import (
+    Csv,
+    EngineName,
+    Estimating,
+    Json,
+    Output,
+    Settings,
+    Speed,
+    loaded_values,
+    option,
+    together,
+)
+from crankstar.cli.output import working
+from crankstar.cli.tabulating import give, words_for
+from crankstar.language.messages import _
+from crankstar.options import values as request
+from crankstar.options.forms import TABLES, form_of
+from crankstar.options.gas import degree_of_irregularity
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
+    from crankstar.tables.table import Document
+
+MOST_PAIRS = 200
+"""Of poles: more than any slow hydroelectric generator has."""
+
+
+def genset(
+    engine: EngineName,
+    /,
+    *,
+    pole_pairs: Annotated[int | None, option("--pole-pairs")] = None,
+    engines: Annotated[int | None, option("--engines", "Default: 1.")] = None,
+    flywheel: Annotated[str | None, option("--flywheel")] = None,
+    irregularity: Annotated[str | None, option("--irregularity")] = None,
+    point: Annotated[str | None, option("--point")] = None,
+    speed: Speed = None,
+    settings: Settings = None,
+    estimate: Estimating = False,
+    json: Json = False,
+    csv: Csv = False,
+    output: Output = None,
+) -> None:
+    """Compute how evenly a generating set runs, and what several do to one foundation."""
+    from crankstar.mechanics.phase_sums import MOST
+    from crankstar.options.marine import inertia
+    from crankstar.studies.generating_sets import generating_set
+    from crankstar.tables.generating_sets import generating_set_document
+    from crankstar.tables.ranges import ranged
+
+    form = form_of(output, TABLES, json=json, csv=csv)
+    (loaded, spread), turning, pairs, count, wheel, even = together(
+        partial(loaded_values, engine, settings, estimate=estimate),
+        partial(request.speed, speed),
+        partial(request.within, "--pole-pairs", pole_pairs, most=MOST_PAIRS),
+        partial(request.within, "--engines", engines, most=MOST),
+        partial(inertia, flywheel),
+        partial(degree_of_irregularity, irregularity),
+    )
+
+    def sheet(each: Engine) -> Document:
+        found = generating_set(
+            each,
+            point=point or "",
+            speed=turning,
+            flywheel=wheel,
+            pole_pairs=pairs,
+            engines=count or 1,
+            irregularity=even,
+        )
+        return generating_set_document(found, machine=form not in ("txt", "xlsx"))
+
+    with working(_("Computing the cycle ...")), words_for(form):
+        document = ranged(sheet, spread, loaded)
+    give(document, output, form=form)

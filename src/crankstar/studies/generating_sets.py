@@ -1,0 +1,163 @@
+"""A generating set: how evenly it runs, and what several of them do to one foundation.
+
+The generator stands on the frame of its engine, so that the gas torque stays inside: what reaches
+the foundation are the inertia force, the external moments, and the moment about the crank axis.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.dynamics.generator_angle import GeneratorAngle, generator_angle
+from crankstar.dynamics.uneven import Running, driven, flywheel_for
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.excitation import Totals
+from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.operating_points import GasError
+from crankstar.mechanics.phase_sums import exceeded, typical_sum, worst_sum
+
+NOTED = 1e-4
+"""Share of the greatest of a part from which an order of the sum is told."""
+HIGHEST = 12.0
+"""The highest order that is told."""
+SHARES = (0.05, 0.01)
+"""Of the time, in which a sum is exceeded."""
+QUANTITIES = ("force_vertical", "force_horizontal", "pitch", "yaw", "axis_moment")
+
+
+@dataclass(frozen=True)
+class OrderSum:
+    """An order of a quantity: of one engine, and of all with unknown phases, N or N m.
+
+    `exceeded` in the shares SHARES of the time.
+    """
+
+    quantity: str
+    order: float
+    one: float
+    worst: float
+    typical: float
+    exceeded: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class GeneratingSet:
+    """A set at its speed: uneven running (None where not known), and sums of several engines.
+
+    `wanted` is the inertia (kg m^2) for the degree of irregularity that was asked for;
+    `without_running` and `without_sums` say what is missing.
+    """
+
+    engine: Engine
+    cycle: Cycle | None
+    running: Running | None
+    angle: GeneratorAngle | None
+    pole_pairs: int | None
+    engines: int
+    wanted: float | None
+    sums: tuple[OrderSum, ...]
+    without_running: str
+    without_sums: str
+
+    @property
+    def frequency(self) -> float | None:
+        """The frequency of the voltage, Hz."""
+        if self.running is None or self.pole_pairs is None:
+            return None
+        return self.pole_pairs * self.running.mean_speed / (2 * np.pi)
+
+
+def generating_set(
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    flywheel: float | None = None,
+    pole_pairs: int | None = None,
+    engines: int = 1,
+    irregularity: float | None = None,
+) -> GeneratingSet:
+    """A set at an operating point and speed (rad/s), and so many of them on one foundation.
+
+    `flywheel` is the inertia of crankshaft, flywheel, coupling and rotor, kg m^2, else that of the
+    file; `irregularity` a degree of irregularity for which it is sized. Raises GasError for a point
+    that the engine has not, UnevenError where it would stop within a cycle.
+
+    >>> from crankstar.files.catalog import load
+    >>> changes = {"cylinder.reciprocating_mass": "0.6 kg"}
+    >>> five = load("audi-25-tfsi", changes=changes)
+    >>> found = generating_set(five, speed=157.08, flywheel=0.6, pole_pairs=2, engines=4)
+    >>> round(found.frequency, 2), found.sums[0].worst == 4 * found.sums[0].one
+    (50.0, True)
+    """
+    burning, why = _cycle(engine, point, speed)
+    running = None if burning is None else driven(engine, burning, flywheel=flywheel)
+    if burning is not None and running is None:
+        why = _("masses, a speed, or the inertia of what turns are not known: see --flywheel")
+    turning = burning.speed if burning is not None else speed
+    turning = engine.speed if turning is None else turning
+    wanted = None
+    if irregularity is not None and running is not None and burning is not None:
+        exponent = engine.drive.load_exponent if engine.drive else 0.0
+        wanted = flywheel_for(engine, burning, irregularity=irregularity, exponent=exponent)
+    sums, lacking = _sums(engine, turning, engines)
+    return GeneratingSet(
+        engine=engine,
+        cycle=burning,
+        running=running,
+        angle=None if running is None else generator_angle(running),
+        pole_pairs=pole_pairs,
+        engines=engines,
+        wanted=wanted,
+        sums=sums,
+        without_running=why,
+        without_sums=lacking,
+    )
+
+
+def _cycle(engine: Engine, point: str, speed: float | None) -> tuple[Cycle | None, str]:
+    """The cycle of an operating point, or why there is none."""
+    if engine.gas is None and not point:
+        return None, _("the engine file has no table [gas]")
+    try:
+        return cycle(engine, point=point, speed=speed), ""
+    except GasError as error:
+        if point:
+            raise
+        return None, str(error)
+
+
+def _sums(engine: Engine, speed: float | None, engines: int) -> tuple[tuple[OrderSum, ...], str]:
+    """The orders of force and moment of one engine and of all."""
+    result = balance(engine, speed=speed)
+    if result.speed is None or result.units.couple != "N*m":
+        return (), _("masses, sizes or a speed are not known")
+    whole = total(result)
+    parts = Totals(*(getattr(result, name) for name in Totals._fields))
+    alike = tuple(exceeded([1.0] * engines, share) for share in SHARES)
+    out: list[OrderSum] = []
+    for name in QUANTITIES:
+        values, most = _amplitudes(whole, name), float(_amplitudes(parts, name).max(initial=0.0))
+        for order, one in zip(whole.force.orders.tolist(), values.tolist(), strict=True):
+            if one > NOTED * most and order <= HIGHEST:
+                every = [one] * engines
+                beyond = tuple(one * each for each in alike)
+                out.append(OrderSum(name, order, one, worst_sum(every), typical_sum(every), beyond))
+    return tuple(out), ""
+
+
+def _amplitudes(sums: Totals, name: str) -> np.ndarray:
+    """The amplitudes of a quantity by order, of the sum or of the parts."""
+    found = {
+        "force_vertical": lambda: spectra.vertical(sums.force),
+        "force_horizontal": lambda: spectra.horizontal(sums.force),
+        "pitch": lambda: spectra.vertical(sums.couple),
+        "yaw": lambda: spectra.horizontal(sums.couple),
+        "axis_moment": lambda: spectra.amplitude(sums.axis_moment),
+    }
+    return np.abs(found[name]())

@@ -1,0 +1,166 @@
+"""A generating set as tables: how evenly it runs, and several of them on one foundation."""
+
+from __future__ import annotations
+
+from math import degrees, pi
+from typing import Any
+
+from crankstar.dynamics.generator_angle import GeneratorAngle
+from crankstar.dynamics.uneven import Running
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.studies.generating_sets import SHARES, GeneratingSet
+from crankstar.tables.headings import heading
+from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
+
+RPM = 30 / pi
+NAMES = {
+    "force_vertical": N_("force, vertical"),
+    "force_horizontal": N_("force, horizontal"),
+    "pitch": N_("M_V, vertical"),
+    "yaw": N_("M_H, horizontal"),
+    "axis_moment": N_("moment about the crank axis"),
+}
+
+
+def generating_set_document(found: GeneratingSet, *, machine: bool = False) -> Document:
+    """All of a set; for machines the sums of several engines alone are a table."""
+    parts: list[Table | Remarks] = [] if machine else [heading(found.engine)]
+    if found.running is not None and found.angle is not None and not machine:
+        parts.append(_running_table(found, found.running, found.angle))
+    if found.sums or machine:
+        parts.append(_sum_table(found))
+    if not machine:
+        parts += remarks(*_notes(found), kind="note")
+        parts += remarks(*_doubts(found), kind="doubt")
+    return Document(found.engine.name, tuple(parts), _facts(found))
+
+
+def _facts(found: GeneratingSet) -> dict[str, Any]:
+    running, angle, pairs = found.running, found.angle, found.pole_pairs
+    electrical = None
+    if angle is not None and pairs is not None:
+        electrical = degrees(angle.electrical(pairs))
+    return {
+        "format": 1,
+        "engine": found.engine.name,
+        "engines": found.engines,
+        "pole_pairs": pairs,
+        "frequency_hz": found.frequency,
+        "speed_rpm": None if running is None else running.mean_speed * RPM,
+        "inertia": None if running is None else running.inertia,
+        "irregularity": None if running is None else running.irregularity,
+        "ahead_deg": None if angle is None else degrees(float(angle.ahead.max())),
+        "behind_deg": None if angle is None else degrees(float(angle.ahead.min())),
+        "electrical_deg": electrical,
+        "wanted_inertia": found.wanted,
+        "shares": list(SHARES),
+        "without_running": found.without_running or None,
+        "without_sums": found.without_sums or None,
+    }
+
+
+def _running_table(found: GeneratingSet, running: Running, angle: GeneratorAngle) -> Table:
+    """Speed, irregularity and angle of the set."""
+    rows: list[tuple[Value, ...]] = [
+        (_("speed"), running.mean_speed * RPM, "rpm"),
+        (_("inertia of all that turns and moves, mean"), running.inertia, "kg*m^2"),
+        (_("degree of irregularity"), running.irregularity, ""),
+        (_("one part in"), 1 / running.irregularity if running.irregularity else None, ""),
+        (_("ahead of even running at most"), degrees(float(angle.ahead.max())), "deg"),
+        (_("behind it at most"), degrees(float(-angle.ahead.min())), "deg"),
+    ]
+    if found.pole_pairs is not None:
+        rows += [
+            (_("frequency"), found.frequency, "Hz"),
+            (_("greatest electrical angle"), degrees(angle.electrical(found.pole_pairs)), "deg"),
+        ]
+    if found.wanted is not None:
+        said = _("inertia of crankshaft, flywheel and rotor for what is wanted")
+        rows.append((said, found.wanted, "kg*m^2"))
+    columns = (
+        Column("", kind="text", label=True),
+        Column(_("value"), ROW_UNIT),
+        Column(_("unit"), kind="unit"),
+    )
+    return Table(_("Uneven running"), columns, tuple(rows))
+
+
+def _sum_table(found: GeneratingSet) -> Table:
+    """Forces and moments of one engine and of all, order by order."""
+    columns = [
+        Column(_("quantity"), kind="text", label=True),
+        Column("", kind="text", key="quantity", machine=True),
+        Column(_("order"), key="order", label=True),
+        Column(_("one engine"), ROW_UNIT, key="one"),
+        Column(_("all in phase"), ROW_UNIT, key="worst"),
+        Column(_("root mean square"), ROW_UNIT, key="typical"),
+        *(
+            Column(
+                _("exceeded {share} % of the time", share=number(100 * share)),
+                ROW_UNIT,
+                key=f"exceeded_{round(100 * share)}",
+            )
+            for share in SHARES
+        ),
+        Column(_("unit"), kind="unit", key="unit"),
+    ]
+    rows = tuple(
+        (
+            _(NAMES[each.quantity]),
+            each.quantity,
+            each.order,
+            each.one,
+            each.worst,
+            each.typical,
+            *each.exceeded,
+            "N" if each.quantity.startswith("force") else "N*m",
+        )
+        for each in found.sums
+    )
+    title = _("{count} engines on one foundation", count=found.engines)
+    if found.engines == 1:
+        title = _("On the foundation")
+    return Table(title, tuple(columns), rows, key="sums")
+
+
+def _notes(found: GeneratingSet) -> list[str]:
+    """What the numbers mean."""
+    lines: list[str] = []
+    if found.running is not None:
+        lines.append(
+            _(
+                "No limits for uneven running are quoted: set these values against those of your "
+                "contract or rules."
+            )
+        )
+    if found.sums:
+        lines.append(
+            _(
+                "The generator stands on the frame of the engine, so that gas torque stays inside. "
+                "Moments are about the middle of the cylinders."
+            )
+        )
+    if found.sums and found.engines > 1:
+        lines.append(
+            _(
+                "Engines that run at slightly different speeds meet in all phases: in phase, as "
+                "the root of the mean of the square, and what is exceeded in so much of the time. "
+                "The engines are alike and count as at one place."
+            )
+        )
+    return lines
+
+
+def _doubts(found: GeneratingSet) -> list[str]:
+    """What is missing."""
+    lines: list[str] = []
+    if found.without_running:
+        reason = found.without_running.rstrip(".")
+        lines.append(_("Without uneven running: {reason}.", reason=reason))
+    if found.without_sums:
+        reason = found.without_sums.rstrip(".")
+        lines.append(_("Without forces on the foundation: {reason}.", reason=reason))
+    elif not found.sums:
+        lines.append(_("Nothing reaches the foundation: forces and moments are balanced."))
+    return lines

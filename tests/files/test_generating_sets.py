@@ -1,0 +1,83 @@
+"""The verb genset: its tables and what it says, JSON, CSV; questions that cannot be."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from math import degrees
+from pathlib import Path
+
+import pytest
+from tests.commands import Run
+from tests.marine import marine_engine
+
+from crankstar.files import toml
+from crankstar.studies.generating_sets import generating_set
+
+
+def written(folder: Path) -> str:
+    path = folder / "seven.toml"
+    path.write_text(toml(marine_engine(drive={"inertia": "90000 kg*m^2"})))
+    return str(path)
+
+
+def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
+    asked = ("--pole-pairs", "20", "--engines", "4")
+    out = json.loads(run("genset", written(tmp_path), *asked, "--json").out)
+    engine = marine_engine(drive={"inertia": "90000 kg*m^2"})
+    found = generating_set(engine, pole_pairs=20, engines=4)
+    assert out["format"] == 1
+    assert found.running is not None
+    assert found.angle is not None
+    assert out["irregularity"] == pytest.approx(found.running.irregularity)
+    assert out["electrical_deg"] == pytest.approx(20 * degrees(found.angle.greatest))
+    assert out["frequency_hz"] == pytest.approx(20 * 104 / 60)
+    for row, one in zip(out["sums"], found.sums, strict=True):
+        assert (row["quantity"], row["order"]) == (one.quantity, one.order)
+        assert (row["worst"], row["typical"]) == pytest.approx((one.worst, one.typical))
+        assert row["exceeded_5"] == pytest.approx(one.exceeded[0])
+
+
+def test_readers_are_told_what_is_counted_and_missing(run: Run, tmp_path: Path) -> None:
+    asked = ("--pole-pairs", "20", "--engines", "4", "--irregularity", "1/100")
+    out = " ".join(run("genset", written(tmp_path), *asked).out.split())
+    for said in (
+        "degree of irregularity",
+        "greatest electrical angle",
+        "inertia of crankshaft, flywheel and rotor for what is wanted",
+        "4 engines on one foundation",
+        "No limits for uneven running are quoted",
+        "count as at one place",
+    ):
+        assert said in out
+    out = " ".join(run("genset", "i4").out.split())
+    assert "Without uneven running: the engine file has no table [gas]." in out
+    assert "Without forces on the foundation: masses, sizes or a speed are not known." in out
+    out = " ".join(run("genset", "audi-25-tfsi").out.split())
+    assert "see --flywheel" in out
+
+
+def test_the_csv_has_a_row_for_each_order_of_each_quantity(run: Run, tmp_path: Path) -> None:
+    out = run("genset", written(tmp_path), "--engines", "2", "--csv").out
+    rows = list(csv.DictReader(io.StringIO(out)))
+    orders = [(row["quantity"], float(row["order"])) for row in rows]
+    assert orders[:3] == [("pitch", 1), ("pitch", 2), ("pitch", 4)]
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--engines", "0"), "give a whole number from 1 to 64"),
+        (("--pole-pairs", "1000"), "give a whole number from 1 to 200"),
+        (("--flywheel", "-2 kg*m^2"), "greater than 0"),
+        (("--flywheel", "2 m"), "moment of inertia"),
+        (("--point", "idle"), "idle"),
+    ],
+)
+def test_what_cannot_be_is_one_sentence(
+    run: Run, tmp_path: Path, options: tuple[str, ...], said: str
+) -> None:
+    refused = run("genset", written(tmp_path), *options)
+    assert refused.code == 2
+    assert said in " ".join(refused.err.split())
