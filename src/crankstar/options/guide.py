@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import POSITION
+from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.refusals import refusal
 from crankstar.studies.engine_family import LEAST, MOST, ChainDrive
@@ -64,7 +65,7 @@ def chain_drive(text: str | None, engine: Engine) -> ChainDrive | None:
             "give a number of cylinders, a colon, and by how much the gap is wider, as in "
             '"9: 600 mm"',
         )
-    example = 'as in "9: 600 mm"'
+    example = _('as in "9: 600 mm"')
     value = request.places("--chain-drive", [wider.strip()], [POSITION], engine, example)[0]
     if value <= 0:
         raise request.not_positive("--chain-drive", wider, POSITION)

@@ -9,6 +9,7 @@ from math import radians
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import INERTIA, LENGTH, POSITION, POWER
 from crankstar.files import units
+from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.numbers import is_number
 from crankstar.options.refusals import refusal
@@ -84,7 +85,7 @@ def node(text: str | None, engine: Engine) -> float | None:
     """The place of a node along the crankshaft. Raises RequestError."""
     if text is None:
         return None
-    return request.places("--node", [text.strip()], [POSITION], engine, 'as in "-25 m"')[0]
+    return request.places("--node", [text.strip()], [POSITION], engine, _('as in "-25 m"'))[0]
 
 
 def bracing(text: str | None) -> tuple[float, float] | None:
