@@ -66,6 +66,7 @@ if TYPE_CHECKING:
     from crankstar.page.widget import widget
     from crankstar.remedy.counterweights import with_counterweights
     from crankstar.remedy.shafts import with_balance_shaft
+    from crankstar.studies.marine import MarineAnalysis, marine
     from crankstar.studies.sweep import sweep, watched
     from crankstar.tables.comparison import compare
     from crankstar.tables.verdict import verdict
@@ -93,6 +94,7 @@ _HOMES = {
     "page.widget": ("widget",),
     "remedy.counterweights": ("with_counterweights",),
     "remedy.shafts": ("with_balance_shaft",),
+    "studies.marine": ("MarineAnalysis", "marine"),
     "studies.sweep": ("sweep", "watched"),
     "tables.comparison": ("compare",),
     "tables.verdict": ("verdict",),
@@ -110,6 +112,7 @@ __all__ = [
     "EngineError",
     "EngineFileError",
     "GasTorque",
+    "MarineAnalysis",
     "Mechanism",
     "MountAnalysis",
     "Reference",
@@ -133,6 +136,7 @@ __all__ = [
     "gas_torque",
     "grouped",
     "load",
+    "marine",
     "mounts",
     "names",
     "of_parts",

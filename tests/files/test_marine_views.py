@@ -15,7 +15,7 @@ from tests.marine import marine_engine
 
 import crankstar
 from crankstar.files import toml
-from crankstar.studies.marine import Compensation, marine
+from crankstar.studies.marine import marine
 
 
 def written(folder: Path, **changes: Any) -> str:
@@ -28,7 +28,7 @@ def written(folder: Path, **changes: Any) -> str:
 def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     asked = ("--compensate", "2: 4.5 m", "--node", "-28 m", "--bracing", "5 m, 6 m")
     out = json.loads(run("marine", written(tmp_path), *asked, "--json").out)
-    found = marine(marine_engine(), compensate=[Compensation(2, (4.5,))], node=-28.0)
+    found = marine(marine_engine(), compensate={2: (4.5,)}, node=-28.0)
     assert out["format"] == 1
     assert (out["node"], out["bracing"]) == (-28, [5, 6])
     assert found.power is not None
@@ -131,6 +131,7 @@ def test_an_estimated_engine_has_ranges(run: Run) -> None:
         (("--compensate", "2: 1 m, 2 m, 3 m"), "give one place or two that differ"),
         (("--compensate", "2: 1 m, 1 m"), "give one place or two that differ"),
         (("--compensate", "2: 0 m"), "no arm"),
+        (("--compensate", "2: 4 m", "--compensate", "2: 5 m"), "give each order once"),
         (("--compensate", "3: 1 m, -1 m"), "no vertical moment of order 3"),
         (("--phase-error", "3 deg"), "--phase-error"),
         (("--compensate", "2: 4 m, -4 m", "--phase-error", "400 deg"), "up to 180 deg"),

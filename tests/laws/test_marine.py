@@ -22,7 +22,7 @@ from crankstar.remedy.compensators import compensators, with_compensators
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.remedy.end_weights import with_end_weights
 from crankstar.spectra import Complex
-from crankstar.studies.marine import Compensation, marine
+from crankstar.studies.marine import marine
 
 SPEED = 104 * pi / 30
 
@@ -157,7 +157,7 @@ def test_turning_masses_push_as_a_compensator_is_said_to() -> None:
 def test_a_compensator_out_of_phase_leaves_its_chord(late: float) -> None:
     engine = marine_engine()
     plain = external_moments(engine, speed=SPEED).moment(2)
-    asked = [Compensation(2, (5.0, -4.0))]
+    asked = {2: (5.0, -4.0)}
     found = marine(engine, speed=SPEED, compensate=asked, phase_error=late)
     assert found.after.moment(2) == pytest.approx(2 * sin(abs(late) / 2) * plain, abs=1e-6)
 

@@ -431,6 +431,24 @@ def test_mounts_reads_engines_their_files_and_speeds(tmp_path: Path) -> None:
             asked(given)
 
 
+def test_marine_reads_its_arguments_as_people_give_them() -> None:
+    asked: Any = crankstar.marine
+    found = asked(BURNING, power="250 kW", compensate={2: (0.4, -0.4)}, node=None)
+    assert found.power == 250e3
+    assert len(found.compensators) == 2
+    for wrong, words in (
+        ({"compensate": [2, 0.4]}, "compensate takes orders with places along the shaft"),
+        ({"compensate": {2: 0.4}}, "compensate takes orders with places along the shaft"),
+        ({"compensate": {2: ["x"]}}, "compensate"),
+        ({"node": "far"}, "node"),
+        ({"power": PINS}, "power"),
+        ({"horizontal_share": "equal"}, "horizontal_share"),
+        ({"phase_error": NOTHING}, "phase_error"),
+    ):
+        with pytest.raises((TypeError, ValueError), match=words):
+            asked(BURNING, **wrong)
+
+
 def test_torsion_reads_speeds_as_people_give_them() -> None:
     five = crankstar.load(BURNING, changes={"torsion": TWISTING})
     texts: Any = "1000..3000 rpm/3"

@@ -13,7 +13,6 @@ from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.numbers import is_number
 from crankstar.options.refusals import refusal
-from crankstar.studies.marine import Compensation
 
 SHARES = {"vertical": 0.0, "equal": 0.5, "horizontal": 1.0}
 
@@ -62,9 +61,9 @@ def inertia(text: str | None) -> float | None:
     return value
 
 
-def compensations(texts: Sequence[str] | None, engine: Engine) -> tuple[Compensation, ...]:
-    """The compensators that are asked for, as in "2: 6 m, -6 m". Raises RequestError."""
-    found: list[Compensation] = []
+def compensations(texts: Sequence[str] | None, engine: Engine) -> dict[int, tuple[float, ...]]:
+    """The places of the compensators of each order, as in "2: 6 m, -6 m". Raises RequestError."""
+    found: dict[int, tuple[float, ...]] = {}
     for text in texts or ():
         order, colon, places = text.partition(":")
         if not colon or not re.fullmatch(r"[1-8]", order.strip()):
@@ -77,8 +76,10 @@ def compensations(texts: Sequence[str] | None, engine: Engine) -> tuple[Compensa
         where = request.planes("--compensate", places, engine)
         if len(where) > 2 or len(set(where)) < len(where):
             raise refusal("--compensate", text, "give one place or two that differ")
-        found.append(Compensation(int(order), tuple(where)))
-    return tuple(found)
+        if int(order) in found:
+            raise refusal("--compensate", text, "give each order once, with one place or two")
+        found[int(order)] = tuple(where)
+    return found
 
 
 def node(text: str | None, engine: Engine) -> float | None:

@@ -8,7 +8,7 @@ from typing import Any
 
 from crankstar.engine.arguments import check_number as check_number  # with the other numbers
 from crankstar.engine.arguments import is_number as is_number
-from crankstar.engine.quantities import INERTIA, PRESSURE, SPEED, Quantity
+from crankstar.engine.quantities import INERTIA, POWER, PRESSURE, SPEED, Quantity
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.quoting import given as quoted
@@ -91,6 +91,11 @@ def pressure(argument: str, given: Any) -> float:
 def inertia(argument: str, given: Any) -> float:
     """A moment of inertia above nought, kg m^2, or text. Raises ValueError, TypeError."""
     return _positive(argument, given, INERTIA, "0.2 kg*m^2")
+
+
+def power(argument: str, given: Any) -> float:
+    """A power above nought, W, or text. Raises ValueError, TypeError."""
+    return _positive(argument, given, POWER, "12 MW")
 
 
 def _positive(argument: str, given: Any, quantity: Quantity, example: str) -> float:

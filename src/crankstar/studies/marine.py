@@ -7,8 +7,9 @@ against. Axial vibration of the crankshaft, and what the propeller does, are lef
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
@@ -23,13 +24,8 @@ from crankstar.remedy.compensators import Compensator, compensators, with_compen
 from crankstar.remedy.end_weights import with_end_weights
 from crankstar.spectra import Real
 
-
-@dataclass(frozen=True)
-class Compensation:
-    """What is to be compensated: the vertical moment of an order, from one place z or two."""
-
-    order: int
-    places: tuple[float, ...]
+NOTHING: Mapping[int, Sequence[float]] = MappingProxyType({})
+"""Nothing to compensate."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +34,11 @@ class MarineAnalysis:
 
     `engine` is the engine with weights and compensators. `at_node` are the moments about the node,
     before and after. `guide` is None where gas is not known; `without_guide` says why.
+
+    >>> from crankstar import marine
+    >>> found = marine("audi-25-tfsi", node=-2.0)
+    >>> found.guide is None, found.at_node[0].z, found.compensators
+    (False, -2.0, ())
     """
 
     engine: Engine
@@ -67,7 +68,7 @@ def marine(
     speeds: Sequence[float] | Real = (),
     power: float | None = None,
     horizontal_share: float | None = None,
-    compensate: Sequence[Compensation] = (),
+    compensate: Mapping[int, Sequence[float]] = NOTHING,
     node: float | None = None,
     phase_error: float = 0.0,
     orders: Sequence[float] | None = None,
@@ -75,14 +76,16 @@ def marine(
     """The external and guide-force moments of an engine at an operating point and speed (rad/s).
 
     `horizontal_share` has weights at the ends that make this share of the first-order moment
-    horizontal; `compensate` are the moments to compensate, about `node` (z) where there is one.
+    horizontal; `compensate` has the orders whose vertical moment is to be compensated, with the one
+    place z or two at which that is done, about `node` (z) where there is one; `phase_error` (rad)
+    is by how much the compensators are late.
     `power` (W) stands before that of the operating point. Raises RemedyError, and GasError for a
     point that the engine has not.
 
     >>> from crankstar.files.catalog import load
     >>> changes = {"layout.bore_pitch": "1.6 m", "cylinder.reciprocating_mass": "9 t"}
     >>> seven = load("man-s90mc-c", changes=changes)
-    >>> found = marine(seven, compensate=[Compensation(2, (6.0, -6.0))])
+    >>> found = marine(seven, compensate={2: (6.0, -6.0)})
     >>> found.before.moment(2) > 7e5, found.after.moment(2) < 1e-3
     (True, True)
     """
@@ -93,10 +96,8 @@ def marine(
     if horizontal_share is not None:
         changed = with_end_weights(changed, share=horizontal_share)
     fitted: list[Compensator] = []
-    for each in compensate:
-        own = compensators(
-            changed, order=each.order, places=each.places, node=node, phase_error=phase_error
-        )
+    for order, places in compensate.items():
+        own = compensators(changed, order=order, places=places, node=node, phase_error=phase_error)
         changed = with_compensators(changed, own)
         fitted += own
     guide = None
@@ -111,7 +112,7 @@ def marine(
     if node is not None:
         about = [external_moments(each, about=node, **at) for each in (engine, changed)]
     if changed is not engine:
-        changed = with_values(changed, name=_name(engine, horizontal_share, compensate))
+        changed = with_values(changed, name=_name(engine, horizontal_share, [*compensate]))
     return MarineAnalysis(
         engine=changed,
         before=pair[0],
@@ -128,11 +129,11 @@ def marine(
     )
 
 
-def _name(engine: Engine, share: float | None, compensate: Sequence[Compensation]) -> str:
+def _name(engine: Engine, share: float | None, compensate: Sequence[int]) -> str:
     """The name of the engine, and what was added to it."""
     added = [] if share is None else [_("weights at the ends")]
     if compensate:
-        orders = ", ".join(f"{each.order}" for each in compensate)
+        orders = ", ".join(map(str, compensate))
         added.append(_("compensators of order {orders}", orders=orders))
     return ", ".join((engine.name, *added))
 
