@@ -221,7 +221,7 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(
         (("nosuch",), "no such engine"),
         (("v8-cross-plane",), "do not stand in line"),
         (("7", "--cycle", "three"), "two-stroke"),
-        (("7", "--minimise", "X3"), '--minimise: There is no quantity "X3"'),
+        (("7", "--minimise", "Q3"), '--minimise: There is no quantity "Q3"'),
         (("7", "--limit", "M2"), "--limit: M2"),
         (("7", "--gaps", "1,1"), "--gaps: 2 gaps"),
         (("7", "--fix", "9=2"), "--fix: There is no cylinder 9"),
@@ -264,7 +264,7 @@ def test_more_stars_than_can_be_listed_are_refused(
 
 
 def test_every_mistake_is_told_at_once(refused: Callable[..., str]) -> None:
-    words = ("--fix", "9=1", "--symmetric", "--minimise", "X3,M0", "--limit", "M2", "--best", "0")
+    words = ("--fix", "9=1", "--symmetric", "--minimise", "Q3,M0", "--limit", "M2", "--best", "0")
     said = refused("search", "7", *words).splitlines()
     assert len(said) == 6
     for option in ("fix", "symmetric", "minimise", "limit", "best"):

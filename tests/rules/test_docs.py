@@ -308,6 +308,9 @@ NO_TERMS = {
     *("free end", "torque in {shaft}", "sum of amplitudes", "by order at this speed"),
     *("strongest order", "its mode", "pendulums", "pendulum on", "count", "mass of one", "length"),
     *("radius of the pivot", "holds back order", "along"),
+    *("family", "chosen", "of order", "power", "place along the crankshaft"),
+    *("force, vertical", "force, horizontal", "one engine", "all in phase", "root mean square"),
+    "exceeded {share} % of the time",
 }
 """Headings that are plain words."""
 
