@@ -68,6 +68,12 @@ def test_readers_are_told_what_is_counted_and_left_out(run: Run, tmp_path: Path)
     assert "since forces remain, they differ about other points" in out
 
 
+def test_rounding_is_no_force(run: Run) -> None:
+    out = json.loads(run("marine", "v8-cross-plane", "--json").out)
+    assert out["moments"][-1]["force_horizontal"] == 0
+    assert out["moments"][-1]["force_vertical"] > 0
+
+
 def test_without_masses_compensators_are_counted_in_those_of_the_engine(run: Run) -> None:
     asked = ("--compensate", "2: 4.5", "--node", "-20")
     out = json.loads(run("marine", "man-s90mc-c", *asked, "--json").out)

@@ -112,7 +112,10 @@ def _moment_table(found: MarineAnalysis) -> Table:
 def _wave(moments: ExternalMoments, values: np.ndarray, order: float) -> complex:
     """The amplitude of an order, nought where rounding leaves it alone."""
     value = complex(values[np.abs(moments.orders - order) < 1e-9].sum())
-    greatest = float(np.abs(values).max(initial=0.0))
+    beside = (moments.vertical, moments.horizontal)
+    if values is moments.force_vertical or values is moments.force_horizontal:
+        beside = (moments.force_vertical, moments.force_horizontal)
+    greatest = float(np.abs(beside).max(initial=0.0))
     return value if abs(value) > SILENT * greatest else 0j
 
 
