@@ -15,7 +15,7 @@ from crankstar.files import engine_of, explicit
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.external_moments import external_moments, unbalance_class
 from crankstar.mechanics.gas import cycle
-from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
 from crankstar.mechanics.guide_moments import MarineError, guide_moments
 from crankstar.mechanics.side_thrust import side_thrust
 from crankstar.remedy.compensators import compensators, with_compensators
@@ -245,3 +245,26 @@ def test_power_is_what_the_cycle_leaves_at_the_shaft() -> None:
     assert isclose(found.power, 19e5 * swept * SPEED / (2 * pi), rel_tol=1e-3)
     moment = found.after.moment(2)
     assert found.unbalance(moment) == pytest.approx(1e3 * moment / found.power)
+
+
+def burning_on_one_crankshaft() -> list[str]:
+    found: list[str] = []
+    for name in crankstar.names():
+        engine = crankstar.load(name)
+        if engine.gas is not None and len({each.shaft for each in engine.cylinders}) == 1:
+            found.append(name)
+    return found
+
+
+@pytest.mark.parametrize("name", burning_on_one_crankshaft())
+def test_the_couples_of_any_layout_sum_to_the_roll_of_the_block(name: str) -> None:
+    engine = crankstar.load(name)
+    burning = cycle(engine)
+    found = guide_moments(engine, burning)
+    gas = gas_torque(burning).total
+    wanted = -engine.sense * spectra.amplitude(spectra.selected(gas, found.orders))
+    if found.with_inertia:
+        sums = total(balance(engine, speed=burning.speed))
+        roll = spectra.selected(roll_with_gas(sums, gas), found.orders)
+        wanted = spectra.amplitude(roll)
+    assert found.h == pytest.approx(wanted, abs=1e-9 * np.abs(found.rolling).max())
