@@ -6,6 +6,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from tests.marine import marine_engine
 
 from crankstar import spectra
 from crankstar.engine.copies import with_values
@@ -16,6 +17,7 @@ from crankstar.firing.exhaust_orders import exhaust_orders
 from crankstar.language.shown_units import read_choice, shown_in
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.mechanics.guide_moments import guide_moments
 from crankstar.page.cycle_records import Load, Torque
 from crankstar.page.torque import MOST_LOADS, exhaust, gas_needs, torque, torque_unit
 from crankstar.spectra import Complex
@@ -116,3 +118,16 @@ def test_the_firings_of_each_pipe_have_the_orders_of_the_exhaust() -> None:
         assert phase.sum(axis=0) == pytest.approx(sums, abs=1e-9)
     assert heard.cycle == pytest.approx(4 * pi)
     assert exhaust(with_values(engine, firing_order=())) is None
+
+
+def test_a_large_engine_has_its_guide_force_moments_on_the_page() -> None:
+    engine = marine_engine()
+    shown = torque(engine)
+    assert shown is not None
+    titles = [table.title for table in shown.loads[0].tables]
+    assert titles[-1] == "Guide-force moments"
+    found = guide_moments(engine, cycle(engine))
+    assert len(shown.loads[0].tables[-1].rows) == len(found.noted())
+    small = torque(load("audi-25-tfsi"))
+    assert small is not None
+    assert all("Guide" not in table.title for table in small.loads[0].tables)

@@ -30,6 +30,7 @@ from crankstar.page.cycle_records import Chamber, Exhaust, Load, Pipe, Torque, W
 from crankstar.page.printed import printed
 from crankstar.page.unit_records import Unit
 from crankstar.spectra import Complex, Real, Spectrum
+from crankstar.tables.marine import large_engine_table
 from crankstar.tables.meshes import mesh_table
 from crankstar.tables.table import Table
 from crankstar.tables.torque import friction_torque, notes
@@ -217,11 +218,14 @@ def _loads(
 
 
 def _tables(engine: Engine, burning: Cycle, running: Running | None) -> Iterator[Table]:
-    """Side thrust, and gears between crankshafts where there are any."""
+    """Side thrust, gears between crankshafts, guide-force moments of a large engine."""
     gears = mesh_table(engine, burning, running=running)
     if gears is not None:
         yield gears
     yield side_thrust_table(engine, burning, machine=False)
+    guide = large_engine_table(engine, burning)
+    if guide is not None:
+        yield guide
 
 
 def _waves(found: Cycle, orders: Real, chambers: Sequence[int]) -> Iterator[Wave]:

@@ -10,6 +10,7 @@ from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.html import paragraph
+from crankstar.tables.marine import large_engine_table
 from crankstar.tables.table import Remarks, Table
 from crankstar.tables.torque import torque_document
 
@@ -56,4 +57,6 @@ def _tables(subject: Subject) -> list[Table | Remarks]:
         running = None
     document = torque_document(subject.engine, found, running=running)
     first, *parts = document.parts  # the heading of the engine stands on the first page
-    return parts if isinstance(first, Remarks) else [first, *parts]
+    own = parts if isinstance(first, Remarks) else [first, *parts]
+    guide = large_engine_table(subject.engine, found)
+    return own if guide is None else [*own, guide]

@@ -7,11 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import scales, unit_unbalance
 from crankstar.mechanics.external_moments import USUAL, ExternalMoments, unbalance_class
-from crankstar.mechanics.guide_moments import GuideMoments
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.studies.marine import MarineAnalysis
 from crankstar.tables.headings import heading
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
@@ -20,6 +22,8 @@ RPM = 30 / pi
 MM = 1e3
 CLASSED = (1.0, 2.0)
 """Orders for which the makers class the power-related unbalance."""
+LARGE_BORE = 0.2
+"""m, of engines that stand in ships and power plants: their guide-force moments matter."""
 SILENT = 1e-9
 """Share of the greatest moment below which one has no phase to tell."""
 
@@ -34,7 +38,7 @@ def marine_document(
     if found.compensators:
         parts.append(_compensator_table(found))
     if found.guide is not None:
-        parts.append(_guide_table(found.guide, bracing, every=machine))
+        parts.append(guide_table(found.guide, bracing, every=machine))
     if found.speeds.size:
         parts.append(_speed_table(found))
     if not machine:
@@ -151,10 +155,10 @@ def _compensator_table(found: MarineAnalysis) -> Table:
     return Table(_("Compensators"), columns, rows, key="compensators")
 
 
-def _guide_table(
-    guide: GuideMoments, bracing: tuple[float, float] | None, *, every: bool = False
+def guide_table(
+    guide: GuideMoments, bracing: tuple[float, float] | None = None, *, every: bool = False
 ) -> Table:
-    """H and X of each order, and what they push the top bracings with."""
+    """H and X of each order of note, or `every`, and what they push the top bracings with."""
     columns = [
         Column(_("order"), key="order", label=True),
         Column(_("H-moment"), "N*m", "wave", key="h"),
@@ -179,6 +183,16 @@ def _guide_table(
                 row.append(abs(bimoment) / (bracing[0] * bracing[1]))
         rows.append(tuple(row))
     return Table(_("Guide-force moments"), tuple(columns), tuple(rows), key="guide")
+
+
+def large_engine_table(engine: Engine, cycle: Cycle) -> Table | None:
+    """The guide-force moments of an engine of LARGE_BORE with one crankshaft; None of others."""
+    if (engine.first.bore or 0.0) < LARGE_BORE:
+        return None
+    try:
+        return guide_table(guide_moments(engine, cycle))
+    except MarineError:
+        return None
 
 
 def _speed_table(found: MarineAnalysis) -> Table:
