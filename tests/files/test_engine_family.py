@@ -148,6 +148,7 @@ def test_a_row_that_no_order_fills_is_told(run: Run, tmp_path: Path) -> None:
         (("--numbers", "5..99"), "give numbers of cylinders from 2 to 14"),
         (("--numbers", "7..5"), "give numbers of cylinders from 2 to 14"),
         (("--given", "1-2-2"), "give a firing order"),
+        (("--given", "1-2", "--numbers", "5,6"), "engines of 2 cylinders are not listed"),
         (("--chain-drive", "600 mm"), "give a number of cylinders, a colon"),
         (("--chain-drive", "9: 0 mm"), "greater than 0"),
         (("--minimise", "Q1"), "There is no quantity"),

@@ -68,6 +68,15 @@ def test_readers_are_told_what_is_counted_and_left_out(run: Run, tmp_path: Path)
     assert "since forces remain, they differ about other points" in out
 
 
+def test_without_a_speed_the_greatest_of_those_asked_for_counts(run: Run, tmp_path: Path) -> None:
+    place = written(tmp_path, speed=None, gas=None)
+    out = json.loads(run("marine", place, "--speeds", "52 rpm, 104 rpm", "--json").out)
+    assert out["speed_rpm"] == pytest.approx(104)
+    assert out["speeds"][1]["m2v"] == pytest.approx(out["moments"][1]["vertical"]["amplitude"])
+    bare = json.loads(run("marine", "i4", "--speeds", "52 rpm, 104 rpm", "--json").out)
+    assert "speeds" not in bare
+
+
 def test_rounding_is_no_force(run: Run) -> None:
     out = json.loads(run("marine", "v8-cross-plane", "--json").out)
     assert out["moments"][-1]["force_horizontal"] == 0

@@ -58,14 +58,15 @@ def guide(
 
     form = form_of(output, TABLES, json=json, csv=csv)
     words = SearchWords(minimise=minimise, limit=limit or [], best="1")
-    loaded, turning, counts, orders, share = together(
+    loaded, turning, counts, share = together(
         partial(loaded_engine, engine, settings),
         partial(request.speed, speed),
         partial(asked.numbers_of_cylinders, numbers),
-        partial(asked.firing_orders, given),
         partial(horizontal_share, first_order),
     )
-    drive = asked.chain_drive(chain_drive, loaded)
+    orders, drive = together(
+        partial(asked.firing_orders, given, counts), partial(asked.chain_drive, chain_drive, loaded)
+    )
     with working(_("Searching firing orders ...")), words_for(form):
         members = engine_family(
             loaded,

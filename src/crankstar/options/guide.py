@@ -38,14 +38,23 @@ def numbers_of_cylinders(text: str | None) -> tuple[int, ...]:
     return tuple(sorted(found))
 
 
-def firing_orders(texts: Sequence[str] | None) -> tuple[tuple[int, ...], ...]:
-    """Firing orders, each with all its cylinders. Raises RequestError."""
+def firing_orders(
+    texts: Sequence[str] | None, numbers: Sequence[int]
+) -> tuple[tuple[int, ...], ...]:
+    """Firing orders, each with all its cylinders, of these numbers. Raises RequestError."""
     found: list[tuple[int, ...]] = []
     for text in texts or ():
         words = re.split(r"[-\s]+", text.strip())
         order = tuple(int(word) for word in words if re.fullmatch(r"\d{1,2}", word))
         if len(order) < len(words) or sorted(order) != list(range(1, len(order) + 1)):
             raise refusal("--given", text, "give a firing order, as in 1-7-2-5-4-3-6; repeatable")
+        if len(order) not in numbers:
+            raise refusal(
+                "--given",
+                text,
+                "engines of {count} cylinders are not listed; see --numbers",
+                count=len(order),
+            )
         found.append(order)
     return tuple(found)
 

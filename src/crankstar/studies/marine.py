@@ -75,12 +75,12 @@ def marine(
 ) -> MarineAnalysis:
     """The external and guide-force moments of an engine at an operating point and speed (rad/s).
 
-    `horizontal_share` has weights at the ends that make this share of the first-order moment
-    horizontal; `compensate` has the orders whose vertical moment is to be compensated, with the one
-    place z or two at which that is done, about `node` (z) where there is one; `phase_error` (rad)
-    is by how much the compensators are late.
-    `power` (W) stands before that of the operating point. Raises RemedyError, and GasError for a
-    point that the engine has not.
+    Without a speed it is the greatest of `speeds`. `horizontal_share` has weights at the ends that
+    make this share of the first-order moment horizontal; `compensate` has the orders whose vertical
+    moment is to be compensated, with the one place z or two at which that is done, about `node` (z)
+    where there is one; `phase_error` (rad) is by how much the compensators are late. `power` (W)
+    stands before that of the operating point. Raises RemedyError, and GasError for a point that the
+    engine has not.
 
     >>> from crankstar.files.catalog import load
     >>> changes = {"layout.bore_pitch": "1.6 m", "cylinder.reciprocating_mass": "9 t"}
@@ -92,6 +92,9 @@ def marine(
     found, why = _cycle(engine, point, speed)
     turning = found.speed if found is not None else speed
     turning = engine.speed if turning is None else turning
+    over = np.unique(np.asarray(speeds, float))
+    if turning is None and over.size:
+        turning = float(over[-1])
     changed = engine
     if horizontal_share is not None:
         changed = with_end_weights(changed, share=horizontal_share)
@@ -125,7 +128,7 @@ def marine(
         cycle=found,
         without_guide=why,
         power=_power(found) if power is None else power,
-        speeds=np.unique(np.asarray(speeds, float)),
+        speeds=over,
     )
 
 

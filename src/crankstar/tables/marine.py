@@ -39,7 +39,7 @@ def marine_document(
         parts.append(_compensator_table(found))
     if found.guide is not None:
         parts.append(guide_table(found.guide, bracing, every=machine))
-    if found.speeds.size:
+    if found.speeds.size and found.after.speed is not None:
         parts.append(_speed_table(found))
     if not machine:
         parts += [*remarks(*_notes(found, bracing), kind="note")]
