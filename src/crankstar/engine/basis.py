@@ -165,6 +165,13 @@ class BalanceShaft(Record):
         max_length=GREATEST_WEIGHTS,
         description="its weights",
     )
+    phase: Angle = Field(
+        default=0.0,
+        description=(
+            "how far its gear or chain turns it clockwise from the angles of its weights, which "
+            "all turn with it"
+        ),
+    )
     bearings: Bearings = ()
 
 

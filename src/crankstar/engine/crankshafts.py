@@ -49,10 +49,7 @@ def equipped(engine: Engine, basis: Basis) -> Engine:
         good = [w for w, own in zip(crankshaft.weights, wrong, strict=True) if not own]
         shafts.append(_with(shaft, with_values(crankshaft, weights=tuple(good))))
     shafts += engine.shafts[len(shafts) :]
-    shafts += [
-        checked(Shaft, {key: getattr(shaft, key) for key in BalanceShaft.model_fields})
-        for shaft in basis.balance_shafts
-    ]
+    shafts += [_balancing(shaft) for shaft in basis.balance_shafts]
     try:
         whole = with_values(engine, shafts=tuple(shafts))
     except EngineError as error:
@@ -61,6 +58,15 @@ def equipped(engine: Engine, basis: Basis) -> Engine:
     if faults:
         raise EngineError(faults)
     return whole
+
+
+def _balancing(shaft: BalanceShaft) -> Shaft:
+    """A shaft without throws, its weights turned by the phase of its gear."""
+    values = {key: getattr(shaft, key) for key in BalanceShaft.model_fields if key != "phase"}
+    if shaft.phase:
+        turned = (with_values(own, angle=wrapped(own.angle + shaft.phase)) for own in shaft.weights)
+        values["weights"] = tuple(turned)
+    return checked(Shaft, values)
 
 
 def _in_file(fault: Fault, cranks: int) -> Fault:
@@ -118,4 +124,5 @@ def crankshaft(shaft: Shaft) -> Crankshaft:
 
 def balance_shaft(shaft: Shaft) -> BalanceShaft:
     """A shaft without throws as a short file gives it."""
-    return BalanceShaft(**{key: getattr(shaft, key) for key in BalanceShaft.model_fields})
+    own = (key for key in BalanceShaft.model_fields if key != "phase")
+    return BalanceShaft(**{key: getattr(shaft, key) for key in own})
