@@ -58,7 +58,7 @@ class Quantity:
         number = handler(schema)
         text = {
             "type": "string",
-            "description": f"a number with a unit of {self.dimension}",
+            "description": f"a number with a unit of {self.dimension}; a tolerance behind +-",
             "examples": [self.example],
             "x-dimension": self.dimension,
             "x-relative-to": sorted(self.relative_to),

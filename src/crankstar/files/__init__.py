@@ -2,6 +2,7 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `plus_minus` | a value and its tolerance, as texts |
 | `units` | text with a unit to an SI number, and back |
 | `forms` | the short and the explicit form as records |
 | `errors` | the error of a file |
@@ -12,6 +13,8 @@
 | `traces` | a measured pressure from the CSV file that an engine file names |
 | `source` | a file to its text and its tree of keys |
 | `changes` | values of a tree set by key path |
+| `tolerances` | how far each value may be off |
+| `typical_tolerances` | tolerances of pistons and rods as published |
 | `parts` | the weighed parts of a cylinder added up to its masses |
 | `chains` | a drive line without cylinders from a file of its own |
 | `read` | a tree of keys to an Engine, with every fault at once |
@@ -19,6 +22,7 @@
 | `filling` | values filled in, each with its source and range |
 | `estimate` | masses and lengths that a file leaves out |
 | `write` | Engines to TOML, the JSON Schema |
+| `carried_tolerances` | tolerances carried into the engine part by part |
 | `rewritten` | a changed engine in the form of the file it came from |
 | `crank_layouts` | layouts for another number of cylinders: the cranks of each kind |
 | `rearranged` | a file with another number of cylinders, crank or firing order |

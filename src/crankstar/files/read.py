@@ -38,6 +38,7 @@ from crankstar.files.mistakes import (
 )
 from crankstar.files.parts import tells_mass, with_sums
 from crankstar.files.source import read_tree
+from crankstar.files.tolerances import tolerance_faults, without_tolerances
 from crankstar.language.faults import EngineError, Fault, where
 from crankstar.language.quoting import seen
 
@@ -89,18 +90,21 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     if is_drive_line(tree):
         raise EngineFileError(name, [Fault((), "form.drive-line")])
     explicit = is_explicit(tree)
+    given, tolerances = tree, tolerance_faults(tree)
+    tree = without_tolerances(tree)
     whole, contradictions = with_sums(tree)
     draft = _explicit(whole) if explicit else _short(whole)
     # an explicit file that was made from a layout keeps the sources of its dimensions
     layouts = LAYOUTS if explicit or _layout_faults(tree.get("layout")) else ()
     forms = chain([form_of(tree)], map(short_form, layouts))
-    faults = [*draft.faults, *_elsewhere(contradictions, draft.faults)]
+    faults = [*tolerances, *_elsewhere(draft.faults, tolerances)]
+    faults += _elsewhere(contradictions, draft.faults)
     faults += _elsewhere([*unknown_sources(tree, forms), *range_faults(tree)], draft.faults)
     faults = _without_repeats(in_file(tree, faults, explicit=explicit))
     cells: Mapping[KeyPath, str] = {}
-    if isinstance(tree, SpreadsheetTree):
-        known = [fault for fault in tree.faults if fault.path]
-        faults, cells = [*tree.faults, *_elsewhere(faults, known)], tree.cells
+    if isinstance(given, SpreadsheetTree):
+        known = [fault for fault in given.faults if fault.path]
+        faults, cells = [*given.faults, *_elsewhere(faults, known)], given.cells
     if faults or draft.engine is None:
         raise EngineFileError(name, faults, cells)
     return draft.engine

@@ -20,6 +20,7 @@ from crankstar.engine.copies import throws_of_weights, with_values, wrapped
 from crankstar.engine.crankshafts import balance_shaft, crankshaft
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Identity, Shaft
+from crankstar.files.carried_tolerances import carried
 from crankstar.files.errors import EngineFileError
 from crankstar.files.forms import is_explicit
 from crankstar.files.mistakes import Tree, copied
@@ -42,12 +43,12 @@ def rewritten(tree: Mapping[str, Any], engine: Engine) -> Tree:
     >>> weighted["layout"] == tree["layout"], len(weighted["crankshaft"][0]["weight"])
     (True, 3)
     """
-    return _short(dict(tree), engine) or explicit(engine)
+    return _short(dict(tree), engine) or carried(explicit(engine), tree)
 
 
 def rewritten_by_parts(tree: Mapping[str, Any], engine: Engine) -> Tree:
     """The same, without the sources of keys that it does not have: a tree to go on working with."""
-    return _short(dict(tree), engine) or part_by_part(engine)
+    return _short(dict(tree), engine) or carried(part_by_part(engine), tree)
 
 
 def _short(tree: Tree, engine: Engine) -> Tree | None:

@@ -16,6 +16,7 @@ from typing import Any, Literal, NamedTuple, get_args, get_origin
 
 from crankstar.engine.records import Record
 from crankstar.files.forms import by_key, field_at, form_of, quantity_of, record_in
+from crankstar.files.plus_minus import parted, with_unit
 
 MAIN = "engine"
 HEADS = ("key", "value", "unit", "status", "source", "meaning")
@@ -228,6 +229,8 @@ def _cell(value: Any, *, measured: bool) -> tuple[Cell, str | None]:
         if len(units) == 1:
             return ", ".join(_short(number) for number, _ in cells), units.pop()
         return "; ".join(map(str, value)), None
+    if parted(value):
+        return value, None
     match = _MEASURED.fullmatch(value.strip()) if measured and isinstance(value, str) else None
     return (value, None) if match is None else (_number(float(match[1])), match[2].strip())
 
@@ -259,6 +262,8 @@ def value_of(cell: Cell, unit: str | None, annotation: Any) -> Any:
         number = _number(float(cell))
         return f"{number!r} {unit}" if unit else str(number) if text else number
     words = str(cell).strip()
+    if unit and not text and (toleranced := with_unit(words, unit)):
+        return toleranced
     if text or not unit or _MEASURED.fullmatch(words) or not any(map(str.isdigit, words)):
         return cell  # as it was typed, where it is no number that wants the unit
     return f"{str(cell).strip()} {unit}"
@@ -278,7 +283,7 @@ def _item(item: Any, unit: str | None) -> Any:
     """An item of a list: a number, a number with a unit, or text."""
     text = _short(item) if isinstance(item, int | float) else str(item).strip()
     if unit:
-        return text if _MEASURED.fullmatch(text) else f"{text} {unit}"
+        return text if _MEASURED.fullmatch(text) else with_unit(text, unit) or f"{text} {unit}"
     try:
         return _number(float(text))
     except (ValueError, OverflowError):

@@ -2,7 +2,8 @@
 
 A bare number is SI (radians for angles), and is refused where nobody can have meant that: a stroke
 of 82.5 m, an angle of 90 rad, a speed without unit. The units are those of `language.units`; where
-a force or a moment is wanted, pounds and ounces are their weight.
+a force or a moment is wanted, pounds and ounces are their weight. A tolerance behind a value is
+left to `tolerances`.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from collections.abc import Callable
 from typing import Any, Literal, NamedTuple
 
 from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE, Quantity
+from crankstar.files.plus_minus import nominal
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
 from crankstar.language.units import SIGNS, as_weight, definitions, measured
@@ -181,6 +183,7 @@ def _implausible(value: Any, number: float, quantity: Quantity) -> ValueFaultErr
 
 def _read(value: Any, quantity: Quantity) -> tuple[float, bool]:
     """The SI number and whether it had a unit."""
+    value = nominal(value)
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise _fault("unit.needed", value, quantity)
     if not isinstance(value, str):

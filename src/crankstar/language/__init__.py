@@ -12,6 +12,7 @@
 | `engine_faults` | the sentence of each fault of an engine |
 | `gas_faults` | the sentence of each fault of gas, trace and drive |
 | `mount_faults` | the sentence of each fault of a block, its mounts and its foundation |
+| `tolerance_faults` | the sentence of each fault of a tolerance |
 | `torsion_faults` | the sentence of each fault of a chain that twists |
 | `file_faults` | the sentence of each fault of an engine file |
 | `search_faults` | the sentence of each fault of a search |

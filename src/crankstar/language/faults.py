@@ -21,6 +21,7 @@ from crankstar.language import (
     mount_faults,
     search_faults,
     server_faults,
+    tolerance_faults,
     torsion_faults,
 )
 from crankstar.language.messages import MessageError, Plural, _, _n
@@ -31,6 +32,7 @@ SENTENCES: dict[str, str | Plural] = {
     **file_faults.SENTENCES,
     **gas_faults.SENTENCES,
     **mount_faults.SENTENCES,
+    **tolerance_faults.SENTENCES,
     **torsion_faults.SENTENCES,
     **search_faults.SENTENCES,
     **server_faults.SENTENCES,

@@ -1,0 +1,83 @@
+"""Tolerances that an engine file does not give, as makers of car engines publish them.
+
+They are limits for the weights of pistons and rods of one engine; nothing is known of other
+values, which get none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import MASS
+from crankstar.files.forms import is_explicit
+from crankstar.files.mistakes import Path
+from crankstar.files.tolerances import Tolerance
+from crankstar.language.messages import MessageError
+
+PISTON = (0.0025, "lada2107")
+"""Of a piston, kg. Source: service manual VAZ-2107, section 3.8.7: pistons of one engine within
+2.5 g either way."""
+ROD = (0.0025, "fiat-elearn")
+"""Of a connecting rod, kg. Source: Fiat eLearn, operation 1028H60, permitted difference in weight
+between connecting rods."""
+HEAVIEST = 2.0
+"""Kilograms that go up and down in a cylinder: those of car engines are lighter."""
+
+
+class Assumed(NamedTuple):
+    """A tolerance that is assumed, and the reference of its source."""
+
+    tolerance: Tolerance
+    source: str
+
+
+class TypicalError(MessageError):
+    """An engine for which no such tolerances are published."""
+
+
+def typical(tree: Mapping[str, Any], engine: Engine) -> dict[str, Assumed]:
+    """Tolerances of pistons and rods by key path; of rods at the pin, unless they are bodies.
+
+    Raises TypicalError where masses are not known or are not those of a car engine.
+
+    >>> from crankstar.files.catalog import load, tree_of
+    >>> own = typical(tree_of("honda-b18c")[1], load("honda-b18c"))
+    >>> [(path, each.tolerance.bound) for path, each in own.items()]
+    [('cylinder.reciprocating_mass', 0.0025), ('cylinder.rod.mass', 0.0025)]
+    """
+    if "mass" in engine.relative:
+        raise TypicalError(
+            "{engine} has no masses, for which typical tolerances are in grams; give {key}",
+            engine=engine.name,
+            key="cylinder.reciprocating_mass",
+        )
+    heaviest = max(cylinder.reciprocating for cylinder in engine.cylinders)
+    if heaviest > HEAVIEST:
+        raise TypicalError(
+            "{mass} kg go up and down in a cylinder of {engine}; typical tolerances are those of "
+            "car engines, up to {most} kg: give its own",
+            engine=engine.name,
+            mass=f"{heaviest:.4g}",
+            most=f"{HEAVIEST:g}",
+        )
+    out: dict[str, Assumed] = {}
+    for keys, value, (bound, source) in _values(tree, engine):
+        own = Tolerance(keys, value, bound, MASS)
+        out[own.path] = Assumed(own, source)
+    return out
+
+
+def _values(
+    tree: Mapping[str, Any], engine: Engine
+) -> Iterator[tuple[Path, float, tuple[float, str]]]:
+    """The masses of pistons and rods, with the tolerance of each."""
+    explicit = is_explicit(tree)
+    cylinders = engine.cylinders if explicit else engine.cylinders[:1]
+    for place, cylinder in enumerate(cylinders):
+        here: Path = ("cylinders", place) if explicit else ("cylinder",)
+        yield (*here, "reciprocating_mass"), cylinder.reciprocating_mass, PISTON
+        rod = ("rod", "mass") if cylinder.rod is not None else ("rotating_mass",)
+        value = cylinder.rod.mass if cylinder.rod is not None else 0.0
+        yield (*here, *rod), value, ROD
