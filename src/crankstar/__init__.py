@@ -20,7 +20,7 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `options/` | what is typed in a command line or a dialog, read as checked values |
 | `charts/` | figures, one function each |
 | `tables/` | every analysis as a table: terminal, HTML, CSV, JSON, spreadsheet; the verdict |
-| `studies/` | the same analysis over many values or engines: sweeps, best values, batches |
+| `studies/` | the same analysis over many values or engines: sweeps, batches, tolerances |
 | `search/` | crank stars, and nothing else, searched to the end with proof; executors |
 | `derive/` | exact closed forms step by step; their `algebra/`; `errata/` of published formulas |
 | `remedy/` | what is sized and added so that it shakes less: weights, shafts; gives an Engine |
@@ -67,6 +67,7 @@ if TYPE_CHECKING:
     from crankstar.remedy.counterweights import with_counterweights
     from crankstar.remedy.shafts import with_balance_shaft
     from crankstar.studies.marine import MarineAnalysis, marine
+    from crankstar.studies.scatter import Scatter, scatter
     from crankstar.studies.sweep import sweep, watched
     from crankstar.tables.comparison import compare
     from crankstar.tables.verdict import verdict
@@ -95,6 +96,7 @@ _HOMES = {
     "remedy.counterweights": ("with_counterweights",),
     "remedy.shafts": ("with_balance_shaft",),
     "studies.marine": ("MarineAnalysis", "marine"),
+    "studies.scatter": ("Scatter", "scatter"),
     "studies.sweep": ("sweep", "watched"),
     "tables.comparison": ("compare",),
     "tables.verdict": ("verdict",),
@@ -118,6 +120,7 @@ __all__ = [
     "Reference",
     "Rod",
     "Running",
+    "Scatter",
     "Shaft",
     "SideThrust",
     "Throw",
@@ -140,6 +143,7 @@ __all__ = [
     "mounts",
     "names",
     "of_parts",
+    "scatter",
     "side_thrust",
     "signs",
     "sweep",

@@ -35,7 +35,7 @@ MORE: dict[str, dict[str, Any]] = {
 }
 """What the functions need besides an engine."""
 GAS = ("cycle", "driven", "flywheel_for", "side_thrust")
-OWN = {"load", "mounts", "names", "widget"}
+OWN = {"load", "mounts", "names", "scatter", "widget"}
 """They load engines themselves, or ask for more of one than others have."""
 
 

@@ -1,4 +1,4 @@
-"""Studies of an engine: one or two values varied, many variants at once.
+"""Studies of an engine: one or two values varied, many variants at once, tolerances.
 
 | module, bottom to top | one line |
 |---|---|
@@ -17,4 +17,10 @@
 | `sweep` | one or two values of an engine file varied, and what becomes of its quantities |
 | `best_value` | the least or greatest of a curve, refined between its points |
 | `best_pair` | the best pair of two values, and the pairs that none beats in two results |
+| `pitch_errors` | errors of the distances between cylinders |
+| `error_sources` | the independent errors behind the tolerances of a file, and what they move |
+| `linear_law` | mean, rms and worst case of each order to first order in these errors |
+| `unit_parts` | the parts of an engine at unit mass: masses and angles of many engines at once |
+| `builds` | engines built at random within their tolerances |
+| `scatter` | the scatter of an engine: law, random engines, what matters most |
 """
