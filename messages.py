@@ -105,6 +105,8 @@ MESSAGE_ERRORS = [
     "WeighingError",
     "JudgingError",
     "MountError",
+    "ScatterError",
+    "TypicalError",
 ]
 """Errors that are raised with a sentence and its values."""
 PYTHON = Domain(

@@ -44,6 +44,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `balance_shafts` | the balance shafts from the front and from the side |
 | `curve_names` | the results of a sweep in the words of the field |
 | `sweeps` | a result over a number of the engine |
+| `scatter` | the amplitudes of engines built to their tolerances, and what matters most |
 | `contour_lines` | lines along which a result has one value, with their labels |
 | `pair_sweeps` | results over two numbers of the engine, and the front of two results |
 | `amplitude_curves` | amplitudes over the speed |
@@ -98,6 +99,7 @@ if TYPE_CHECKING:
     from crankstar.charts.pressures import pressure_chart
     from crankstar.charts.registry import CHARTS, Figure, side_by_side
     from crankstar.charts.saving import SUFFIXES, saved, saved_print
+    from crankstar.charts.scatter import scatter_chart
     from crankstar.charts.search_stars import best_stars
     from crankstar.charts.side_thrusts import side_thrust_chart
     from crankstar.charts.spectra import spectrum
@@ -144,6 +146,7 @@ __all__ = [
     "printed",
     "saved",
     "saved_print",
+    "scatter_chart",
     "sequence_chart",
     "sequence_stars",
     "shaft_elevation",
@@ -184,6 +187,7 @@ _HOMES = {
     "pressures": ("pressure_chart",),
     "registry": ("CHARTS", "Figure", "side_by_side"),
     "saving": ("SUFFIXES", "saved", "saved_print"),
+    "scatter": ("scatter_chart",),
     "search_stars": ("best_stars",),
     "torsion_fronts": ("sequence_stars",),
     "side_thrusts": ("side_thrust_chart",),

@@ -29,6 +29,7 @@
 | `drawing` | draw, animate |
 | `sounding` | sound |
 | `sweeping` | sweep |
+| `tolerances` | tolerance |
 | `showing` | page |
 | `siting` | site |
 | `reporting` | report |

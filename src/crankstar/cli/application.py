@@ -71,6 +71,7 @@ VERBS = {
     "sound": "sounding:sound",
     "strokes": "inspect:strokes",
     "sweep": "sweeping:sweep",
+    "tolerance": "tolerances:tolerance",
     "torque": "torque:torque",
     "torsion": "torsion:torsion",
     "vees": "firing:vees",

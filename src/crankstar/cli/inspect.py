@@ -22,6 +22,7 @@ from crankstar.cli.options import (
     Speed,
     Theta,
     command_text,
+    engine_over_ranges,
     engine_tree,
     loaded_engine,
     loaded_values,
@@ -73,12 +74,13 @@ def show(
 ) -> None:
     """Show an engine: throws, cylinders, dead centres, firing order and source of each value."""
     from crankstar.files import explicit as part_by_part
+    from crankstar.files.carried_tolerances import carried
     from crankstar.tables.engines import description
     from crankstar.tables.ranges import ranged
 
-    loaded, spread = loaded_values(engine, settings, estimate=False)
+    (loaded, spread), own = engine_over_ranges(engine, settings, estimate=False)
     if explicit:
-        write_tree(part_by_part(loaded), output)
+        write_tree(carried(part_by_part(loaded), own), output)
     else:
         tree, form = engine_tree(engine, settings, loaded), form_of(output, TABLES)
         with words_for(form):
@@ -274,14 +276,17 @@ def verdict(
     """State in short sentences which orders balance, which remain, and what would cure them."""
     from crankstar.remedy.fitting import recommended
     from crankstar.tables import verdict as tables
+    from crankstar.tables.built_facts import with_built
     from crankstar.tables.ranges import with_doubt
     from crankstar.tables.table import remarks
     from crankstar.tables.verdict_ranges import ranged_facts
 
-    (loaded, spread), turning = together(
-        partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
+    ((loaded, spread), tree), turning = together(
+        partial(engine_over_ranges, engine, settings, estimate=estimate),
+        partial(request.speed, speed),
     )
     facts = ranged_facts(partial(tables.verdict, speed=turning), spread, loaded)
+    facts = with_built(facts, tree, loaded.name, speed=turning)
     document = with_doubt(tables.verdict_document(loaded, facts), loaded)
     if recommended(loaded) is not None:
         how = _(

@@ -6,6 +6,7 @@
 | `media` | the part of the vocabulary about films and sounds |
 | `goals` | the part of the vocabulary about searches |
 | `loads` | the part of the vocabulary about operating points |
+| `scatter` | the part of the vocabulary about tolerances |
 | `vocabulary` | every option of every command: what it takes, what it means |
 | `names` | the option that an unknown name stands for |
 | `refusals` | requests that cannot be met |

@@ -9,6 +9,7 @@ from crankstar.options.entries import Option
 from crankstar.options.goals import GOALS
 from crankstar.options.loads import LOADS
 from crankstar.options.media import FILMS_AND_SOUNDS
+from crankstar.options.scatter import SCATTER
 
 _MOST = {
     "--all": Option("nothing", "All stars within the limits."),
@@ -369,7 +370,7 @@ _MOST = {
     ),
     "--yes": Option("nothing", "Search even if it takes more than an hour."),
 }
-OPTIONS = dict(sorted((_MOST | FILMS_AND_SOUNDS | GOALS | LOADS).items()))
+OPTIONS = dict(sorted((_MOST | FILMS_AND_SOUNDS | GOALS | LOADS | SCATTER).items()))
 """Every option by its name."""
 
 

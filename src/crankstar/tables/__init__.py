@@ -35,6 +35,7 @@
 | `sweep_ranges` | the ranges of a sweep of an estimated engine |
 | `sweeps` | a sweep and its best value |
 | `pair_sweeps` | a sweep of two numbers, its best pairs and its front |
+| `scatter` | the scatter of an engine built to its tolerances |
 | `over_speeds` | amplitudes over the speed |
 | `wear` | where journals and pins are pressed most and least |
 | `oil_films` | specific pressures of main bearings and crank pins, and their least oil film |
@@ -60,6 +61,7 @@
 | `firing_facts` | layout, firing and exhaust pulses as sentences of the verdict |
 | `relatives` | engines of the catalog with the same balance |
 | `verdict` | the verdict |
+| `built_facts` | what a verdict says of engines built to their tolerances |
 | `verdict_ranges` | the verdict on an estimated engine |
 | `summary` | how an engine shakes, in ten lines |
 | `analysis` | force, couple and moments by order, as `analyze` shows them |

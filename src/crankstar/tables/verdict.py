@@ -61,7 +61,7 @@ MOMENTS = {
 class Fact(NamedTuple):
     """A sentence and its subject.
 
-    One of layout, firing, units, force, couple, roll, torsion, cure, relatives.
+    One of layout, firing, units, force, couple, roll, torsion, tolerances, cure, relatives.
     """
 
     about: str
@@ -130,6 +130,7 @@ def subjects() -> dict[str, str]:
         "couple": _("couple"),
         "roll": _("rolling moment"),
         "torsion": _("torsion"),
+        "tolerances": _("as built"),
         "cure": _("remedy"),
         "relatives": _("comparison"),
     }

@@ -1,0 +1,188 @@
+"""The amplitudes of engines built to their tolerances, and which tolerance matters most."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from crankstar.charts.canvas import curve_height, half_width
+from crankstar.charts.drawing import (
+    BLUE,
+    GREEN,
+    GREY,
+    VERMILION,
+    ChartError,
+    Panel,
+    brief,
+    figure,
+    heading,
+    layered,
+)
+from crankstar.charts.grammar import COLOUR, Chart, constant, field, of_rows, span
+from crankstar.charts.letters import SMALL, folded, text_width
+from crankstar.language.messages import _
+from crankstar.language.numbers import number, order_text, unit_text
+from crankstar.language.shown_units import shown
+from crankstar.studies.scatter import OrderScatter, Scatter
+from crankstar.tables.scatter import NAMES
+
+CLASSES = 48
+"""Bars of a histogram."""
+BARS = 6
+"""Tolerances with a bar of their own; the others are added up."""
+MOST_ROWS = 6
+HEIGHT = 170
+HEADROOM = 1.3
+"""Where the axis of counts ends, in highest bars: room for the words at the rules."""
+
+
+def rows_of(
+    found: Scatter, *, quantities: Sequence[str] = (), orders: Sequence[float] = ()
+) -> list[OrderScatter]:
+    """The orders that are drawn: those asked for, else of force and couple what scatters most.
+
+    Raises ChartError.
+    """
+    names = list(quantities) or ["force", "couple"]
+    out: list[OrderScatter] = []
+    for name in names:
+        own = [row for row in found.rows if row.signal == name and row.rms > 0]
+        if orders:
+            out += [row for row in own if any(abs(row.order - each) < 1e-9 for each in orders)]
+        elif own:
+            out.append(max(own, key=lambda row: row.one_in_20 - row.nominal))
+    if not out:
+        raise ChartError(_("none of these orders scatters; draw others"))
+    return out[:MOST_ROWS]
+
+
+def scatter_chart(
+    found: Scatter, *, quantities: Sequence[str] = (), orders: Sequence[float] = ()
+) -> Chart:
+    """Of each order the engines by amplitude, and the share of each tolerance in the variance.
+
+    Rules mark the engine as drawn and what 5 % of the engines exceed. Raises ChartError.
+    """
+    rows = rows_of(found, quantities=quantities, orders=orders)
+    panels = [[_distribution(found, row), _shares(row, foot=row is rows[-1])] for row in rows]
+    said = _(
+        "{count} engines built at random; right: shares in the variance", count=number(found.count)
+    )
+    return figure(
+        panels,
+        title=_("Engines built to their tolerances"),
+        subtitle=[*heading(found.engine, speed=found.speed), said],
+    )
+
+
+def _distribution(found: Scatter, row: OrderScatter) -> Panel:
+    """How many of the engines have which amplitude, and what 5 % exceed."""
+    sizes = found.amplitudes(row.signal, row.order)
+    unit = shown(row.unit, row.one_in_100)
+    low, high = (float(each) * unit.factor for each in np.quantile(sizes, (0.0, 0.9995)))
+    low = 0.0 if low < 0.25 * high else min(low, row.nominal * unit.factor)
+    high = max(high, row.nominal * unit.factor * (1 + 1e-6), low + 1e-12)
+    counts, edges = np.histogram(sizes * unit.factor, bins=CLASSES, range=(low, high))
+    shares = 100 * counts / len(sizes)
+    width = half_width()
+    top = HEADROOM * float(shares.max())
+    name = _(
+        "{quantity}, order {order}", quantity=_(NAMES[row.signal]), order=order_text(row.order)
+    )
+    x = field(
+        "x:Q",
+        scale=span(low, high),
+        title=folded(f"{name} [{unit_text(unit.unit)}]", width=width),
+        axis={"tickCount": 4},
+    )
+    y = field("y:Q", scale=span(0, top), title=_("engines, %"), axis={"tickCount": 3})
+    body = [
+        {"x": float(a), "x2": float(b), "y": float(share), "y2": 0.0}
+        for a, b, share in zip(edges[:-1], edges[1:], shares, strict=True)
+    ]
+    bars = (
+        of_rows(body)
+        .mark("rect")
+        .encode(x=x, x2=field("x2"), y=y, y2=field("y2"), color=constant(BLUE))
+    )
+    marks = [
+        _mark(row.nominal * unit.factor, _("as drawn"), GREEN, top, 0, low, high),
+        _mark(
+            row.one_in_20 * unit.factor,
+            _("{share} above {size}", share="5 %", size=brief(row.one_in_20 * unit.factor)),
+            VERMILION,
+            top,
+            1,
+            low,
+            high,
+        ),
+    ]
+    rules = of_rows(marks).mark("rule", strokeWidth=2).encode(x=x, color=COLOUR)
+    words = [
+        of_rows([mark])
+        .mark(
+            "text",
+            fontSize=SMALL,
+            align="right" if mark["end"] else "left",
+            dx=-5 if mark["end"] else 5,
+        )
+        .encode(x=x, y=field("y:Q"), text=field("text:N"), color=COLOUR)
+        for mark in marks
+    ]
+    return layered([bars, rules, *words], width=width, height=curve_height(HEIGHT))
+
+
+def _mark(
+    x: float, text: str, colour: str, top: float, line: int, low: float, high: float
+) -> dict[str, Any]:
+    """A rule with its words, on the side where there is room."""
+    room = text_width(text, SMALL) + 12
+    end = (high - x) / (high - low) * half_width() < room
+    return {"x": x, "y": top * (0.95 - 0.1 * line), "text": text, "colour": colour, "end": end}
+
+
+def _shares(row: OrderScatter, *, foot: bool) -> Panel:
+    """The share of each tolerance in the variance, the greatest first."""
+    pairs = list(row.shares.items())
+    shown_pairs = pairs[:BARS] if len(pairs) <= BARS + 1 else pairs[: BARS - 1]
+    rest = sum(share for _path, share in pairs[len(shown_pairs) :])
+    if len(pairs) > len(shown_pairs):
+        others = _("{count} others", count=len(pairs) - len(shown_pairs))
+        shown_pairs.append((others, rest))
+    body = [
+        {
+            "path": path,
+            "from": 0.0,
+            "to": 100 * share,
+            "text": f"{number(float(f'{100 * share:.2g}'))} %",
+        }
+        for path, share in shown_pairs
+    ]
+    y = field(
+        "path:N",
+        sort=None,
+        title=None,
+        scale={"domain": [each["path"] for each in body], "padding": 0.3},
+        axis={"labels": False, "ticks": False, "domain": False},
+    )
+    x = field(
+        "to:Q",
+        scale=span(0, 100),
+        title=_("share in the variance, %") if foot else None,
+        axis={"tickCount": 3},
+    )
+    rows = of_rows(body)
+    bars = rows.mark("bar", height={"band": 0.42}, yOffset=7).encode(
+        x=x, x2=field("from"), y=y, color=constant(BLUE)
+    )
+    text = rows.calculate(label="datum.path + '  ' + datum.text").mark(
+        "text", fontSize=SMALL, color=GREY, align="left", dy=-7
+    )
+    names = text.encode(x=constant(2), y=y, text=field("label:N"))
+    return layered([bars, names], width=half_width(), height=curve_height(HEIGHT))
+
+
+def _two_figures(value: float) -> str:
+    return number(float(f"{value:.2g}"))

@@ -1,0 +1,365 @@
+"""Tolerances in engine files: how they are written, what they may not be, how they are kept."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import random
+from pathlib import Path
+
+import jsonschema
+import openpyxl
+import pytest
+from tests.commands import Run
+from tests.spoilt import TREES
+from tests.texts import check_sentences
+
+import crankstar
+from crankstar.files import (
+    EngineFileError,
+    changed,
+    engine_of,
+    explicit,
+    schema,
+    tree_of,
+    tree_text,
+)
+from crankstar.files.catalog import tree_of as tree_named
+from crankstar.files.plus_minus import parted
+from crankstar.files.rewritten import rewritten
+from crankstar.files.sheets import sheets_of
+from crankstar.files.tolerances import tolerance_faults, tolerances_of, without_tolerances
+from crankstar.files.workbook import workbook_bytes, workbook_tree
+from crankstar.remedy.counterweights import with_counterweights
+
+SIX = """
+format = 1
+name = "six"
+cycle = "four-stroke"
+firing_order = [1, 5, 3, 6, 2, 4]
+speed = "6000 rpm"
+notes = "pistons 650 g +- 2 g"
+[cylinder]
+stroke = "90 mm ± 0.02 mm"
+rod_length = "150 mm +- 0.05 mm"
+reciprocating_mass = "650 g +- 3 g"
+rotating_mass = "500 +- 2 g"
+[layout]
+type = "inline"
+bore_pitch = "100 mm +/- 0.05 %"
+throws = ["0 deg", "240 deg +- 0.2", "120 deg", "120 deg", "240 deg", "0 deg"]
+"""
+PLAIN = SIX.replace(" ± 0.02 mm", "").replace(" +- 0.05 mm", "").replace("650 g +- 3 g", "650 g")
+PLAIN = PLAIN.replace("500 +- 2 g", "500 g").replace(" +/- 0.05 %", "").replace(" +- 0.2", "")
+BOUNDS = {
+    "cylinder.stroke": 2e-5,
+    "cylinder.rod_length": 5e-5,
+    "cylinder.reciprocating_mass": 0.003,
+    "cylinder.rotating_mass": 0.002,
+    "layout.bore_pitch": 5e-5,
+    "layout.throws[2]": 0.2 * 3.14159265358979 / 180,
+}
+
+
+def bounds(tree: dict) -> dict[str, float]:
+    return {path: own.bound for path, own in tolerances_of(tree).items()}
+
+
+def test_a_tolerance_is_read_beside_the_engine() -> None:
+    tree = tree_of(SIX)
+    assert bounds(tree) == pytest.approx(BOUNDS)
+    assert engine_of(tree) == engine_of(tree_of(PLAIN))
+    assert engine_of(tree).notes == "pistons 650 g +- 2 g"
+    assert without_tolerances(tree_of(PLAIN)) == tree_of(PLAIN)
+
+
+@pytest.mark.parametrize(
+    ("text", "bound"),
+    [
+        ("650 g +- 2 g", 0.002),
+        ("650 g±2 g", 0.002),
+        ("650 ± 2 g", 0.002),
+        ("650 g +- 2", 0.002),
+        ("0.65 kg +/- 2 g", 0.002),
+        ("650 g +- 0.5 %", 0.00325),
+        ("650 g + - 2 g", 0.002),
+        ("650 g +- 1e-3 kg", 0.001),
+        ("23 oz +- 0.1 oz", 0.1 * 0.028349523125),
+        ("650 g +- 0 g", 0.0),
+    ],
+)
+def test_a_tolerance_may_be_written_in_many_ways(text: str, bound: float) -> None:
+    tree = changed(tree_of(SIX), {"cylinder.reciprocating_mass": text})
+    assert bounds(tree)["cylinder.reciprocating_mass"] == pytest.approx(bound)
+    engine_of(tree)
+
+
+BAD = {
+    "cylinder.stroke": [
+        ("90 mm +- 2 g", "unit"),
+        ("90 mm +- 3 foo", "unit"),
+        ("90 mm +- 90 mm", "too-large"),
+        ("90 mm +- 120 %", "too-large"),
+        ("90 mm +- -1 mm", "negative"),
+        ("90 mm +- \u22121 mm", "negative"),
+        ("90 mm +- little", "not-a-number"),
+        ("90 mm +-", "not-a-number"),
+    ],
+    "cylinder.offset": [("0 mm +- 5 %", "share-of-nothing")],
+    "cylinder.rod_ratio": [("3.5 +- 0.1", "no-quantity")],
+    "firing_order": [("1 +- 2", "no-quantity")],
+    "layout.throws[2]": [("240 deg +- 2 mm", "unit"), ("240 deg +- ", "not-a-number")],
+    "cylinder.reciprocating_mass": [("650 g +- 700 g", "too-large")],
+}
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "code"),
+    [(path, text, code) for path, each in BAD.items() for text, code in each],
+)
+def test_a_tolerance_that_cannot_be_is_one_sentence(path: str, text: str, code: str) -> None:
+    tree = changed(tree_of(SIX), {path: text})
+    if path == "cylinder.rod_ratio":
+        del tree["cylinder"]["rod_length"]
+    with pytest.raises(EngineFileError) as error:
+        engine_of(tree, name="FILE")
+    check_sentences(error.value)
+    assert [fault.code for fault in error.value.faults] == [f"tolerance.{code}"]
+    assert error.value.faults[0].sentence.startswith(path)
+
+
+@pytest.mark.parametrize(
+    "text", ["90 mm + 1 mm", "90 mm +2 -1", "90 mm +- 1 +- 1", "+- 3 mm", "+-"]
+)
+def test_other_texts_are_refused_as_values(text: str) -> None:
+    with pytest.raises(EngineFileError) as error:
+        engine_of(changed(tree_of(SIX), {"cylinder.stroke": text}), name="FILE")
+    check_sentences(error.value)
+    assert len(error.value.faults) == 1
+
+
+def test_a_mass_of_nothing_may_lie_on_either_side() -> None:
+    tree = changed(tree_of(SIX), {"cylinder.throw_mass": "0 g +- 5 g"})
+    assert bounds(tree)["cylinder.throw_mass"] == pytest.approx(0.005)
+    engine_of(tree)
+
+
+def test_an_engine_without_masses_has_bare_tolerances() -> None:
+    tree = changed(tree_named("i4")[1], {"cylinder.rotating_mass": "0.6 +- 0.01"})
+    assert engine_of(tree).shafts[0].throws[0].rotating_mass == 0.6
+    assert bounds(tree) == {"cylinder.rotating_mass": 0.01}
+    with pytest.raises(EngineFileError):
+        engine_of(changed(tree, {"cylinder.rotating_mass": "0.6 +- 2 g"}))
+
+
+def test_files_keep_their_tolerances() -> None:
+    tree = tree_of(SIX)
+    assert bounds(tree_of(tree_text(tree))) == pytest.approx(BOUNDS)
+    book = workbook_tree(workbook_bytes(sheets_of(tree)), "book.xlsx")
+    assert bounds(book) == pytest.approx(BOUNDS)
+    assert engine_of(book) == engine_of(tree)
+    weighted = rewritten(tree, with_counterweights(engine_of(tree), factor=0.5))
+    assert bounds(weighted) == pytest.approx(BOUNDS)
+
+
+def test_the_explicit_form_keeps_what_it_can_say() -> None:
+    tree = tree_of(SIX)
+    whole = explicit(engine_of(tree))
+    from crankstar.files.carried_tolerances import carried
+
+    parts = carried(whole, tree)
+    assert engine_of(parts) == engine_of(whole)
+    own = bounds(parts)
+    assert own["cylinders[6].reciprocating_mass"] == pytest.approx(0.003)
+    assert own["shaft[1].throw[3].radius"] == pytest.approx(1e-5)
+    assert own["shaft[1].throw[3].rotating_mass"] == pytest.approx(0.002)
+    assert len(own) == 6 * 4
+    heavier = with_counterweights(engine_of(parts), factor=0.5)
+    assert bounds(rewritten(parts, heavier)) == pytest.approx(own)
+
+
+def test_a_spreadsheet_may_have_the_tolerance_beside_the_unit() -> None:
+    book = openpyxl.Workbook()
+    page = book.active
+    page.title = "engine"
+    for row in (
+        ("key", "value", "unit"),
+        ("name", "six", None),
+        ("cycle", "four-stroke", None),
+        ("firing_order", "1-5-3-6-2-4", None),
+        ("layout.type", "inline", None),
+        ("layout.bore_pitch", "100 ± 0.05", "mm"),
+        ("cylinder.stroke", "90 mm +- 0.1 mm", "mm"),
+        ("cylinder.reciprocating_mass", "650 +- 0.5 %", "g"),
+    ):
+        page.append(row)
+    out = io.BytesIO()
+    book.save(out)
+    tree = workbook_tree(out.getvalue(), "book.xlsx")
+    assert bounds(tree) == pytest.approx(
+        {"layout.bore_pitch": 5e-5, "cylinder.stroke": 1e-4, "cylinder.reciprocating_mass": 0.00325}
+    )
+    assert engine_of(tree).first.reciprocating_mass == pytest.approx(0.65)
+
+
+def test_a_fault_of_a_spreadsheet_names_its_cell() -> None:
+    book = openpyxl.Workbook()
+    page = book.active
+    page.title = "engine"
+    for row in (
+        ("key", "value", "unit"),
+        ("name", "one", None),
+        ("layout.type", "inline", None),
+        ("layout.throws", 0, "deg"),
+        ("cylinder.stroke", "90 mm +- 95 mm", None),
+    ):
+        page.append(row)
+    out = io.BytesIO()
+    book.save(out)
+    with pytest.raises(EngineFileError, match="engine!B5"):
+        engine_of(workbook_tree(out.getvalue(), "book.xlsx"), name="book.xlsx")
+
+
+def test_the_schema_allows_tolerances() -> None:
+    tree = json.loads(json.dumps(tree_of(SIX)))
+    jsonschema.validate(tree, schema())
+
+
+def test_tolerances_spoilt_at_random_give_an_engine_or_sentences() -> None:
+    pieces = [
+        "+-",
+        "±",
+        "+/-",
+        "2",
+        "g",
+        "mm",
+        "deg",
+        "%",
+        "-1",
+        "0",
+        "1e9",
+        "1e999",
+        "nan",
+        "x",
+        "",
+    ]
+    for seed in range(120):
+        chance = random.Random(seed)  # noqa: S311
+        tree = chance.choice(TREES)
+        paths = [(keys, text) for keys, text in _texts(tree, ()) if keys[0] != "provenance"]
+        keys, text = chance.choice(paths)
+        new = " ".join([text, "+-" * (seed % 2), *(chance.choice(pieces) for _ in range(3))])
+        spoilt = _put(tree, keys, new)
+        try:
+            engine_of(spoilt, name="FILE")
+        except EngineFileError as error:
+            check_sentences(error)
+        else:
+            assert not tolerance_faults(spoilt)
+            assert all(own.bound >= 0 for own in tolerances_of(spoilt).values())
+
+
+def _texts(value, path):
+    if isinstance(value, dict):
+        for key, item in value.items():
+            yield from _texts(item, (*path, key))
+    elif isinstance(value, list):
+        for place, item in enumerate(value):
+            yield from _texts(item, (*path, place))
+    elif isinstance(value, str):
+        yield path, value
+
+
+def _put(value, path, new):
+    if not path:
+        return new
+    if isinstance(value, dict):
+        return {k: _put(v, path[1:], new) if k == path[0] else v for k, v in value.items()}
+    return [_put(v, path[1:], new) if k == path[0] else v for k, v in enumerate(value)]
+
+
+def test_the_sign_is_looked_for_in_short_texts_only() -> None:
+    assert parted("1 " * 500 + "+- 2") is None
+    assert parted(None) is None
+    assert parted(3.5) is None
+
+
+def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "six.toml"
+    place.write_text(SIX)
+    out = json.loads(run("tolerance", str(place), "--builds", "2000", "--seed", "7", "--json").out)
+    found = crankstar.scatter(str(place), count=2000, seed=7)
+    assert (out["format"], out["builds"], out["seed"]) == (1, 2000, 7)
+    assert out["speed_rpm"] == pytest.approx(6000)
+    assert len(out["orders"]) == len(found.rows)
+    for row, own in zip(out["orders"], found.rows, strict=True):
+        assert (row["signal"], row["order"]) == (own.signal, own.order)
+        assert row["rms"] == pytest.approx(own.rms)
+        assert row["worst"] == pytest.approx(own.worst)
+        assert row["exceeded_by_5_percent"] == pytest.approx(own.one_in_20)
+        shares = {
+            each["tolerance"]: each["share"]
+            for each in out["shares"]
+            if (each["signal"], each["order"]) == (own.signal, own.order)
+        }
+        assert shares == pytest.approx(own.shares)
+    assert {row["path"]: row["bound"] for row in out["tolerances"]} == pytest.approx(BOUNDS)
+    table = run("tolerance", str(place), "--builds", "2000", "--seed", "7", "--csv").out
+    rows = [*csv.DictReader(io.StringIO(table))]
+    assert [float(row["rms"]) for row in rows] == pytest.approx([own.rms for own in found.rows])
+
+
+def test_readers_get_sentences_and_what_is_left_out(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "six.toml"
+    place.write_text(SIX)
+    out = run("tolerance", str(place), "--builds", "5000").out
+    assert "5 % have more than" in out
+    assert "Which tolerance matters" in out
+    assert "Bearing loads, gas and the twist of the crankshaft are left out" in out
+    verdict = run("verdict", str(place)).out
+    assert "as built" in verdict
+    assert "5 % have more than" in verdict
+    assert "as built" not in run("verdict", "i6").out
+
+
+def test_published_tolerances_are_marked_as_assumed(run: Run) -> None:
+    given = ("honda-b18c", "--estimate", "--typical", "--builds", "2000")
+    out = json.loads(run("tolerance", *given, "--json").out)
+    assert out["assumed"] == {
+        "cylinder.reciprocating_mass": "lada2107",
+        "cylinder.rod.mass": "fiat-elearn",
+    }
+    assert "Assumed: cylinder.reciprocating_mass" in run("tolerance", *given).out
+
+
+def test_a_spreadsheet_and_a_picture_are_written(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "six.toml"
+    place.write_text(SIX)
+    run("tolerance", str(place), "--builds", "2000", "-o", "out.xlsx")
+    book = openpyxl.load_workbook(tmp_path / "out.xlsx")
+    assert {"orders", "shares", "tolerances", "engine"} <= set(book.sheetnames)
+    run("tolerance", str(place), "--builds", "2000", "-o", "out.svg", "--quantity", "force,roll")
+    picture = (tmp_path / "out.svg").read_text()
+    assert "as drawn" in picture
+    assert "layout.throws[2]" in picture
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("i4",), "has no tolerances"),
+        (("i4", "--typical"), "has no masses"),
+        (("merlin", "--typical", "--set", "cylinder.reciprocating_mass=3 kg"), "car engines"),
+        (("i4", "--builds", "10"), "--builds 10"),
+        (("i4", "--seed", "-1"), "--seed -1"),
+        (("i4", "--distribution", "flat"), "normal, uniform"),
+        (("i4", "--quantity", "noise"), "--quantity noise"),
+        (("i4", "--orders", "-1"), "--orders"),
+        (("i4", "--set", "cylinder.rotating_mass=0.5 +- 2 g"), "cylinder.rotating_mass"),
+        (("i4", "--set", "speed=3000 rpm +- 1 %"), "no force"),
+        (("i4", "--theme", "dark"), "--theme"),
+    ],
+)
+def test_questions_that_cannot_be_are_one_sentence(refused, words, told) -> None:
+    assert told in refused("tolerance", *words)
