@@ -109,7 +109,7 @@ SECTIONS: dict[type[Record], str] = {
 
 MARK = re.compile(
     r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|gears|left out|orders|estimate|"
-    r"plot|draw|search|sweep|glossary|commands): ?([^\n]*?) ?-->$"
+    r"plot|draw|search|sweep|tolerance|glossary|commands): ?([^\n]*?) ?-->$"
     r"(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
     re.MULTILINE | re.DOTALL,
 )
@@ -164,6 +164,7 @@ def made(kind: str, argument: str) -> str:
         "draw": draw,
         "search": search,
         "sweep": sweep,
+        "tolerance": tolerance,
         "glossary": glossary,
         "commands": commands,
     }
@@ -363,6 +364,12 @@ def draw(words: str) -> str:
 def sweep(words: str) -> str:
     """What `crankstar sweep WORDS` draws."""
     return drawn(f"sweep {words}")
+
+
+@lru_cache
+def tolerance(words: str) -> str:
+    """What `crankstar tolerance WORDS` draws."""
+    return drawn(f"tolerance {words}")
 
 
 def drawn(command: str, *, kind: str = "chart") -> str:
