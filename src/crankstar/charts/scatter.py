@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import ceil, log10
 from typing import Any
 
 import numpy as np
@@ -15,13 +16,12 @@ from crankstar.charts.drawing import (
     VERMILION,
     ChartError,
     Panel,
-    brief,
     figure,
     heading,
     layered,
 )
 from crankstar.charts.grammar import COLOUR, Chart, constant, field, of_rows, span
-from crankstar.charts.letters import SMALL, folded, text_width
+from crankstar.charts.letters import SMALL, folded, text_width, together
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
@@ -33,6 +33,10 @@ CLASSES = 48
 BARS = 6
 """Tolerances with a bar of their own; the others are added up."""
 MOST_ROWS = 6
+SMALL_SHARE = 0.0005
+"""Share below which a tolerance is not drawn."""
+EXTENT = 24
+"""px for the numbers of an axis: panels begin in one line."""
 HEIGHT = 170
 HEADROOM = 1.3
 """Where the axis of counts ends, in highest bars: room for the words at the rules."""
@@ -67,9 +71,7 @@ def scatter_chart(
     """
     rows = rows_of(found, quantities=quantities, orders=orders)
     panels = [[_distribution(found, row), _shares(row, foot=row is rows[-1])] for row in rows]
-    said = _(
-        "{count} engines built at random; right: shares in the variance", count=number(found.count)
-    )
+    said = _("{count} engines; right: shares in the variance", count=number(found.count))
     return figure(
         panels,
         title=_("Engines built to their tolerances"),
@@ -84,6 +86,7 @@ def _distribution(found: Scatter, row: OrderScatter) -> Panel:
     low, high = (float(each) * unit.factor for each in np.quantile(sizes, (0.0, 0.9995)))
     low = 0.0 if low < 0.25 * high else min(low, row.nominal * unit.factor)
     high = max(high, row.nominal * unit.factor * (1 + 1e-6), low + 1e-12)
+    above = row.one_in_20 * unit.factor
     counts, edges = np.histogram(sizes * unit.factor, bins=CLASSES, range=(low, high))
     shares = 100 * counts / len(sizes)
     width = half_width()
@@ -94,10 +97,12 @@ def _distribution(found: Scatter, row: OrderScatter) -> Panel:
     x = field(
         "x:Q",
         scale=span(low, high),
-        title=folded(f"{name} [{unit_text(unit.unit)}]", width=width),
+        title=folded(f"{name} [{together(unit_text(unit.unit))}]", width=width),
         axis={"tickCount": 4},
     )
-    y = field("y:Q", scale=span(0, top), title=_("engines, %"), axis={"tickCount": 3})
+    y = field(
+        "y:Q", scale=span(0, top), title=_("engines, %"), axis={"tickCount": 3, "minExtent": EXTENT}
+    )
     body = [
         {"x": float(a), "x2": float(b), "y": float(share), "y2": 0.0}
         for a, b, share in zip(edges[:-1], edges[1:], shares, strict=True)
@@ -110,8 +115,8 @@ def _distribution(found: Scatter, row: OrderScatter) -> Panel:
     marks = [
         _mark(row.nominal * unit.factor, _("as drawn"), GREEN, top, 0, low, high),
         _mark(
-            row.one_in_20 * unit.factor,
-            _("{share} above {size}", share="5 %", size=brief(row.one_in_20 * unit.factor)),
+            above,
+            _("{share} above {size}", share="5 %", size=_distinct(above, high - low)),
             VERMILION,
             top,
             1,
@@ -137,52 +142,56 @@ def _distribution(found: Scatter, row: OrderScatter) -> Panel:
 def _mark(
     x: float, text: str, colour: str, top: float, line: int, low: float, high: float
 ) -> dict[str, Any]:
-    """A rule with its words, on the side where there is room."""
-    room = text_width(text, SMALL) + 12
-    end = (high - x) / (high - low) * half_width() < room
+    """A rule with its words, of the first rule on its left where there is room."""
+    room = (text_width(text, SMALL) + 12) / half_width() * (high - low)
+    end = x - low > room if line == 0 else high - x < room
     return {"x": x, "y": top * (0.95 - 0.1 * line), "text": text, "colour": colour, "end": end}
 
 
 def _shares(row: OrderScatter, *, foot: bool) -> Panel:
     """The share of each tolerance in the variance, the greatest first."""
-    pairs = list(row.shares.items())
-    shown_pairs = pairs[:BARS] if len(pairs) <= BARS + 1 else pairs[: BARS - 1]
-    rest = sum(share for _path, share in pairs[len(shown_pairs) :])
-    if len(pairs) > len(shown_pairs):
-        others = _("{count} others", count=len(pairs) - len(shown_pairs))
-        shown_pairs.append((others, rest))
+    pairs = [(path, share) for path, share in row.shares.items() if share > SMALL_SHARE]
+    drawn = pairs if len(pairs) <= BARS else pairs[: BARS - 1]
+    rest = pairs[len(drawn) :]
+    if rest:
+        others = _("{count} others", count=len(rest))
+        drawn = [*drawn, (others, sum(share for _path, share in rest))]
     body = [
         {
-            "path": path,
-            "from": 0.0,
             "to": 100 * share,
-            "text": f"{number(float(f'{100 * share:.2g}'))} %",
+            "top": place + 0.55,
+            "foot": place + 0.88,
+            "words": place + 0.22,
+            "text": f"{path} {_two_figures(100 * share)} %",
         }
-        for path, share in shown_pairs
+        for place, (path, share) in enumerate(drawn)
     ]
-    y = field(
-        "path:N",
-        sort=None,
-        title=None,
-        scale={"domain": [each["path"] for each in body], "padding": 0.3},
-        axis={"labels": False, "ticks": False, "domain": False},
-    )
+    down = {"scale": span(BARS, 0), "title": None, "axis": None}
+    y = field("top:Q", **down)
     x = field(
         "to:Q",
         scale=span(0, 100),
         title=_("share in the variance, %") if foot else None,
         axis={"tickCount": 3},
     )
-    rows = of_rows(body)
-    bars = rows.mark("bar", height={"band": 0.42}, yOffset=7).encode(
-        x=x, x2=field("from"), y=y, color=constant(BLUE)
+    rows = of_rows([{**each, "from": 0.0} for each in body])
+    bars = rows.mark("rect").encode(
+        x=field("from:Q", **{key: x[key] for key in ("scale", "title", "axis")}),
+        x2=field("to"),
+        y=y,
+        y2=field("foot"),
+        color=constant(BLUE),
     )
-    text = rows.calculate(label="datum.path + '  ' + datum.text").mark(
-        "text", fontSize=SMALL, color=GREY, align="left", dy=-7
-    )
-    names = text.encode(x=constant(2), y=y, text=field("label:N"))
-    return layered([bars, names], width=half_width(), height=curve_height(HEIGHT))
+    text = rows.mark("text", fontSize=SMALL, color=GREY, align="left")
+    words = text.encode(x=constant(2), y=field("words:Q", **down), text=field("text:N"))
+    return layered([bars, words], width=half_width(), height=curve_height(HEIGHT))
 
 
 def _two_figures(value: float) -> str:
     return number(float(f"{value:.2g}"))
+
+
+def _distinct(value: float, span_of: float) -> str:
+    """A number with as many figures as tell it from others in a range, three or more."""
+    figures = 2 + ceil(log10(max(abs(value) / span_of, 10.0))) if value else 3
+    return number(float(f"{value:.{figures}g}"), digits=max(5, figures))

@@ -17,7 +17,7 @@ from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.mechanics.balance import Units, balance, default_reference, scales
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import USUAL_ORDERS, orders_shown, summed
-from crankstar.spectra import Real, checked
+from crankstar.spectra import ROUNDING, Real, checked
 from crankstar.studies.builds import DEVIATION, Builds, Distribution, Tell, builds
 from crankstar.studies.error_sources import ErrorSource, sources_of
 from crankstar.studies.fields import Source, source_of
@@ -351,7 +351,8 @@ def _shares(errors: Sequence[ErrorSource], each: Real) -> dict[str, float]:
     total = float(each.sum())
     out: dict[str, float] = {}
     for error, own in zip(errors, each.tolist(), strict=True):
-        out[error.path] = out.get(error.path, 0.0) + (own / total if total else 0.0)
+        share = own / total if own > ROUNDING * total else 0.0
+        out[error.path] = out.get(error.path, 0.0) + share
     return dict(sorted(out.items(), key=lambda item: -item[1]))
 
 
