@@ -153,6 +153,29 @@ def test_an_engine_without_masses_has_bare_tolerances() -> None:
         engine_of(changed(tree, {"cylinder.rotating_mass": "0.6 +- 2 g"}))
 
 
+def test_options_have_no_tolerances(refused) -> None:
+    assert "--speed" in refused("analyze", "i4", "--speed", "6000 rpm +- 5 rpm")
+
+
+def test_every_command_works_with_a_file_that_has_tolerances(run: Run, tmp_path: Path) -> None:
+    place, plain = tmp_path / "six.toml", tmp_path / "plain.toml"
+    place.write_text(SIX)
+    plain.write_text(PLAIN)
+    for words in (
+        ("analyze", "FILE", "--csv"),
+        ("bearings", "FILE", "--csv"),
+        ("bobweight", "FILE"),
+        ("strokes", "FILE"),
+        ("sweep", "FILE", "--over", "cylinder.reciprocating_mass=600..700 g/3", "--csv"),
+        ("estimate", "FILE", "--type", "petrol"),
+    ):
+        each = [
+            run(*(str(own) if word == "FILE" else word for word in words)).out.replace(own.name, "")
+            for own in (place, plain)
+        ]
+        assert each[0] == each[1], words
+
+
 def test_files_keep_their_tolerances() -> None:
     tree = tree_of(SIX)
     assert bounds(tree_of(tree_text(tree))) == pytest.approx(BOUNDS)

@@ -186,13 +186,13 @@ def two_masses(cylinder: Mapping[str, Any]) -> float:
     """
     try:
         rod = cylinder["rod"]
-        centre = units.si(rod["centre"], LENGTH)
+        centre = units.without_tolerance(rod["centre"], LENGTH)
         length = (
-            units.si(cylinder["rod_length"], LENGTH)
+            units.without_tolerance(cylinder["rod_length"], LENGTH)
             if "rod_length" in cylinder
-            else cylinder["rod_ratio"] * units.si(cylinder["stroke"], LENGTH) / 2
+            else cylinder["rod_ratio"] * units.without_tolerance(cylinder["stroke"], LENGTH) / 2
         )
-        return units.si(rod["mass"], MASS) * centre * (length - centre)
+        return units.without_tolerance(rod["mass"], MASS) * centre * (length - centre)
     except (KeyError, TypeError, ValueFaultError):
         return 0.0
 

@@ -127,7 +127,7 @@ def _length(tree: Tree, key: str) -> float | None:
     if not isinstance(value, str):
         return value if isinstance(value, float) and key == "stroke" else None
     try:
-        return units.si(value, LENGTH)
+        return units.without_tolerance(value, LENGTH)
     except ValueFaultError:
         return None  # reading the file says what is wrong
 
@@ -146,7 +146,7 @@ def _incomplete_rod(tree: Tree) -> Mapping[str, Any]:
         return {}
     try:
         for key, quantity in RODS.items():
-            units.si(rod.get(key, units.text(1.0, quantity)), quantity)
+            units.without_tolerance(rod.get(key, units.text(1.0, quantity)), quantity)
     except ValueFaultError:
         return {}
     del table["rod"]
@@ -284,11 +284,11 @@ def _rod(
     ends = [f.typical for f in filling.filled if f.path == "cylinder.rod_length"]
     filling.table("cylinder", "rod").update(given)
     if "mass" in given:
-        masses = [units.si(given["mass"], MASS)] * 3
+        masses = [units.without_tolerance(given["mass"], MASS)] * 3
     else:
         filling.fill("cylinder.rod.mass", masses, source)
     if "centre" in given:
-        own = units.si(given["centre"], LENGTH) / length
+        own = units.without_tolerance(given["centre"], LENGTH) / length
         if 0 < own < 1:  # else reading the file says what is wrong
             share = share._replace(low=own, typical=own, high=own)
     else:

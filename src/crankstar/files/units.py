@@ -2,8 +2,7 @@
 
 A bare number is SI (radians for angles), and is refused where nobody can have meant that: a stroke
 of 82.5 m, an angle of 90 rad, a speed without unit. The units are those of `language.units`; where
-a force or a moment is wanted, pounds and ounces are their weight. A tolerance behind a value is
-left to `tolerances`.
+a force or a moment is wanted, pounds and ounces are their weight.
 """
 
 from __future__ import annotations
@@ -123,6 +122,17 @@ def si(value: Any, quantity: Quantity) -> float:
     return number
 
 
+def without_tolerance(value: Any, quantity: Quantity) -> float:
+    """The SI number of a value as it stands in a file, with a tolerance or without.
+
+    Raises ValueFaultError.
+
+    >>> without_tolerance("650 g +- 2 g", Quantity("mass", "650 g"))
+    0.65
+    """
+    return si(nominal(value), quantity)
+
+
 def is_bare(text: str) -> bool:
     """Whether text is a number without a unit, other than nought."""
     try:
@@ -183,7 +193,6 @@ def _implausible(value: Any, number: float, quantity: Quantity) -> ValueFaultErr
 
 def _read(value: Any, quantity: Quantity) -> tuple[float, bool]:
     """The SI number and whether it had a unit."""
-    value = nominal(value)
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise _fault("unit.needed", value, quantity)
     if not isinstance(value, str):

@@ -16,6 +16,7 @@ from crankstar.engine.quantities import ANGLE
 from crankstar.files import units
 from crankstar.files.crank_layouts import bank_angle_deg
 from crankstar.files.forms import is_explicit
+from crankstar.files.plus_minus import nominal
 from crankstar.language.messages import _
 from crankstar.page.workshop_records import Control, Setting
 from crankstar.studies.fields import BANK_ANGLE
@@ -250,12 +251,13 @@ def _setting(path: str, *, added: float = 0.0) -> Setting:
 
 def _degrees(value: Any) -> float:
     """An angle of a file in degrees; a bare number is in radians."""
-    angle = units.si(value, ANGLE) if isinstance(value, str) else float(value)
+    angle = units.without_tolerance(value, ANGLE) if isinstance(value, str) else float(value)
     return round(degrees(angle), 9) + 0.0 if angle else 0.0
 
 
 def _parsed(value: Any) -> tuple[float, str] | None:
     """A number and its unit as a file gives them, None where it does not."""
+    value = nominal(value)
     if isinstance(value, int | float) and not isinstance(value, bool):
         return float(value), ""
     match = _NUMBER.fullmatch(value) if isinstance(value, str) else None

@@ -172,7 +172,7 @@ def _changes(form: dict[str, Any], varied: Varied, number: float) -> dict[str, A
 
 
 def _angle(value: Any) -> float:
-    return units.si(value, ANGLE) if isinstance(value, str) else float(value)
+    return units.without_tolerance(value, ANGLE) if isinstance(value, str) else float(value)
 
 
 def _has_bank_angle(tree: dict[str, Any]) -> bool:
