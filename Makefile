@@ -108,6 +108,7 @@ bench: $(READY) front-end chromium
 	$(BIN)/python benchmarks/gas.py
 	$(BIN)/python benchmarks/torsion.py
 	$(BIN)/python benchmarks/mounts.py
+	$(BIN)/python benchmarks/tolerances.py
 	$(BIN)/python benchmarks/page.py
 
 clean:
