@@ -49,6 +49,7 @@ LINES = [
     "sound v8-cross-plane --rpm 3000 --seconds 1",
     "strokes i4",
     "sweep single --over balance_factor=0..1/3",
+    "tolerance i4 --builds 1000 --orders 1 --set 'cylinder.rotating_mass=0.5 +- 0.01'",
     "torque audi-25-tfsi",
     "torsion audi-25-tfsi --set torsion.inertia='10 g*m^2' --set torsion.stiffness='500 kN*m/rad'",
     "vees 4 --row 1",
