@@ -20,6 +20,7 @@ from crankstar.charts.drawing import (
     heading,
     layered,
 )
+from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import COLOUR, Chart, constant, field, of_rows, span
 from crankstar.charts.letters import SMALL, folded, text_width, together
 from crankstar.language.messages import _
@@ -75,7 +76,7 @@ def scatter_chart(
     return figure(
         panels,
         title=_("Engines built to their tolerances"),
-        subtitle=[*heading(found.engine, speed=found.speed), said],
+        subtitle=[*heading(found.engine, speed=found.speed), *estimate_lines([found.engine]), said],
     )
 
 

@@ -14,7 +14,9 @@ from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.studies.scatter import SIGNALS, OrderScatter, Scatter
+from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.headings import heading
+from crankstar.tables.ranges import estimated_paths
 from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 
 NAMES = {
@@ -61,6 +63,7 @@ def scatter_document(
         parts += [
             *remarks(*sentences(found, signals or WHOLE)),
             *remarks(*_notes(found), kind="note"),
+            *typical_remarks(found.engine),
             *remarks(*_doubts(found), kind="doubt"),
         ]
     return Document(found.engine.name, tuple(parts), _facts(found))
@@ -93,6 +96,7 @@ def _facts(found: Scatter) -> dict[str, Any]:
         "errors": len(found.errors),
         "idle": list(found.idle),
         "assumed": dict(found.assumed),
+        "estimated": estimated_paths(found.engine),
     }
 
 
