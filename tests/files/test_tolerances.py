@@ -7,6 +7,7 @@ import io
 import json
 import random
 from pathlib import Path
+from typing import Any
 
 import jsonschema
 import openpyxl
@@ -204,7 +205,7 @@ def test_the_explicit_form_keeps_what_it_can_say() -> None:
 
 def test_a_spreadsheet_may_have_the_tolerance_beside_the_unit() -> None:
     book = openpyxl.Workbook()
-    page = book.active
+    page: Any = book.active
     page.title = "engine"
     for row in (
         ("key", "value", "unit"),
@@ -228,7 +229,7 @@ def test_a_spreadsheet_may_have_the_tolerance_beside_the_unit() -> None:
 
 def test_a_fault_of_a_spreadsheet_names_its_cell() -> None:
     book = openpyxl.Workbook()
-    page = book.active
+    page: Any = book.active
     page.title = "engine"
     for row in (
         ("key", "value", "unit"),
@@ -283,7 +284,7 @@ def test_tolerances_spoilt_at_random_give_an_engine_or_sentences() -> None:
             assert all(own.bound >= 0 for own in tolerances_of(spoilt).values())
 
 
-def _texts(value, path):
+def _texts(value: Any, path: tuple[Any, ...]) -> Any:
     if isinstance(value, dict):
         for key, item in value.items():
             yield from _texts(item, (*path, key))
@@ -294,7 +295,7 @@ def _texts(value, path):
         yield path, value
 
 
-def _put(value, path, new):
+def _put(value: Any, path: Any, new: str) -> Any:
     if not path:
         return new
     if isinstance(value, dict):

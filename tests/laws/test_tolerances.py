@@ -407,8 +407,16 @@ def test_what_cannot_be_scattered_is_refused():
         scatter("i4")
     with pytest.raises(ScatterError, match="no force"):
         scatter("i4", changes={"speed": "6000 rpm +- 1 %"})
-    with pytest.raises(ScatterError, match="1000 to 1000000"):
-        scatter("i4", changes=MASSES, count=10)
+    for count in (10, 1e5, True, "many", 10**9):
+        with pytest.raises(ScatterError, match="1000 to 1000000"):
+            scatter("i4", changes=MASSES, count=count)
+    for seed in (-1, 1.5, None):
+        with pytest.raises(ScatterError, match="seed is"):
+            scatter("i4", changes=MASSES, seed=seed)
+    with pytest.raises(ScatterError, match="assume is"):
+        scatter("i4", changes=MASSES, assume="usual")
+    with pytest.raises(ScatterError, match="has no order 9"):
+        scatter("i4", changes=MASSES, **OPTIONS).of("force", 9)
     with pytest.raises(ScatterError, match="normal, uniform"):
         scatter("i4", changes=MASSES, distribution="triangular")
     assert load("i4").name  # the engine itself is what it was

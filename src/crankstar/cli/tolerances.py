@@ -122,14 +122,14 @@ def _scattered(
 ) -> tuple[list[str], Scatter]:
     """The signals that are asked for, and the scatter. Raises RequestError and its like."""
     from crankstar.studies.builds import DEVIATION
-    from crankstar.studies.scatter import BUILDS, FEWEST_BUILDS, MOST_BUILDS, scatter
+    from crankstar.studies.scatter import BUILDS, FEWEST_BUILDS, GREATEST_SEED, MOST_BUILDS, scatter
 
     wanted, turning, changes, count, start, law = together(
         partial(_orders, orders),
         partial(request.speed, speed),
         partial(request.settings, settings),
         partial(request.within, "--builds", builds, least=FEWEST_BUILDS, most=MOST_BUILDS),
-        partial(request.within, "--seed", seed, least=0, most=2**63),
+        partial(request.within, "--seed", seed, least=0, most=GREATEST_SEED),
         partial(choice, "--distribution", distribution, [*DEVIATION]),
     )
     names = _signals(quantity)

@@ -14,6 +14,7 @@ from crankstar.files.tolerances import Tolerance, tolerances_of
 from crankstar.files.typical_tolerances import typical
 from crankstar.language.messages import MessageError
 from crankstar.language.numbers import NEGLIGIBLE
+from crankstar.language.quoting import seen
 from crankstar.mechanics.balance import Units, balance, default_reference, scales
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import USUAL_ORDERS, orders_shown, summed
@@ -44,6 +45,7 @@ SIGNALS = (
 """What is told of each order: vectors in the clock plane, real signals, and components."""
 BUILDS = 100_000
 FEWEST_BUILDS, MOST_BUILDS = 1000, 1_000_000
+GREATEST_SEED = 2**63
 MOST_ERRORS = 4000
 """Independent errors of one engine."""
 GREATEST_ORDER = 1000.0
@@ -182,7 +184,7 @@ def scatter_of(
     tell: Tell | None = None,
 ) -> Scatter:
     """The scatter of the tree of a file. Raises as `scatter` does."""
-    check(distribution, count, orders)
+    check(distribution, count, orders, seed=seed, assume=assume)
     own = engine_of(source.tree, name=source.name) if source.engine is None else source.engine
     given = tolerances_of(source.tree)
     assumed = typical(source.tree, own) if assume == "typical" else {}
@@ -227,21 +229,38 @@ def scatter_of(
     )
 
 
-def check(distribution: str, count: int, orders: Sequence[float] | None) -> None:
+def check(
+    distribution: str,
+    count: int,
+    orders: Sequence[float] | None,
+    *,
+    seed: int = 1,
+    assume: str | None = None,
+) -> None:
     """Refuse what cannot be asked. Raises ScatterError."""
-    if distribution not in DEVIATION:
-        raise ScatterError(
-            "the distribution is {value}; give one of {choices}",
-            value=str(distribution)[:40],
-            choices=", ".join(DEVIATION),
-        )
-    if not FEWEST_BUILDS <= count <= MOST_BUILDS:
-        raise ScatterError(
-            "{count} random engines; give a number from {least} to {most}",
-            count=count,
-            least=FEWEST_BUILDS,
-            most=MOST_BUILDS,
-        )
+    for name, word, words in (
+        ("distribution", distribution, [*DEVIATION]),
+        ("assume", "typical" if assume is None else assume, ["typical"]),
+    ):
+        if word not in words:
+            raise ScatterError(
+                "{name} is {value}; give one of {choices}",
+                name=name,
+                value=seen(word),
+                choices=", ".join(words),
+            )
+    for name, number, least, most in (
+        ("count", count, FEWEST_BUILDS, MOST_BUILDS),
+        ("seed", seed, 0, GREATEST_SEED),
+    ):
+        if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
+            raise ScatterError(
+                "{name} is {value}; give a whole number from {least} to {most}",
+                name=name,
+                value=seen(number),
+                least=least,
+                most=most,
+            )
     if orders is not None and not all(0 < order <= GREATEST_ORDER for order in orders):
         raise ScatterError(
             "the orders are not possible; give crank orders above 0 up to {most}, or none",
