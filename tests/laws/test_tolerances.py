@@ -394,6 +394,24 @@ def test_the_phase_of_a_balance_shaft_turns_all_its_weights():
     assert [weight.angle for weight in turned.shafts[1].weights] == pytest.approx([-pi / 2] * 2)
 
 
+def test_a_weight_of_nothing_may_be_off_balance_either_way():
+    weight = {"unbalance": "0 g*mm +- 300 g*mm", "angle": "0 deg", "throw": 1}
+    changes = {**MASSES, "crankshaft": [{"weight": [weight]}]}
+    changes["cylinder.reciprocating_mass"] = "500 g"
+    found = scatter("i4", changes=changes, speed=SPEED)
+    row = found.of("force.up", 1)
+    assert row.nominal == 0
+    assert row.rms == pytest.approx(1e-4 * SPEED**2, rel=1e-9)
+    assert row.half_of == pytest.approx(0.674490 * row.rms, rel=0.02)
+
+
+def test_bare_lengths_stay_bare():
+    changes = {"layout.banks[2].set_back": "0 +- 0.01", "cylinder.rotating_mass": "0.4 +- 0.01"}
+    found = scatter("harley-45", changes=changes, **OPTIONS)
+    assert found.idle == ()
+    assert found.of("couple", 1).shares["layout.banks[2].set_back"] > 0.5
+
+
 def test_the_same_seed_builds_the_same_engines():
     each = [
         scatter("i6", changes=MASSES, seed=seed, **OPTIONS).of("force", 1).one_in_20

@@ -270,7 +270,7 @@ def _of_layout(plain: Tree, own: Tolerance, engine: Engine, name: str) -> Moves:
 
     def built(value: float) -> Mechanism:
         return mechanism(
-            engine_of(plain, name=name, changes={own.path: _written(value, own, engine)})
+            engine_of(plain, name=name, changes={own.path: _written(value, own, plain)})
         )
 
     moves = _rates(own, built, _KINDS[last], one_sided=last in _MASSES)
@@ -285,11 +285,12 @@ def _of_layout(plain: Tree, own: Tolerance, engine: Engine, name: str) -> Moves:
     return [("", moves)]
 
 
-def _written(value: float, own: Tolerance, engine: Engine) -> str | float:
-    """A value as a file has it."""
-    if own.quantity.relative_to & set(engine.relative):
-        return value
-    return f"{value!r} {si_unit(own.quantity)}"
+def _written(value: float, own: Tolerance, plain: Tree) -> str | float:
+    """A value as its file has it, bare or with a unit."""
+    place: Any = plain
+    for key in own.keys:
+        place = place[key]
+    return f"{value!r} {si_unit(own.quantity)}" if isinstance(place, str) else value
 
 
 def _rates(
