@@ -31,8 +31,11 @@ from crankstar.files.plus_minus import parted
 from crankstar.files.rewritten import rewritten
 from crankstar.files.sheets import sheets_of
 from crankstar.files.tolerances import tolerance_faults, tolerances_of, without_tolerances
+from crankstar.files.typical_tolerances import typical
 from crankstar.files.workbook import workbook_bytes, workbook_tree
 from crankstar.remedy.counterweights import with_counterweights
+from crankstar.studies.fields import Source
+from crankstar.studies.scatter import scatter_of
 
 SIX = """
 format = 1
@@ -390,3 +393,20 @@ def test_a_spreadsheet_and_a_picture_are_written(run: Run, tmp_path: Path) -> No
 )
 def test_questions_that_cannot_be_are_one_sentence(refused, words, told) -> None:
     assert told in refused("tolerance", *words)
+
+
+def test_published_tolerances_stand_only_for_what_the_file_does_not_give() -> None:
+    tree = tree_of(PLAIN)
+    both = ["cylinder.reciprocating_mass", "cylinder.rotating_mass"]
+    assert [*typical(tree, engine_of(tree))] == both
+    given = changed(tree, {"cylinder.rotating_mass": "500 g +- 1 g"})
+    assert [*typical(given, engine_of(given), tolerances_of(given))] == both[:1]
+    parts = {"piston": "500 g +- 1 g", "small_end": "150 g", "big_end": "500 g"}
+    weighed = changed(tree, {"cylinder.parts": parts})
+    assert [*typical(weighed, engine_of(weighed), tolerances_of(weighed))] == both[1:]
+    whole = explicit(engine_of(tree))
+    rows = [
+        scatter_of(Source("six", own), assume="typical", count=1000, orders=[1]).of("force", 1)
+        for own in (tree, whole)
+    ]
+    assert rows[0].rms == pytest.approx(rows[1].rms, rel=1e-9)

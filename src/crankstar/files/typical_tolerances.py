@@ -7,8 +7,10 @@ values, which get none.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from crankstar.engine.cylinder_parts import ENDS, RECIPROCATING
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import MASS
 from crankstar.files.forms import is_explicit
@@ -22,6 +24,7 @@ PISTON = (0.0025, "lada2107")
 ROD = (0.0025, "fiat-elearn")
 """Of a connecting rod, kg. Source: Fiat eLearn, operation 1028H60, permitted difference in weight
 between connecting rods."""
+NONE: Mapping[str, Tolerance] = MappingProxyType({})
 HEAVIEST = 2.0
 """Kilograms that go up and down in a cylinder: those of car engines are lighter."""
 
@@ -37,15 +40,19 @@ class TypicalError(MessageError):
     """An engine for which no such tolerances are published."""
 
 
-def typical(tree: Mapping[str, Any], engine: Engine) -> dict[str, Assumed]:
+def typical(
+    tree: Mapping[str, Any], engine: Engine, given: Mapping[str, Tolerance] = NONE
+) -> dict[str, Assumed]:
     """Tolerances of pistons and rods by key path; of rods at the pin, unless they are bodies.
+
+    None of a piston or a rod of which a mass is among the tolerances that are `given`.
 
     Raises TypicalError where masses are not known or are not those of a car engine.
 
     >>> from crankstar.files.catalog import load, tree_of
-    >>> own = typical(tree_of("honda-b18c")[1], load("honda-b18c"))
+    >>> own = typical(tree_of("audi-25-tfsi")[1], load("audi-25-tfsi"))
     >>> [(path, each.tolerance.bound) for path, each in own.items()]
-    [('cylinder.reciprocating_mass', 0.0025), ('cylinder.rod.mass', 0.0025)]
+    [('cylinder.reciprocating_mass', 0.0025), ('cylinder.rotating_mass', 0.0025)]
     """
     if "mass" in engine.relative:
         raise TypicalError(
@@ -63,7 +70,10 @@ def typical(tree: Mapping[str, Any], engine: Engine) -> dict[str, Assumed]:
             most=f"{HEAVIEST:g}",
         )
     out: dict[str, Assumed] = {}
-    for keys, value, (bound, source) in _values(tree, engine):
+    told = [own.keys for own in given.values()]
+    for keys, value, (bound, source), others in _values(tree, engine):
+        if any(own[: len(other)] == other for own in told for other in others):
+            continue
         own = Tolerance(keys, value, bound, MASS)
         out[own.path] = Assumed(own, source)
     return out
@@ -71,13 +81,20 @@ def typical(tree: Mapping[str, Any], engine: Engine) -> dict[str, Assumed]:
 
 def _values(
     tree: Mapping[str, Any], engine: Engine
-) -> Iterator[tuple[Path, float, tuple[float, str]]]:
-    """The masses of pistons and rods, with the tolerance of each."""
+) -> Iterator[tuple[Path, float, tuple[float, str], list[Path]]]:
+    """The masses of pistons and rods, the tolerance of each, and the keys that say it as well."""
     explicit = is_explicit(tree)
     cylinders = engine.cylinders if explicit else engine.cylinders[:1]
     for place, cylinder in enumerate(cylinders):
         here: Path = ("cylinders", place) if explicit else ("cylinder",)
-        yield (*here, "reciprocating_mass"), cylinder.reciprocating_mass, PISTON
-        rod = ("rod", "mass") if cylinder.rod is not None else ("rotating_mass",)
-        value = cylinder.rod.mass if cylinder.rod is not None else 0.0
-        yield (*here, *rod), value, ROD
+        parts: Path = (*here, "parts")
+        piston: Path = (*here, "reciprocating_mass")
+        same = [piston, *((*parts, name) for name in RECIPROCATING if name not in ENDS)]
+        yield piston, cylinder.reciprocating_mass, PISTON, same
+        rod: Path = (*here, "rotating_mass")
+        value = 0.0
+        if cylinder.rod is not None:
+            rod, value = (*here, "rod", "mass"), cylinder.rod.mass
+        elif explicit:  # where what hangs on a pin is said of its throw
+            rod = (*here, "big_end_mass")
+        yield rod, value, ROD, [rod, (*here, "rod"), *((*parts, name) for name in ENDS)]

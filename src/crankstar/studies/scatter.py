@@ -187,7 +187,7 @@ def scatter_of(
     check(distribution, count, orders, seed=seed, assume=assume)
     own = engine_of(source.tree, name=source.name) if source.engine is None else source.engine
     given = tolerances_of(source.tree)
-    assumed = typical(source.tree, own) if assume == "typical" else {}
+    assumed = typical(source.tree, own, given) if assume == "typical" else {}
     added = {path: each.tolerance for path, each in assumed.items() if path not in given}
     tolerances = {**given, **added}
     sources = sources_of(source.tree, tolerances, own, name=source.name)
