@@ -410,3 +410,21 @@ def test_published_tolerances_stand_only_for_what_the_file_does_not_give() -> No
         for own in (tree, whole)
     ]
     assert rows[0].rms == pytest.approx(rows[1].rms, rel=1e-9)
+
+
+def test_standard_input_is_read_once(run: Run, tmp_path: Path) -> None:
+    words = ("tolerance", "-", "--builds", "1000", "--reference", "10 mm", "-o", "out.xlsx")
+    assert run(*words, stdin=SIX.encode()).code == 0
+    assert "engine" in openpyxl.load_workbook(tmp_path / "out.xlsx").sheetnames
+
+
+def test_a_throw_that_is_set_takes_its_weights_along(run: Run, tmp_path: Path) -> None:
+    engine = with_counterweights(engine_of(tree_of(SIX)), factor=0.5)
+    place = tmp_path / "six.toml"
+    place.write_text(tree_text(explicit(engine)))
+    setting = ("--set", "shaft[1].throw[2].angle=200 deg +- 0.1 deg")
+    out = run("tolerance", str(place), *setting, "--builds", "1000", "--orders", "1", "--json").out
+    turned = crankstar.load(place, changes={"shaft[1].throw[2].angle": "200 deg"})
+    sums = crankstar.total(crankstar.balance(turned, speed=turned.speed, orders=[1]))
+    nominal = abs(sums.force.forward[0]) + abs(sums.force.backward[0])
+    assert json.loads(out)["orders"][0]["nominal"] == pytest.approx(nominal)

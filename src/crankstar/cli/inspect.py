@@ -286,7 +286,7 @@ def verdict(
         partial(request.speed, speed),
     )
     facts = ranged_facts(partial(tables.verdict, speed=turning), spread, loaded)
-    facts = with_built(facts, tree, loaded.name, speed=turning)
+    facts = with_built(facts, tree, loaded, speed=turning)
     document = with_doubt(tables.verdict_document(loaded, facts), loaded)
     if recommended(loaded) is not None:
         how = _(

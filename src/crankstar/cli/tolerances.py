@@ -18,13 +18,12 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     estimated_tree,
-    loaded_values,
     option,
     together,
 )
 from crankstar.cli.output import working, writable, write_bytes
 from crankstar.cli.tabulating import give, words_for
-from crankstar.files import STANDARD_INPUT
+from crankstar.files import changed, engine_of
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
@@ -75,7 +74,7 @@ def tolerance(
     )
     if output is not None:
         writable(output)
-    names, found = _scattered(
+    names, found, tree = _scattered(
         engine,
         quantity=quantity,
         orders=orders,
@@ -97,12 +96,9 @@ def tolerance(
         every = orders is not None
         signals = names or None
         document = scatter_document(found, signals=signals, machine=form != "txt", every=every)
-        tree = None
         if form == "xlsx":
             own = scatter_document(found, signals=signals, every=every)
             document = replace(document, parts=(*document.parts, *own.sentences))
-            if engine != STANDARD_INPUT:
-                tree = estimated_tree(engine, settings, estimate=estimate)[1]
     give(document, output, form=form, tree=tree)
 
 
@@ -119,28 +115,36 @@ def _scattered(
     reference: str | None,
     settings: list[str] | None,
     estimate: bool,
-) -> tuple[list[str], Scatter]:
-    """The signals that are asked for, and the scatter. Raises RequestError and its like."""
-    from crankstar.studies.builds import DEVIATION
-    from crankstar.studies.scatter import BUILDS, FEWEST_BUILDS, GREATEST_SEED, MOST_BUILDS, scatter
+) -> tuple[list[str], Scatter, dict[str, Any]]:
+    """The signals that are asked for, the scatter, and the tree of the file.
 
-    wanted, turning, changes, count, start, law = together(
+    Raises RequestError and its like.
+    """
+    from crankstar.studies.builds import DEVIATION
+    from crankstar.studies.fields import Source
+    from crankstar.studies.scatter import (
+        BUILDS,
+        FEWEST_BUILDS,
+        GREATEST_SEED,
+        MOST_BUILDS,
+        scatter_of,
+    )
+
+    (shown, tree, turned), wanted, turning, count, start, law = together(
+        partial(estimated_tree, engine, settings, estimate=estimate),
         partial(_orders, orders),
         partial(request.speed, speed),
-        partial(request.settings, settings),
         partial(request.within, "--builds", builds, least=FEWEST_BUILDS, most=MOST_BUILDS),
         partial(request.within, "--seed", seed, least=0, most=GREATEST_SEED),
         partial(choice, "--distribution", distribution, [*DEVIATION]),
     )
     names = _signals(quantity)
-    point = None
-    if reference is not None:
-        loaded = loaded_values(engine, settings, estimate=estimate).engine
-        point = request.reference(reference, loaded)
+    own = engine_of(tree, name=shown, changes=turned)
+    tree = changed(tree, turned, name=shown)
+    point = None if reference is None else request.reference(reference, own)
     with working(_("Building engines at random ...")) as tell:
-        found = scatter(
-            engine,
-            changes=changes,
+        found = scatter_of(
+            Source(shown, tree, own),
             speed="file" if turning is None else turning,
             reference=point,
             orders=wanted,
@@ -148,12 +152,11 @@ def _scattered(
             distribution=law,
             count=BUILDS if count is None else count,
             seed=1 if start is None else start,
-            estimate=estimate,
             tell=lambda done, of: tell(
                 _("Building engines at random: {done} of {count} ...", done=done, count=of)
             ),
         )
-    return names, found
+    return names, found, tree
 
 
 def _orders(orders: str | None) -> list[float] | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from crankstar.engine.engine import Engine
 from crankstar.files.tolerances import tolerances_of
 from crankstar.tables.verdict import Fact
 
@@ -13,7 +14,7 @@ BUILDS = 20_000
 
 
 def with_built(
-    facts: Sequence[Fact], tree: Mapping[str, Any], name: str, *, speed: float | None
+    facts: Sequence[Fact], tree: Mapping[str, Any], engine: Engine, *, speed: float | None
 ) -> Sequence[Fact]:
     """The facts of an engine with those of engines as built, where its file has tolerances."""
     if not tolerances_of(tree):
@@ -24,7 +25,7 @@ def with_built(
 
     try:
         at = "file" if speed is None else speed
-        found = scatter_of(Source(name, dict(tree)), speed=at, count=BUILDS)
+        found = scatter_of(Source(engine.name, dict(tree), engine), speed=at, count=BUILDS)
     except ScatterError:  # no force depends on what has tolerances
         return facts
     own = [Fact("tolerances", sentence) for sentence in sentences(found)]
