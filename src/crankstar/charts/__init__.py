@@ -53,6 +53,10 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `campbell_diagrams` | natural frequencies and orders over the speed |
 | `torsion_responses` | torsional vibration over the speed |
 | `torsion_stars` | the vectors of the cylinders of an order in a mode |
+| `mount_words` | what figures of an engine on its mounts say |
+| `mount_layouts` | the mounts from the front and from above, with the block's axes |
+| `mount_modes` | the natural modes on the mounts, freedom by freedom |
+| `mount_responses` | vibration and forces on the mounts over the speed |
 | `errata` | a printed formula beside the true one |
 | `front_axes` | the axes of a front, straight or logarithmic |
 | `search_values` | the values and firing orders of found stars as text |
@@ -93,6 +97,9 @@ if TYPE_CHECKING:
     from crankstar.charts.guide_moment_bars import guide_moment_chart
     from crankstar.charts.hodographs import hodograph
     from crankstar.charts.modes import mode_shapes
+    from crankstar.charts.mount_layouts import mount_layout_chart
+    from crankstar.charts.mount_modes import mount_mode_chart
+    from crankstar.charts.mount_responses import mount_response_chart, transmissibility_chart
     from crankstar.charts.pair_sweeps import contours
     from crankstar.charts.paper import Paper, Print, printed
     from crankstar.charts.polar_diagrams import polar_loads
@@ -135,6 +142,9 @@ __all__ = [
     "hodograph",
     "judged",
     "mode_shapes",
+    "mount_layout_chart",
+    "mount_mode_chart",
+    "mount_response_chart",
     "names_of",
     "over_ranges",
     "over_rods",
@@ -159,6 +169,7 @@ __all__ = [
     "torque_chart",
     "torsion_response_chart",
     "torsion_star",
+    "transmissibility_chart",
     "vector_star",
 ]
 
@@ -181,6 +192,9 @@ _HOMES = {
     "fronts": ("pareto_front", "sequence_chart"),
     "hodographs": ("hodograph",),
     "modes": ("mode_shapes",),
+    "mount_layouts": ("mount_layout_chart",),
+    "mount_modes": ("mount_mode_chart",),
+    "mount_responses": ("mount_response_chart", "transmissibility_chart"),
     "pair_sweeps": ("contours",),
     "paper": ("Paper", "Print", "printed"),
     "polar_diagrams": ("polar_loads",),

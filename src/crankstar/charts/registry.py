@@ -180,6 +180,27 @@ _FIGURES = (
         N_("the vectors of the cylinders of orders in a torsional mode, with their sum"),
         "TorsionMode",
     ),
+    Figure(
+        "mount-layout",
+        "mount_layouts:mount_layout_chart",
+        N_("the mounts from the front and from above, with centre of mass and axes"),
+    ),
+    Figure(
+        "mount-modes",
+        "mount_modes:mount_mode_chart",
+        N_("the natural modes on the mounts, with the share of each freedom in their energy"),
+    ),
+    Figure(
+        "mount-response",
+        "mount_responses:mount_response_chart",
+        N_("vibration on the mounts over the speed, by order and of all: a point, or the forces"),
+        "MountView",
+    ),
+    Figure(
+        "transmissibility",
+        "mount_responses:transmissibility_chart",
+        N_("how much of what shakes the engine goes through each mount, over the speed"),
+    ),
 )
 CHARTS = {figure.name: figure for figure in _FIGURES}
 """All figures of an engine, by name."""

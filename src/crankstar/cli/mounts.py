@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from cyclopts import Parameter
 
@@ -24,9 +24,6 @@ from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
 from crankstar.options.gas import gas_orders
-
-if TYPE_CHECKING:
-    from crankstar.engine.engine import Engine
 
 HELP = "Name from the catalog, or engine file with [[mounts]]; - for standard input."
 
@@ -60,14 +57,13 @@ def mounts(
     )
     with working(_("Computing the vibration on the mounts ...")), words_for(form):
         found = analysis(
-            loaded, point=point or "", speed=turning, speeds=over, orders=wanted, at=_at(at, loaded)
+            loaded,
+            point=point or "",
+            speed=turning,
+            speeds=over,
+            orders=wanted,
+            at=request.block_point(at, loaded),
         )
         machine = form not in ("txt", "xlsx")
         document = mounts_document(loaded, found, machine=machine, every=form != "txt")
     give(document, output, form=form)
-
-
-def _at(text: str | None, engine: Engine) -> tuple[float, float, float] | None:
-    """The point of --at as up, right, z. Raises RequestError."""
-    place = request.reference(text, engine, option="--at")
-    return None if place is None else (place.up, place.right, place.z)

@@ -37,7 +37,8 @@ def plot(
             help="crank-star, vector-star, polygon, hodograph, over-turn, amplitudes, spectrum, "
             "shaft, stroke-chart, firing-ring, exhaust-orders, torque, pressure, side-thrust, "
             "guide-moments, forces, bearing-loads, bending, balance-shafts, torsion-modes, "
-            "campbell, torsion-response or torsion-star."
+            "campbell, torsion-response, torsion-star, mount-layout, mount-modes, "
+            "mount-response or transmissibility."
         ),
     ],
     /,
@@ -55,7 +56,7 @@ def plot(
             "crank-pin or crank-pin-journal (journals turn with the crankshaft); for torque "
             "together, cylinders, loads or orders; for pressure volume or angle; for "
             "torsion-response amplitude, stress or torque; for torsion-star mode-1, mode-2 or "
-            "mode-3.",
+            "mode-3; for mount-response velocity, displacement, force or mounts.",
         ),
     ] = None,
     model: Annotated[str | None, option("--model")] = None,
@@ -64,13 +65,18 @@ def plot(
     ] = None,
     speed: Speed = None,
     speeds: Annotated[
-        str | None, option("--speeds", "For amplitudes, campbell, torsion-response.")
+        str | None,
+        option(
+            "--speeds",
+            "For amplitudes, campbell, torsion-response, mount-response, transmissibility.",
+        ),
     ] = None,
     reference: ReferencePoint = None,
     gas: Annotated[bool, option("--gas", "For bearing-loads.")] = False,
     point: Annotated[
-        str | None, option("--point", "For charts of gas, torsion, and amplitudes.")
+        str | None, option("--point", "For charts of gas, torsion, mounts, and amplitudes.")
     ] = None,
+    at: Annotated[str | None, option("--at", "For mount-response and mount-layout.")] = None,
     off: Annotated[str | None, option("--off", "For charts of gas.")] = None,
     settings: Settings = None,
     estimate: Estimating = False,
@@ -84,7 +90,7 @@ def plot(
         ),
     ] = None,
 ) -> None:
-    """Draw a chart of an engine: stars, paths, curves, spectra, strokes, gas, loads, torsion."""
+    """Draw a chart of an engine: stars, paths, curves, spectra, gas, loads, torsion, mounts."""
     drawing = chart_request.charts()
     if engine in drawing.CHARTS and chart not in drawing.CHARTS:
         engine, chart = chart, engine  # the two the other way round
@@ -117,6 +123,7 @@ def plot(
         gas=gas,
         point=point,
         off=off,
+        at=at,
         alone=not others,
     )
     if "off" in figure.options and ("gas" not in figure.options or "gas" in options):

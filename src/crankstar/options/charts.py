@@ -47,6 +47,7 @@ def options(
     gas: bool = False,
     point: str | None = None,
     off: str | None = None,
+    at: str | None = None,
     alone: bool = True,
 ) -> dict[str, Any]:
     """The options of a figure by keyword. Raises RequestError for those that it does not take.
@@ -65,6 +66,7 @@ def options(
         "--gas": ("" if gas else None, {"gas"}),
         "--point": (point, {"point"}),
         "--off": (off, {"off"}),
+        "--at": (at, {"at"}),
     }
     unused = {option: text for option, (text, names) in given.items() if not names & takes}
     request.refuse_unused(unused, beside=_("the chart {chart}", chart=figure.name))
@@ -106,6 +108,8 @@ def options(
         out["speeds"] = request.speeds(speeds)
     if reference is not None and isinstance(engine, Engine):
         out["reference"] = request.reference(reference, engine)
+    if at is not None and isinstance(engine, Engine):
+        out["at"] = request.block_point(at, engine)
     if "gas" in takes and (gas or point is not None or off is not None):
         out["gas"] = True
     if point is not None:

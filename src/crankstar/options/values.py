@@ -292,6 +292,12 @@ def reference(text: str | None, engine: Engine, *, option: str = "--reference") 
     return Reference(*places(option, parts, [POSITION, LENGTH, LENGTH], engine, example))
 
 
+def block_point(text: str | None, engine: Engine) -> tuple[float, float, float] | None:
+    """The point of --at as up, right, z."""
+    place = reference(text, engine, option="--at")
+    return None if place is None else (place.up, place.right, place.z)
+
+
 def planes(option: str, text: str, engine: Engine) -> list[float]:
     """Places along the shaft in the units of the engine."""
     parts, example = listed(text), _('as in "-200 mm, 200 mm"')

@@ -1,0 +1,44 @@
+"""What figures of an engine on its mounts say, and why there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+from crankstar.charts.drawing import heading
+from crankstar.dynamics.mount_analysis import MountAnalysis
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+
+RPM = 30 / pi
+NO_SPEED = N_("Without a speed nothing shakes it: give --speeds, or speed in the file.")
+
+
+def about(engine: Engine, found: MountAnalysis, *, shaken: bool = True) -> list[str]:
+    """Its name, and what is assumed; of what is `shaken` also by what, or by what not."""
+    lines = heading(engine)
+    if found.block.body.assumed:
+        lines.append(_("Part of the block is assumed: `crankstar mounts` names what."))
+    if not shaken or found.over is None:
+        return lines
+    if any(each.assumed for each in found.block.mounts):
+        lines.append(_("Loss factor of mounts without damping: assumed."))
+    if found.over.excitation.without_gas:
+        reason = found.over.excitation.without_gas.rstrip(".")
+        lines.append(_("Without gas: {reason}.", reason=reason))
+    if found.range_assumed:
+        lines.append(_("The range of speeds is taken about the one that is known; see --speeds."))
+    return lines
+
+
+def place_text(point: Sequence[float]) -> str:
+    """A point (up, right, z) in millimetres, in words.
+
+    >>> place_text((0.1, -0.02, 0.3))
+    'at 100 mm up, -20 mm to the right, 300 mm along'
+    """
+    up, right, along = (number(round(each * 1e3, 1)) for each in point)
+    return _(
+        "at {up} mm up, {right} mm to the right, {along} mm along", up=up, right=right, along=along
+    )
