@@ -31,6 +31,16 @@ NAMES = {
     "torsion_frequency": N_("first torsional frequency"),
     "torsion_stress": N_("greatest shear stress of torsional vibration"),
     "torsion_amplitude": N_("torsional vibration of the free end"),
+    "mount_mode_1": N_("first mode on the mounts"),
+    "mount_mode_2": N_("second mode on the mounts"),
+    "mount_mode_3": N_("third mode on the mounts"),
+    "mount_mode_4": N_("fourth mode on the mounts"),
+    "mount_mode_5": N_("fifth mode on the mounts"),
+    "mount_mode_6": N_("sixth mode on the mounts"),
+    "mount_roll_mode": N_("mode of roll on the mounts"),
+    "mount_roll_share": N_("share of roll in its mode"),
+    "mount_force": N_("force of the mounts on the ground, rms"),
+    "mount_velocity": N_("velocity of the point on the mounts, rms"),
 }
 """By what is watched."""
 

@@ -27,6 +27,7 @@
 | `mount_modes` | natural modes on the mounts, torque-roll axis, elastic axis |
 | `mount_excitation` | what shakes a block on its mounts: inertia and gas on its six freedoms |
 | `mount_response` | how it shakes: motion of its points, forces in mounts and on the ground |
+| `mount_worst` | the worst of an engine on its mounts over the speeds |
 | `mount_analysis` | all that is asked of an engine on its mounts |
 | `sound` | the exhaust as a sound: equal pulses through plain pipes |
 """

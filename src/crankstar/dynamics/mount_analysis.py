@@ -71,7 +71,8 @@ def mounts(
     """How an engine shakes on its mounts.
 
     `point` names an operating point, `speed` is one of which more is told, `speeds` are those of
-    the range (rad/s), `at` is a point of the block (up, right, z), else its centre of mass. Raises
+    the range (rad/s), `at` is a point of the block (up, right, z), else the first of its file, else
+    its centre of mass. Raises
     MountError without mounts, and GasError for an operating point that the engine has not.
 
     >>> from crankstar.files.catalog import load
@@ -102,11 +103,17 @@ def mounts(
         elastic=elastic_axis(block),
         sag=sag,
         loads=loads,
-        point=block.body.centre if at is None else (at[0], at[1], at[2]),
+        point=_told(engine, block) if at is None else (at[0], at[1], at[2]),
         over=shaken(wanted) if wanted.size else None,
         at=None if speed is None else shaken(np.array([speed])),
         range_assumed=assumed,
     )
+
+
+def _told(engine: Engine, block: MountedBlock) -> tuple[float, float, float]:
+    """The point of which motion is told unless one is asked for."""
+    points = () if engine.block is None else engine.block.points
+    return points[0].place if points else block.body.centre
 
 
 def _range(

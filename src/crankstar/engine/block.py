@@ -1,11 +1,35 @@
-"""The whole engine as one rigid body."""
+"""The whole engine as one rigid body, and the points of it that are asked about."""
 
 from __future__ import annotations
+
+from typing import Annotated
 
 from pydantic import Field
 
 from crankstar.engine.cylinder_parts import Record
-from crankstar.engine.quantities import BodyInertia, Length, MovingMass, Position, Product
+from crankstar.engine.quantities import BodyInertia, Length, Line, MovingMass, Position, Product
+
+MOST_POINTS = 64
+
+
+class BlockPoint(Record):
+    """A point of the block, or of what is bolted to it: a grip, a seat, the end of a gearbox.
+
+    >>> BlockPoint(name="left grip", up=0.6, right=-0.35, z=-0.2).place
+    (0.6, -0.35, -0.2)
+    """
+
+    name: Line = Field(description="by which results name it")
+    up: Length = Field(default=0.0, description="height over the reference shaft")
+    right: Length = Field(
+        default=0.0, description="to the right of the reference shaft, seen from the front"
+    )
+    z: Position = Field(default=0.0, description="along the crankshaft, positive to the front")
+
+    @property
+    def place(self) -> tuple[float, float, float]:
+        """Up, right, z."""
+        return self.up, self.right, self.z
 
 
 class Block(Record):
@@ -55,6 +79,10 @@ class Block(Record):
     )
     product_up_z: Product = Field(default=0.0, description="the same of up times z")
     product_right_z: Product = Field(default=0.0, description="the same of right times z")
+
+    points: Annotated[tuple[BlockPoint, ...], Field(max_length=MOST_POINTS)] = Field(
+        default=(), description="whose vibration is told for an engine on its mounts"
+    )
 
     @property
     def products(self) -> tuple[float, float, float]:

@@ -36,6 +36,11 @@ def _block_faults(block: Block | None) -> Iterator[Fault]:
     """Moments and products of inertia that no body has."""
     if block is None:
         return
+    names = [point.name for point in block.points]
+    for place, name in enumerate(names):
+        if name in names[:place]:
+            values = {"value": seen(name)}
+            yield Fault(("block", "points", place, "name"), "block.point-twice", values)
     given = {name: getattr(block, name) for name in ("inertia_up", "inertia_right", "inertia_z")}
     missing = [name for name, value in given.items() if value is None]
     if 0 < len(missing) < len(given):

@@ -13,6 +13,7 @@ from pydantic import BeforeValidator, ConfigDict, Field
 from pydantic_core import PydanticKnownError
 
 from crankstar.engine.block import Block as Block
+from crankstar.engine.block import BlockPoint as BlockPoint
 from crankstar.engine.cylinder_parts import Articulation as Articulation
 from crankstar.engine.cylinder_parts import Parts as Parts
 from crankstar.engine.cylinder_parts import Record as Record

@@ -42,6 +42,10 @@ POWERS["moment of inertia"] = {"mass": 1, "radius": 2}
 """Powers of the units m and r in a quantity; lengths have their own unit once."""
 
 
+STANDING = ("block", "mounts", "foundation")
+"""Tables of what moves on the mounts: no layout depends on them."""
+
+
 class Estimate(NamedTuple):
     """A file completed: its type, the key of what tells it ("" if named), what was filled in."""
 
@@ -154,7 +158,12 @@ def _incomplete_rod(tree: Tree) -> Mapping[str, Any]:
 
 
 def _laid_out(tree: Tree, name: str) -> Engine:
-    """The engine as far as the file gives it. Raises EngineFileError."""
+    """The engine as far as the file gives it. Raises EngineFileError.
+
+    Without what stands on its mounts, whose masses have units where those of the parts may not yet:
+    the file is read as a whole once it is complete.
+    """
+    tree = {key: value for key, value in tree.items() if key not in STANDING}
     if not is_explicit(tree) and _length(tree, "bore") and "stroke" not in tree["cylinder"]:
         # a bore alone has no unit to be counted in
         tree = {**tree, "cylinder": {**tree["cylinder"], "stroke": tree["cylinder"]["bore"]}}

@@ -20,6 +20,7 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, which no body with these moments of inertia has; are sign and unit "
         "right?"
     ),
+    "block.point-twice": N_("{where} is {value} twice; give each point its own name"),
     "mounts.relative": N_(
         "{where} are given for an engine without masses or sizes, which cannot be set against "
         "stiffness: give {keys}"

@@ -87,19 +87,7 @@ def options(
     if model is not None:
         out["model"] = _model(model)
     if theta is not None:
-        angles = request.angles(theta)
-        most = 1 if "theta" in takes else GREATEST_ANGLES
-        if not 1 <= len(angles) <= most:
-            raise refusal(
-                "--theta",
-                theta,
-                N_('{chart} takes up to {most} crank angles, such as "30 deg"')
-                if most > 1
-                else N_('{chart} takes one crank angle, such as "30 deg"'),
-                chart=figure.name,
-                most=most,
-            )
-        out |= {"theta": angles[0]} if "theta" in takes else {"angles": angles}
+        out |= _angles(figure, theta)
     if "speed" in takes:
         at_point = "point" in takes and ("gas" not in takes or gas or point is not None)
         own = engine.speed if alone and not at_point else None
@@ -117,6 +105,23 @@ def options(
     if off is not None:
         out["off"] = request.cylinders_off(off)
     return out
+
+
+def _angles(figure: Any, theta: str) -> dict[str, Any]:
+    """The one crank angle of a figure, or its several."""
+    angles = request.angles(theta)
+    most = 1 if "theta" in figure.options else GREATEST_ANGLES
+    if not 1 <= len(angles) <= most:
+        raise refusal(
+            "--theta",
+            theta,
+            N_('{chart} takes up to {most} crank angles, such as "30 deg"')
+            if most > 1
+            else N_('{chart} takes one crank angle, such as "30 deg"'),
+            chart=figure.name,
+            most=most,
+        )
+    return {"theta": angles[0]} if "theta" in figure.options else {"angles": angles}
 
 
 def _model(text: str) -> str:

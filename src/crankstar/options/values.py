@@ -293,7 +293,10 @@ def reference(text: str | None, engine: Engine, *, option: str = "--reference") 
 
 
 def block_point(text: str | None, engine: Engine) -> tuple[float, float, float] | None:
-    """The point of --at as up, right, z."""
+    """The point of --at as up, right, z; one of [[block.points]] by its name."""
+    for named in () if engine.block is None else engine.block.points:
+        if text is not None and text.strip() == named.name:
+            return named.place
     place = reference(text, engine, option="--at")
     return None if place is None else (place.up, place.right, place.z)
 

@@ -24,7 +24,8 @@ _MOST = {
     "--at": Option(
         "text",
         'Point of the block whose vibration is told: z, or z, up and right, such as "-120 mm" or '
-        '"300 mm, 200 mm, 0 mm" (default: its centre of mass).',
+        '"300 mm, 200 mm, 0 mm", or one of [[block.points]] by its name (default: the first of '
+        "these, or the centre of mass).",
         ("--grip", "--place"),
     ),
     "--at-radius": Option(

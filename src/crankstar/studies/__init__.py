@@ -9,6 +9,7 @@
 | `sums` | the sums of batches of engines, over speeds and closed ranges |
 | `study` | what is varied, in which units and about which point |
 | `gas_results` | torque, roll, pressure and irregularity of each engine of a sweep |
+| `mount_results` | modes, force and shake on the mounts of each engine of a sweep |
 | `torsion_results` | torsional frequency, stress and amplitude of each engine of a sweep |
 | `marine` | external and guide-force moments of an engine with weights and compensators |
 | `engine_family` | the cylinders of an engine in rows of 5 to 12, each with the best order |

@@ -11,6 +11,7 @@ from math import prod
 import numpy as np
 
 from crankstar import spectra
+from crankstar.dynamics.mounted_block import MountError
 from crankstar.dynamics.torsion_system import TorsionError
 from crankstar.dynamics.uneven import UnevenError, driven
 from crankstar.engine.engine import Engine
@@ -120,7 +121,7 @@ def one_by_one(
     for place, (engine, speed) in enumerate(cases(), 1):
         try:
             out.append(value(engine, speed))
-        except (GasError, SweepError, TorsionError, UnevenError) as error:
+        except (GasError, MountError, SweepError, TorsionError, UnevenError) as error:
             raise SweepError(
                 "value {place} of {count}: {reason}",
                 place=place,

@@ -33,6 +33,7 @@ from crankstar.mechanics.excitation import Reference, Totals, rolling_moment
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.fields import Source, ends_of, source_of
 from crankstar.studies.gas_results import GAS_WATCHABLE, Case, gas_values
+from crankstar.studies.mount_results import MOUNT_WATCHABLE, mount_values
 from crankstar.studies.ranges import over_requests
 from crankstar.studies.study import Study, check_apart, study
 from crankstar.studies.sums import GREATEST_ORDER, Group, joined
@@ -52,7 +53,7 @@ WATCHABLE = (
     "torque",
 )
 
-EVERYTHING = (*WATCHABLE, *GAS_WATCHABLE, *TORSION_WATCHABLE)
+EVERYTHING = (*WATCHABLE, *GAS_WATCHABLE, *TORSION_WATCHABLE, *MOUNT_WATCHABLE)
 """All that a sweep can watch."""
 
 
@@ -333,7 +334,7 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
     .forward, .backward, the vectors that turn with and against the crankshaft; couple.pitch and
     couple.yaw, the moments about the right and the up axis, as large as couple.up and couple.right.
     Or one of GAS_WATCHABLE: what gas does at the load of each engine's file; or one of
-    TORSION_WATCHABLE: how its crankshaft vibrates.
+    TORSION_WATCHABLE or MOUNT_WATCHABLE: how its crankshaft vibrates, how it shakes on its mounts.
     All orders together over their period, or one `order`. Raises SweepError.
 
     >>> sweep = swept("single", over="balance_factor", values=[0, 0.5, 1])
@@ -357,9 +358,10 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
     if what in GAS_WATCHABLE:
         values, unit = gas_values(sweep.cases, what, order=order, shape=sweep.shape)
         return Curve(what, order, values, unit, label)
-    if what in TORSION_WATCHABLE:
+    if what in (*TORSION_WATCHABLE, *MOUNT_WATCHABLE):
         swept_speed = sweep.highest_speed is not None
-        values, unit = torsion_values(
+        computed = torsion_values if what in TORSION_WATCHABLE else mount_values
+        values, unit = computed(
             sweep.cases, what, order=order, shape=sweep.shape, speed_swept=swept_speed
         )
         return Curve(what, order, values, unit, label)

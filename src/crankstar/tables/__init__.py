@@ -23,6 +23,7 @@
 | `by_order` | force, couple and moments of each order |
 | `balance_orders` | the orders of a Balance for machines |
 | `amplitudes` | amplitudes for machines, one row each |
+| `mount_places` | the mounts of an engine file, as they are given |
 | `engines` | an engine's parts, the sources of its values, the catalog |
 | `strokes` | strokes, valve events and exhaust intervals |
 | `firing_orders` | firing orders of a crank |
@@ -54,6 +55,7 @@
 | `torsion_chain` | a chain that twists: masses, shafts, modes, Holzer's table |
 | `crank_fatigue` | the safety of a crankshaft against fatigue |
 | `torsion` | critical speeds, torsional vibration over the speeds, stress and heat |
+| `mount_facts` | what a verdict and a comparison say of mounts |
 | `torsion_facts` | torsion in a verdict and a comparison |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
 | `placings` | the places of balance shafts, and what they leave of the roll |

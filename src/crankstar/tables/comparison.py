@@ -84,7 +84,8 @@ def comparison(shown: Sequence[Analysis], names: Sequence[str] | None = None) ->
         if real
         else _("Greatest value of each order, each engine in its own m r ω²")
     )
-    return Document(title, (*parts, *_with_gas(compared), *_torsion(compared), _engines(compared)))
+    responses = (*_torsion(compared), *_mounts(compared))
+    return Document(title, (*parts, *_with_gas(compared), *responses, _engines(compared)))
 
 
 def _with_gas(compared: _Compared) -> tuple[Table, ...]:
@@ -105,6 +106,16 @@ def _torsion(compared: _Compared) -> tuple[Table, ...]:
     from crankstar.tables.torsion_facts import torsion_comparison
 
     return torsion_comparison(engines, compared.names, _speeds(compared))
+
+
+def _mounts(compared: _Compared) -> tuple[Table, ...]:
+    """How those engines shake on their mounts whose files have them."""
+    engines = [shown.engine for shown in compared.shown]
+    if not any(engine.mounts for engine in engines):
+        return ()
+    from crankstar.tables.mount_facts import mount_comparison
+
+    return mount_comparison(engines, compared.names, _speeds(compared))
 
 
 def _speeds(compared: _Compared) -> list[float | None]:
@@ -290,17 +301,23 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
         for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
             share = _share(cell, cells[0], 1)
             rows.append(("torque_with_gas", order, engine, _rpm(result), cell, "N*m", share))
-    rows += _torsion_rows(compared)
+    rows += _response_rows(compared)
     title = ", ".join(compared.names)
     return Document(title, (Table("", heads, tuple(rows), key="amplitudes"),))
 
 
-def _torsion_rows(compared: _Compared) -> list[tuple[Value, ...]]:
-    """The first torsional frequency and the strongest critical speed of each engine."""
+def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
+    """Torsion and mounts of each engine, where all of them have these."""
     engines = [shown.engine for shown in compared.shown]
-    if any(engine.torsion is None for engine in engines):
-        return []
-    from crankstar.tables.torsion_facts import torsion_sizes
+    sizes = []
+    if all(engine.torsion is not None for engine in engines):
+        from crankstar.tables.torsion_facts import torsion_sizes
+
+        sizes += torsion_sizes(engines, _speeds(compared))
+    if all(engine.mounts for engine in engines):
+        from crankstar.tables.mount_facts import mount_sizes
+
+        sizes += mount_sizes(engines, _speeds(compared))
 
     return [
         (
@@ -312,7 +329,7 @@ def _torsion_rows(compared: _Compared) -> list[tuple[Value, ...]]:
             unit,
             _share(cell, cells[0] or 0.0, 1) if cell else None,
         )
-        for what, order, cells, unit in torsion_sizes(engines, _speeds(compared))
+        for what, order, cells, unit in sizes
         for engine, result, cell in zip(compared.names, compared.results, cells, strict=True)
     ]
 

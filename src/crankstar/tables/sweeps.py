@@ -17,6 +17,7 @@ from crankstar.mechanics.labelled import AXIAL, VECTORS
 from crankstar.spectra import Real
 from crankstar.studies.best_value import Best
 from crankstar.studies.gas_results import GAS_WATCHABLE
+from crankstar.studies.mount_results import MOUNT_WATCHABLE
 from crankstar.studies.sweep import Curve, Sweep
 from crankstar.studies.torsion_results import TORSION_WATCHABLE
 from crankstar.tables import ranges
@@ -80,9 +81,9 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
         "them."
     )
     more = (_estimates_note(sweep), added if sweep.adds else "")
-    if curves and all(curve.what in TORSION_WATCHABLE for curve in curves):
+    if curves and all(curve.what in (*TORSION_WATCHABLE, *MOUNT_WATCHABLE) for curve in curves):
         return remarks(_estimates_note(sweep), kind="note")
-    own = (*GAS_WATCHABLE, *TORSION_WATCHABLE)
+    own = (*GAS_WATCHABLE, *TORSION_WATCHABLE, *MOUNT_WATCHABLE)
     gas = bool(curves) and all(curve.what in own for curve in curves)
     return remarks(counted, "" if gas else speed_note(sweep), *more, kind="note")
 

@@ -61,7 +61,7 @@ MOMENTS = {
 class Fact(NamedTuple):
     """A sentence and its subject.
 
-    One of layout, firing, units, force, couple, roll, torsion, tolerances, cure, relatives.
+    One of layout, firing, units, force, couple, roll, torsion, mounts, tolerances, cure, relatives.
     """
 
     about: str
@@ -92,6 +92,7 @@ def verdict(
         ("couple", _vector_sentences("couple", result, sums)),
         ("roll", _moment_sentences(result, sums)),
         *(("torsion", sentence) for sentence in _torsion(engine, speed)),
+        *(("mounts", sentence) for sentence in _mounts(engine, speed)),
         *(("cure", sentence) for sentence in _cures(engine, speed)),
         *(("relatives", sentence) for sentence in (relative_lines(engine) if relatives else [])),
     ]
@@ -130,6 +131,7 @@ def subjects() -> dict[str, str]:
         "couple": _("couple"),
         "roll": _("rolling moment"),
         "torsion": _("torsion"),
+        "mounts": _("mounts"),
         "tolerances": _("as built"),
         "cure": _("remedy"),
         "relatives": _("comparison"),
@@ -246,6 +248,15 @@ def _torsion(engine: Engine, speed: float | None) -> list[str]:
     from crankstar.tables.torsion_facts import torsion_sentences  # with scipy, for these alone
 
     return torsion_sentences(engine, speed=speed)
+
+
+def _mounts(engine: Engine, speed: float | None) -> list[str]:
+    """How an engine with [[mounts]] shakes on them."""
+    if not engine.mounts:
+        return []
+    from crankstar.tables.mount_facts import mount_sentences  # with scipy, for these alone
+
+    return mount_sentences(engine, speed=speed)
 
 
 def _cures(engine: Engine, speed: float | None) -> list[str]:
