@@ -11,6 +11,7 @@
 | `speed_ranges` | what `analyze --speeds` prints |
 | `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
 | `torque` | torque |
+| `isolating` | isolate |
 | `mounts` | mounts |
 | `marine` | marine |
 | `genset` | genset |

@@ -55,6 +55,7 @@ VERBS = {
     "genset": "genset:genset",
     "grade": "workshop:grade",
     "guide": "guide:guide",
+    "isolate": "isolating:isolate",
     "list": "inspect:list_engines",
     "marine": "marine:marine",
     "mounts": "mounts:mounts",

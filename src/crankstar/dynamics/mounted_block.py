@@ -13,7 +13,8 @@ but not its turning in M; its gyroscopic moment is left out. Gravity acts downwa
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -134,24 +135,49 @@ def mounted_block(engine: Engine) -> MountedBlock:
     own = body(engine)
     products = (0.0, 0.0, 0.0) if engine.block is None else engine.block.products
     mass = mass_matrix(own.mass, inertia=own.inertia, products=products)
-    arms = held(engine.mounts, centre=own.centre)
     base = engine.foundation
     if base is None:
         mounts, centres = engine.mounts, np.array([own.centre])
+        arms = _arms(engine.mounts, centres)
         return MountedBlock(own, mounts, len(mounts), mass, arms, centres)
-    centre = (base.up, base.right, base.z)
+    centres = np.array([own.centre, (base.up, base.right, base.z)])
     below = mass_matrix(base.mass, inertia=base.inertia, products=(0.0, 0.0, 0.0))
-    upper = np.concatenate([arms, -held(engine.mounts, centre=centre)], axis=-1)
-    lower = held(base.mounts, centre=centre)
+    lower = held(base.mounts, centre=centres[1].tolist())
     lower = np.concatenate([np.zeros_like(lower), lower], axis=-1)
     return MountedBlock(
         own,
         (*engine.mounts, *base.mounts),
         len(engine.mounts),
         np.block([[mass, np.zeros_like(mass)], [np.zeros_like(mass), below]]),
-        np.concatenate([upper, lower]),
-        np.array([own.centre, centre]),
+        np.concatenate([_arms(engine.mounts, centres), lower]),
+        centres,
     )
+
+
+def _arms(mounts: Sequence[Mount], centres: Real) -> Real:
+    """What the freedoms of the block, and of its foundation, do along the axes of its mounts."""
+    upper = held(mounts, centre=centres[0].tolist())
+    if len(centres) == 1:
+        return upper
+    return np.concatenate([upper, -held(mounts, centre=centres[1].tolist())], axis=-1)
+
+
+def with_mounts(block: MountedBlock, mounts: Sequence[Mount]) -> MountedBlock:
+    """The same block, on other mounts of its own; as many as it has.
+
+    >>> from crankstar.engine.copies import with_values
+    >>> from crankstar.files.catalog import load
+    >>> at = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
+    >>> rubber = [{"name": n, "right": r, "z": z, "stiffness": "50 N/mm"} for n, r, z in at]
+    >>> own = {"mounts": rubber, "block": {"mass": "150 kg", "z": "0 m"}}
+    >>> block = mounted_block(load("audi-25-tfsi", changes=own))
+    >>> wide = [with_values(each, right=2 * each.right) for each in block.mounts]
+    >>> (with_mounts(block, wide).stiffness[5, 5] / block.stiffness[5, 5]).item()
+    4.0
+    """
+    below = block.mounts[block.of_block :]
+    arms = np.concatenate([_arms(mounts, block.centres), block.arms[block.of_block :]])
+    return replace(block, mounts=(*mounts, *below), arms=arms)
 
 
 def dynamic_stiffness(block: MountedBlock, *, frequencies: Real) -> Complex:

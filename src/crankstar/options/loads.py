@@ -14,6 +14,11 @@ LOADS = {
         '"0.25 kg*m^2" (default: drive.inertia of the file).',
         ("--inertia",),
     ),
+    "--frequencies": Option(
+        "text",
+        'Band in which all natural frequencies on the mounts must lie, such as "5..15 Hz".',
+        ("--band", "--natural-frequencies"),
+    ),
     "--irregularity": Option(
         "text",
         "Degree of irregularity for which the flywheel is wanted, such as 1/50 or 0.02.",
@@ -93,6 +98,27 @@ LOADS = {
     ),
     "--save": Option(
         "text", "File in which the engine is written with what is added to it: .toml, .json, .xlsx."
+    "--sag": Option(
+        "text",
+        'How far the block may sit down on its mounts under its weight, such as "5 mm".',
+        ("--static-deflection", "--settling"),
+    ),
+    "--shift": Option(
+        "text",
+        'How far each mount may be moved each way: "30 mm", or along, up and right as in "30 mm, '
+        '0 mm, 20 mm" (default: not at all).',
+        ("--move", "--places-within"),
+    ),
+    "--starts": Option(
+        "whole number",
+        "From how many mounts the search starts, those of the file first.",
+        ("--restarts",),
+    ),
+    "--stiffness": Option(
+        "text",
+        'Within which the stiffnesses of the mounts may be chosen, such as "50..400 N/mm" '
+        "(default: those of the file).",
+        ("--rates", "--spring-rates"),
     ),
     "--to": Option(
         "text",

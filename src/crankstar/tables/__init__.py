@@ -55,6 +55,7 @@
 | `torsion_chain` | a chain that twists: masses, shafts, modes, Holzer's table |
 | `crank_fatigue` | the safety of a crankshaft against fatigue |
 | `torsion` | critical speeds, torsional vibration over the speeds, stress and heat |
+| `isolation` | the best mounts, beside those of the file |
 | `mount_facts` | what a verdict and a comparison say of mounts |
 | `torsion_facts` | torsion in a verdict and a comparison |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |

@@ -1,0 +1,79 @@
+"""The verb isolate: the best mounts of an engine within limits."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from crankstar.cli.options import Json, Settings, engine_over_ranges, option, together, write_engine
+from crankstar.cli.output import display, progress, writable, write
+from crankstar.cli.speed_ranges import speeds_of
+from crankstar.language.messages import _
+from crankstar.options import isolating as asked
+from crankstar.options import values as request
+
+HELP = "Name from the catalog, or engine file with [[mounts]]; - for standard input."
+
+
+def isolate(
+    engine: Annotated[str, Parameter(help=HELP)],
+    /,
+    *,
+    minimise: Annotated[
+        str,
+        option(
+            "--minimise",
+            "force (on the ground) or velocity (of the point): the greatest over the speeds; rms "
+            "force, rms velocity; or roll (what is not roll in the mode of roll).",
+        ),
+    ] = "force",
+    stiffness: Annotated[str | None, option("--stiffness")] = None,
+    shift: Annotated[str | None, option("--shift")] = None,
+    sag: Annotated[str | None, option("--sag")] = None,
+    frequencies: Annotated[str | None, option("--frequencies")] = None,
+    point: Annotated[str | None, option("--point")] = None,
+    speeds: Annotated[str | None, option("--speeds", "Default: those of the file.")] = None,
+    at: Annotated[str | None, option("--at")] = None,
+    starts: Annotated[int | None, option("--starts", "Default: 6.")] = None,
+    settings: Settings = None,
+    json: Json = False,
+    output: Annotated[str | None, option("--output", "The engine on the best mounts.")] = None,
+) -> None:
+    """Find the stiffness and place of mounts, within limits, that pass on or shake least."""
+    from crankstar.dynamics.mount_analysis import mounts as analysis
+    from crankstar.remedy.isolation import STARTS, isolated
+    from crankstar.search.interrupts import ended_once
+    from crankstar.tables import machine
+    from crankstar.tables.isolation import isolation_document
+
+    if output is not None:
+        writable(output)
+    ((loaded, _spread), tree), aim, over, count = together(
+        partial(engine_over_ranges, engine, settings, estimate=False),
+        partial(asked.aim, minimise),
+        partial(speeds_of, speeds),
+        partial(request.within, "--starts", starts, most=asked.GREATEST_STARTS),
+    )
+    how = {"point": point or "", "speeds": over, "at": request.block_point(at, loaded)}
+    with ended_once(), progress(_("Looking for the best mounts")) as tell:
+        found = analysis(loaded, **how)
+        limits = asked.limits(
+            loaded, stiffness=stiffness, shift=shift, sag=sag, frequencies=frequencies
+        )
+        best = isolated(
+            loaded,
+            found,
+            aim=aim,
+            limits=limits,
+            starts=STARTS if count is None else count,
+            tell=lambda done, of: tell(done, of, f"{done}/{of}"),
+        )
+        document = isolation_document(best, found, analysis(best.engine, **how), limits)
+    if output is not None:
+        write_engine(best.engine, tree, output)
+    if json:
+        write(machine.json_text(machine.tree(document)), None)
+    else:
+        display(document)

@@ -1,0 +1,109 @@
+"""The options of `crankstar isolate` as they are typed, and the best mounts that they ask for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, cast, get_args
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import LENGTH, SPEED, Quantity
+from crankstar.files import units
+from crankstar.language.messages import _
+from crankstar.options import values as request
+from crankstar.options.refusals import refusal
+
+if TYPE_CHECKING:
+    from crankstar.remedy.isolation import IsolationAim, MountLimits
+
+STIFFNESS = Quantity("stiffness", "200 N/mm")
+WIDEST = 1e4
+"""The greatest over the least stiffness: beyond it nothing is gained."""
+LARGEST = 10.0
+"""Metres: places are not moved further."""
+GREATEST_STARTS = 64
+TURN = 6.283185307179586
+
+
+def aim(text: str) -> IsolationAim:
+    """What is minimised. Raises RequestError."""
+    from crankstar.remedy.isolation import IsolationAim
+
+    words = " ".join(text.split())
+    return cast("IsolationAim", request.choice("--minimise", words, get_args(IsolationAim)))
+
+
+def limits(
+    engine: Engine,
+    *,
+    stiffness: str | None,
+    shift: str | None,
+    sag: str | None,
+    frequencies: str | None,
+) -> MountLimits:
+    """What the mounts may be. Raises RequestError."""
+    from crankstar.remedy.isolation import MountLimits
+
+    down = None
+    if sag is not None:
+        down = request.length("--sag", sag, engine, positive=True)
+    return MountLimits(
+        stiffness=None if stiffness is None else _stiffness(stiffness),
+        shift=(0.0, 0.0, 0.0) if shift is None else _shift(shift, engine),
+        sag=down,
+        frequencies=None if frequencies is None else _frequencies(frequencies),
+    )
+
+
+def _stiffness(text: str) -> tuple[float, float]:
+    """N/m, the least above nought."""
+    low, high = _range("--stiffness", text, STIFFNESS, "50..400 N/mm")
+    if not 0 < low < high <= WIDEST * low:
+        raise refusal(
+            "--stiffness",
+            text,
+            "give two stiffnesses above 0, the lower one first, at most {most} times apart, as in "
+            "50..400 N/mm",
+            most=f"{WIDEST:g}",
+        )
+    return low, high
+
+
+def _frequencies(text: str) -> tuple[float, float]:
+    """Hertz; the lower end may be nought."""
+    low, high = (end / TURN for end in _range("--frequencies", text, SPEED, "5..15 Hz"))
+    if not 0 <= low < high:
+        raise refusal(
+            "--frequencies", text, "give two frequencies, the lower one first, as in 5..15 Hz"
+        )
+    return low, high
+
+
+def _range(option: str, text: str, quantity: Quantity, example: str) -> tuple[float, float]:
+    """Both ends in SI; the unit is that of the last."""
+    low, dots, high = (part.strip() for part in text.partition(".."))
+    if not dots or not low or not high or units.is_bare(high):
+        raise refusal(option, text, "give a range with its unit, as in {example}", example=example)
+    if units.is_bare(low):
+        low = f"{low} {units.unit_of(high)}"
+    with request.reading(option):
+        return units.si(low, quantity), units.si(high, quantity)
+
+
+def _shift(text: str, engine: Engine) -> tuple[float, float, float]:
+    """Metres each way: up, right, z."""
+    example = _('as in "30 mm" or "0 mm, 20 mm, 30 mm" (z, up, right)')
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) not in (1, 3):
+        raise refusal(
+            "--shift", text, "give one length, or z, up and right, {example}", example=example
+        )
+    sizes = request.places("--shift", parts, [LENGTH] * len(parts), engine, example)
+    if not all(0 <= size <= LARGEST for size in sizes) or not any(sizes):
+        raise refusal(
+            "--shift",
+            text,
+            "give how far a mount may be moved each way, up to {most} m, {example}",
+            most=f"{LARGEST:g}",
+            example=example,
+        )
+    along, up, right = sizes * 3 if len(sizes) == 1 else sizes
+    return up, right, along
