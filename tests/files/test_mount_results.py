@@ -194,3 +194,32 @@ def test_an_estimated_engine_on_mounts_has_ranges(run: Run, tmp_path: Path) -> N
     text = said(run, "verdict", str(place), "--estimate")
     part = text.partition("shakes most at")[2].partition("rms")[0]
     assert " to " in part or "estimated" in part
+
+
+def test_points_of_block_and_frame_are_told_with_their_worst(run: Run, tmp_path: Path) -> None:
+    below = [{"name": "bar end", "up": "300 mm", "right": "-400 mm"}]
+    more = {"block": {**BLOCK, "points": GRIPS}, "foundation": {**GROUND, "points": below}}
+    place = written(tmp_path, **more)
+    out = json.loads(run("mounts", place, "--speed", "2000 rpm", "--json").out)
+    found = crankstar.mounts(mounted(**more), speed=2000 / RPM)
+    over, at = found.over, found.at
+    assert over is not None
+    assert at is not None
+    names = [row["name"] for row in out["points"]]
+    assert names == ["left grip", "seat", "foundation: bar end"]
+    for row, there, own, of in zip(
+        out["points"],
+        out["points_at_speed"],
+        [(0.5, 0.35, 0.2), (0.4, 0.0, -0.6), (0.3, -0.4, 0.0)],
+        [0, 0, 1],
+        strict=True,
+    ):
+        weighted = rms(over.hand_arm(own, of=of))
+        assert row["hand_arm_rms"] == pytest.approx(weighted.max())
+        assert row["hand_arm_rpm"] == pytest.approx(over.speeds[np.argmax(weighted)] * RPM)
+        assert row["velocity_rms"] == pytest.approx(1e3 * rms(over.velocity(own, of=of)).max())
+        assert there["acceleration_rms"] == pytest.approx(rms(at.acceleration(own, of=of))[0])
+    assert "W_h of ISO 5349-1" in said(run, "mounts", place)
+    assert "foundation: bar end" in run("mounts", place).out
+    again = engine_of(crankstar.files.tree_of(toml(mounted(**more))))
+    assert again.foundation == mounted(**more).foundation

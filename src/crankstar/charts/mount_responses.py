@@ -22,21 +22,33 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.spectra import Complex, Real
 
-MountView = Literal["velocity", "displacement", "force", "mounts"]
+MountView = Literal["velocity", "displacement", "acceleration", "hand-arm", "force", "mounts"]
 TITLES = {
     "velocity": N_("Velocity of a point on its mounts over the speed"),
     "displacement": N_("Displacement of a point on its mounts over the speed"),
+    "acceleration": N_("Acceleration of a point on its mounts over the speed"),
+    "hand-arm": N_("Acceleration of a point, weighted for the hand, over the speed"),
     "force": N_("Force of the mounts on the ground over the speed"),
     "mounts": N_("Force in each mount over the speed"),
 }
 AXES = {
     "velocity": N_("velocity, rms ({unit})"),
     "displacement": N_("displacement, rms ({unit})"),
+    "acceleration": N_("acceleration, rms ({unit})"),
+    "hand-arm": N_("weighted acceleration, rms ({unit})"),
     "force": N_("force, rms ({unit})"),
     "mounts": N_("force, rms ({unit})"),
 }
-UNITS = {"velocity": "mm/s", "displacement": "um", "force": "N", "mounts": "N"}
-FACTORS = {"velocity": 1e3, "displacement": 1e6, "force": 1.0, "mounts": 1.0}
+UNITS = {
+    "velocity": "mm/s",
+    "displacement": "um",
+    "acceleration": "m/s^2",
+    "hand-arm": "m/s^2",
+    "force": "N",
+    "mounts": "N",
+}
+FACTORS = {"velocity": 1e3, "displacement": 1e6}
+"""Of what is not drawn in SI."""
 THROUGH = N_("Transmissibility of the mounts over the speed")
 TOTAL = N_("all orders")
 MOST_ORDERS, VISIBLE = 5, 0.02
@@ -65,7 +77,9 @@ def mount_response_chart(
     point: str | None = None,
     at: Sequence[float] | None = None,
 ) -> Chart:
-    """Velocity or displacement of a point, or the force on the ground, rms over the speed.
+    """Vibration of a point, or the force on the ground, rms over the speed.
+
+    `hand-arm` is the acceleration weighted for the hand (`dynamics.hand_arm`).
 
     The strongest orders (thin), or those named, and all orders together (thick); `mounts` is the
     force in each mount, of all orders. `at` is the point of the block (up, right, z; m), else its
@@ -88,7 +102,7 @@ def mount_response_chart(
     lines = _of_mounts(over) if by_mount else _by_order(over, found.point, wanted, asked)
     panel = _panel(over, lines, _(AXES[wanted], unit=unit))
     told = about(engine, found)
-    if wanted in ("velocity", "displacement"):
+    if wanted not in ("force", "mounts"):
         told.append(place_text(found.point))
     top = max(lines, key=lambda line: float(line.values.max()))
     told.append(
@@ -133,7 +147,7 @@ def _by_order(
     over: MountResponse, at: Sequence[float], view: str, asked: Sequence[float] | None
 ) -> list[_Line]:
     """The whole, and its strongest orders or those that are asked for."""
-    amplitudes = FACTORS[view] * _amplitudes(over, at, view)
+    amplitudes = FACTORS.get(view, 1.0) * _amplitudes(over, at, view)
     each = np.sqrt((np.abs(amplitudes) ** 2).sum(axis=2) / 2)
     tops = each.max(axis=0)
     if asked is not None:
@@ -150,7 +164,7 @@ def _amplitudes(over: MountResponse, at: Sequence[float], view: str) -> Complex:
     """[speed, order, axis], SI."""
     if view == "force":
         return over.ground_force[..., :3]
-    return over.velocity(at) if view == "velocity" else over.displacement(at)
+    return getattr(over, view.replace("-", "_"))(at)
 
 
 def _of_mounts(over: MountResponse) -> list[_Line]:

@@ -56,7 +56,8 @@ def plot(
             "crank-pin or crank-pin-journal (journals turn with the crankshaft); for torque "
             "together, cylinders, loads or orders; for pressure volume or angle; for "
             "torsion-response amplitude, stress or torque; for torsion-star mode-1, mode-2 or "
-            "mode-3; for mount-response velocity, displacement, force or mounts.",
+            "mode-3; for mount-response velocity, displacement, "
+            "acceleration, hand-arm, force or mounts.",
         ),
     ] = None,
     model: Annotated[str | None, option("--model")] = None,

@@ -23,6 +23,7 @@
 | `torsion_analysis` | all that is asked of the torsional vibration of an engine or a drive line |
 | `crank_fatigue` | whether the fillets of a crankshaft bear its bending and twist for ever |
 | `whirl` | shift, tilt and turn of the free rigid engine, order by order |
+| `hand_arm` | the frequency weighting of vibration that goes into the hands |
 | `mounted_block` | a rigid block on its mounts and its foundation: masses, springs, dampers |
 | `mount_modes` | natural modes on the mounts, torque-roll axis, elastic axis |
 | `mount_excitation` | what shakes a block on its mounts: inertia and gas on its six freedoms |

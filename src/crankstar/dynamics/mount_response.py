@@ -21,6 +21,7 @@ from functools import cached_property
 import numpy as np
 
 from crankstar import spectra
+from crankstar.dynamics.hand_arm import hand_arm_weighting
 from crankstar.dynamics.mount_excitation import MountExcitation
 from crankstar.dynamics.mounted_block import SIX, MountedBlock, MountError, dynamic_stiffness
 from crankstar.engine.rigid_block import held, moved
@@ -57,13 +58,26 @@ class MountResponse:
         """Angular frequency of each order at each speed, rad/s."""
         return np.multiply.outer(self.speeds, self.orders)
 
-    def displacement(self, point: Sequence[float]) -> Complex:
-        """Of a point (up, right, z) of the block, m [speed, order, axis]."""
-        return self.motion[..., :SIX] @ moved(np.asarray(point, float) - self.block.centres[0]).T
+    def displacement(self, point: Sequence[float], *, of: int = 0) -> Complex:
+        """Of a point (up, right, z) of the block, m [speed, order, axis].
 
-    def velocity(self, point: Sequence[float]) -> Complex:
-        """Of a point of the block, m/s [speed, order, axis]."""
-        return 1j * self.vibration[..., None] * self.displacement(point)
+        `of` is 0 for the block, 1 for the foundation, which has the freedoms of its own.
+        """
+        own = self.motion[..., of * SIX : (of + 1) * SIX]
+        return own @ moved(np.asarray(point, float) - self.block.centres[of]).T
+
+    def velocity(self, point: Sequence[float], *, of: int = 0) -> Complex:
+        """Of such a point, m/s [speed, order, axis]."""
+        return 1j * self.vibration[..., None] * self.displacement(point, of=of)
+
+    def acceleration(self, point: Sequence[float], *, of: int = 0) -> Complex:
+        """Of such a point, m/s^2 [speed, order, axis]."""
+        return -(self.vibration[..., None] ** 2) * self.displacement(point, of=of)
+
+    def hand_arm(self, point: Sequence[float], *, of: int = 0) -> Complex:
+        """The acceleration of such a point weighted for the hand, m/s^2 [speed, order, axis]."""
+        weights = hand_arm_weighting(self.vibration)[..., None]
+        return weights * self.acceleration(point, of=of)
 
     @cached_property
     def _rate(self) -> Complex:

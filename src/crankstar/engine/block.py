@@ -32,6 +32,9 @@ class BlockPoint(Record):
         return self.up, self.right, self.z
 
 
+BlockPoints = Annotated[tuple[BlockPoint, ...], Field(max_length=MOST_POINTS)]
+
+
 class Block(Record):
     """The whole engine as one rigid body: mass, centre of mass, moments of inertia.
 
@@ -80,7 +83,7 @@ class Block(Record):
     product_up_z: Product = Field(default=0.0, description="the same of up times z")
     product_right_z: Product = Field(default=0.0, description="the same of right times z")
 
-    points: Annotated[tuple[BlockPoint, ...], Field(max_length=MOST_POINTS)] = Field(
+    points: BlockPoints = Field(
         default=(), description="whose vibration is told for an engine on its mounts"
     )
 

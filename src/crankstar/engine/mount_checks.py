@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from crankstar.engine.assembly import Assembly
+from crankstar.engine.block import BlockPoint
 from crankstar.engine.mounts import ALONG, Foundation, Mount
 from crankstar.engine.records import Block
 from crankstar.engine.rigid_block import unrestrained
@@ -36,11 +37,7 @@ def _block_faults(block: Block | None) -> Iterator[Fault]:
     """Moments and products of inertia that no body has."""
     if block is None:
         return
-    names = [point.name for point in block.points]
-    for place, name in enumerate(names):
-        if name in names[:place]:
-            values = {"value": seen(name)}
-            yield Fault(("block", "points", place, "name"), "block.point-twice", values)
+    yield from _point_faults(block.points, ("block", "points"))
     given = {name: getattr(block, name) for name in ("inertia_up", "inertia_right", "inertia_z")}
     missing = [name for name, value in given.items() if value is None]
     if 0 < len(missing) < len(given):
@@ -59,6 +56,14 @@ def _block_faults(block: Block | None) -> Iterator[Fault]:
             name = max(products, key=lambda name: abs(getattr(block, name)))
             values = {"value": getattr(block, name)}
             yield Fault(("block", name), "block.products-impossible", values)
+
+
+def _point_faults(points: Sequence[BlockPoint], here: Path) -> Iterator[Fault]:
+    """Points of one name."""
+    names = [point.name for point in points]
+    for place, name in enumerate(names):
+        if name in names[:place]:
+            yield Fault((*here, place, "name"), "block.point-twice", {"value": seen(name)})
 
 
 def second_moments(inertia: Sequence[float], products: Sequence[float]) -> np.ndarray:
@@ -88,6 +93,7 @@ def _foundation_faults(own: Foundation, *, standing: bool) -> Iterator[Fault]:
     here = ("foundation",)
     if not standing:
         yield Fault(here, "foundation.alone")
+    yield from _point_faults(own.points, (*here, "points"))
     names = ("inertia_up", "inertia_right", "inertia_z")
     yield from _impossible(here, {name: getattr(own, name) for name in names})
     if own.mounts:

@@ -10,6 +10,7 @@ from typing import Annotated
 
 from pydantic import BeforeValidator, Field
 
+from crankstar.engine.block import BlockPoints
 from crankstar.engine.cylinder_parts import Record
 from crankstar.engine.quantities import (
     Angle,
@@ -145,6 +146,9 @@ class Foundation(Record):
     inertia_right: BodyInertia = Field(description="about the axis to the right through it")
     inertia_z: BodyInertia = Field(description="about the axis along z through it")
     mounts: Mounts = Field(description="what it stands on itself; the ground below is rigid")
+    points: BlockPoints = Field(
+        default=(), description="of the foundation or frame, whose vibration is told too"
+    )
 
     @property
     def inertia(self) -> tuple[float, float, float]:

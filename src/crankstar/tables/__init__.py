@@ -48,6 +48,7 @@
 | `torque_parts` | side thrust, uneven forces and handbook harmonics |
 | `meshes` | gears between crankshafts: what each mesh passes on |
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
+| `mount_points` | how the named points of a block shake |
 | `mounts` | an engine on its mounts: modes, axes, vibration and forces by speed |
 | `marine` | external and guide-force moments, and compensators |
 | `engine_family` | a family of engines with their firing orders, as a project guide |

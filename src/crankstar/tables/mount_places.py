@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import degrees
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.records import BlockPoint
 from crankstar.language.messages import _
 from crankstar.tables.table import Column, Table, Value
 
@@ -17,8 +18,12 @@ def mount_places(engine: Engine) -> Iterator[Table]:
     """Where each mount is, how it lies and how stiff it is, and where its values come from."""
     if engine.mounts:
         yield _mounts(engine)
-    if engine.block is not None and engine.block.points:
-        yield _points(engine)
+    points = () if engine.block is None else engine.block.points
+    if points:
+        yield _points(_("Points of the block"), points, key="points")
+    if engine.foundation is not None and engine.foundation.points:
+        title = _("Points of the foundation")
+        yield _points(title, engine.foundation.points, key="foundation_points")
 
 
 def _mounts(engine: Engine) -> Table:
@@ -69,13 +74,12 @@ def _statuses(engine: Engine, path: str, place: int) -> list[str]:
     return [_(each) for each in dict.fromkeys(found)]
 
 
-def _points(engine: Engine) -> Table:
+def _points(title: str, points: Sequence[BlockPoint], *, key: str) -> Table:
     columns = (Column(_("point"), kind="text", key="name", label=True), *_places())
-    points = () if engine.block is None else engine.block.points
     rows = tuple(
         (point.name, *(MM * each for each in (point.up, point.right, point.z))) for point in points
     )
-    return Table(_("Points of the block"), columns, rows, key="points")
+    return Table(title, columns, rows, key=key)
 
 
 def _places() -> tuple[Column, ...]:

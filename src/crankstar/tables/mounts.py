@@ -18,6 +18,7 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.spectra import Complex, Real
 from crankstar.tables.headings import heading
+from crankstar.tables.mount_points import point_tables
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
@@ -47,6 +48,7 @@ def mounts_document(
         parts += [*over, modes, standing, _axis_table(found)]
     else:
         parts += [standing, modes, _axis_table(found), *over]
+    parts += point_tables(engine, found)
     if found.at is not None:
         parts += [_order_table(found, found.at), _force_table(found.at)]
     if not machine:
@@ -72,6 +74,7 @@ def _facts(engine: Engine, found: MountAnalysis) -> dict[str, Any]:
         "units": {
             "displacement": "um",
             "velocity": "mm/s",
+            "acceleration": "m/s^2",
             "force": "N",
             "moment": "N*m",
             "sag": "mm, mrad",

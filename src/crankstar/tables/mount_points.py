@@ -1,0 +1,104 @@
+"""How the named points of a block shake: velocity, acceleration, and that weighted for the hand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar.dynamics.mount_analysis import MountAnalysis
+from crankstar.dynamics.mount_response import MountResponse, rms
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
+from crankstar.tables.table import Column, Table, Value
+
+RPM = 30 / pi
+MM = 1e3
+
+
+def point_tables(engine: Engine, found: MountAnalysis) -> Iterator[Table]:
+    """The worst over the speeds of each point of the file, and what they do at one speed."""
+    places = _places(engine)
+    if not places:
+        return
+    if found.over is not None and found.over.speeds.size > 1:
+        yield _over_speeds(places, found.over)
+    if found.at is not None:
+        yield _at_speed(places, found.at)
+
+
+class _Place(NamedTuple):
+    """A point by its name, (up, right, z), and the body that it is of."""
+
+    name: str
+    at: tuple[float, float, float]
+    of: int
+
+
+def _places(engine: Engine) -> list[_Place]:
+    """The points of the block, then those of the foundation."""
+    points = () if engine.block is None else engine.block.points
+    out = [_Place(point.name, point.place, 0) for point in points]
+    if engine.foundation is not None:
+        of = _("foundation")
+        below = engine.foundation.points
+        out += [_Place(f"{of}: {point.name}", point.place, 1) for point in below]
+    return out
+
+
+def _over_speeds(places: list[_Place], own: MountResponse) -> Table:
+    columns = (
+        Column(_("point"), kind="text", key="name", label=True),
+        Column(_("velocity, rms"), "mm/s", key="velocity_rms", fixed=True),
+        Column(_("at speed"), "rpm", key="velocity_rpm", optional=1, digits=5),
+        Column(_("acceleration, rms"), "m/s^2", key="acceleration_rms", fixed=True),
+        Column(_("at speed"), "rpm", key="acceleration_rpm", optional=1, digits=5),
+        Column(_("weighted for the hand"), "m/s^2", key="hand_arm_rms", fixed=True),
+        Column(_("at speed"), "rpm", key="hand_arm_rpm", digits=5),
+    )
+    rows: list[tuple[Value, ...]] = []
+    for place in places:
+        cells: list[Value] = [place.name]
+        for course in _courses(own, place):
+            worst = int(np.argmax(course))
+            cells += [float(course[worst]), float(own.speeds[worst] * RPM)]
+        rows.append(tuple(cells))
+    title = _("Points of the block, where each shakes most")
+    return Table(title, columns, tuple(rows), (_weighting(),), key="points")
+
+
+def _at_speed(places: list[_Place], own: MountResponse) -> Table:
+    columns = (
+        Column(_("point"), kind="text", key="name", label=True),
+        Column(_("displacement, rms"), "um", key="displacement_rms", fixed=True, optional=1),
+        Column(_("velocity, rms"), "mm/s", key="velocity_rms", fixed=True),
+        Column(_("acceleration, rms"), "m/s^2", key="acceleration_rms", fixed=True),
+        Column(_("weighted for the hand"), "m/s^2", key="hand_arm_rms", fixed=True),
+    )
+    rows = tuple(
+        (
+            place.name,
+            1e6 * float(rms(own.displacement(place.at, of=place.of))[0]),
+            *(float(course[0]) for course in _courses(own, place)),
+        )
+        for place in places
+    )
+    title = _("Points of the block at {rpm} rpm", rpm=number(float(own.speeds[0] * RPM)))
+    return Table(title, columns, rows, (_weighting(),), key="points_at_speed")
+
+
+def _courses(own: MountResponse, place: _Place) -> Iterator[np.ndarray]:
+    """Velocity (mm/s), acceleration and weighted acceleration (m/s^2), rms [speed]."""
+    yield MM * rms(own.velocity(place.at, of=place.of))
+    yield rms(own.acceleration(place.at, of=place.of))
+    yield rms(own.hand_arm(place.at, of=place.of))
+
+
+def _weighting() -> str:
+    return _(
+        "Weighted for the hand: W_h of ISO 5349-1, total of the three axes; what is harmful also "
+        "depends on the hours of a day."
+    )
