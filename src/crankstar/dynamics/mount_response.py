@@ -80,20 +80,14 @@ class MountResponse:
         return weights * self.acceleration(point, of=of)
 
     @cached_property
-    def _rate(self) -> Complex:
-        """Force of each mount per deflection [speed, order, mount, axis]."""
-        lossy = self.block.lossy(self.vibration)[..., None] * self.block.along
-        return lossy + 1j * self.vibration[..., None, None] * self.block.viscous
-
-    @cached_property
     def deflection(self) -> Complex:
         """Of each mount along its axes, m [speed, order, mount, axis]."""
-        return _along(self.block, self.motion)
+        return self.block.yielding(self.vibration) * _along(self.block, self.motion)
 
     @cached_property
     def mount_force(self) -> Complex:
         """In each mount along its axes, N [speed, order, mount, axis]."""
-        return self._rate * self.deflection
+        return self.block.rate(self.vibration) * self.deflection
 
     @cached_property
     def ground_force(self) -> Complex:

@@ -7,8 +7,11 @@ k, c and eta their stiffness, damping and loss factor, s(w) their stiffening at 
 
     (-w^2 M + i w C + K(w)) q = Q       K = B' k s(w) (1 + i eta) B      C = B' c B
 
-Q are the forces on the freedoms. Motions are small; the crankshaft runs on evenly and has its mass
-but not its turning in M; its gyroscopic moment is left out. Gravity acts downward, against `up`.
+Q are the forces on the freedoms. A mount whose foot has a receptance a(w) of its own acts as the
+series of both: with r = s k (1 + i eta) + i w c, its force is r / (1 + r a) times what its ends
+approach; feet do not move each other. Motions are small; the crankshaft runs on evenly and has its
+mass but not its turning in M; its gyroscopic moment is left out. Gravity acts downward, against
+`up`.
 """
 
 from __future__ import annotations
@@ -20,7 +23,7 @@ import numpy as np
 
 from crankstar.dynamics.whirl import Body, body
 from crankstar.engine.engine import Engine
-from crankstar.engine.mounts import Mount
+from crankstar.engine.mounts import ALONG, Mount
 from crankstar.engine.rigid_block import gathered, held, mass_matrix
 from crankstar.language.messages import MessageError
 from crankstar.spectra import Complex, Real
@@ -102,6 +105,38 @@ class MountedBlock:
                 out[..., index] = np.interp(at, knots, factors)
         return out
 
+    @property
+    def has_feet(self) -> bool:
+        """Whether what a mount stands on gives way by a receptance of its own."""
+        return any(each.foot for each in self.mounts)
+
+    def receptance(self, frequencies: Real | float) -> Complex:
+        """Of the foot of each mount along its axes, m/N [*frequencies.shape, mount, axis]."""
+        at = np.asarray(frequencies, float)
+        out = np.zeros((*at.shape, len(self.mounts), ALONG), complex)
+        for index, mount in enumerate(self.mounts):
+            if mount.foot:
+                knots = [each.frequency for each in mount.foot]
+                given = np.array([each.along for each in mount.foot])
+                for axis in range(ALONG):
+                    out[..., index, axis] = np.interp(at, knots, given[:, axis])
+        return out
+
+    def rate(self, frequencies: Real | float) -> Complex:
+        """Force per deflection of each mount, N/m [*frequencies.shape, mount, axis]."""
+        at = np.asarray(frequencies, float)
+        lossy = self.lossy(at)[..., None] * self.along
+        return lossy + 1j * at[..., None, None] * self.viscous
+
+    def yielding(self, frequencies: Real | float) -> Complex:
+        """Deflection of each mount over what its ends approach [*frequencies.shape, mount, axis].
+
+        With its foot in series, 1 / (1 + rate times receptance); 1 where that stands still.
+        """
+        if not self.has_feet:
+            return np.ones((), complex)
+        return 1 / (1 + self.rate(frequencies) * self.receptance(frequencies))
+
     def lossy(self, frequencies: Real | float) -> Complex:
         """The factor s (1 + i eta) at angular frequencies, [*frequencies.shape, mount]."""
         loss = np.array([each.loss for each in self.mounts])
@@ -181,8 +216,14 @@ def with_mounts(block: MountedBlock, mounts: Sequence[Mount]) -> MountedBlock:
 
 
 def dynamic_stiffness(block: MountedBlock, *, frequencies: Real) -> Complex:
-    """-w^2 M + i w C + K(w) at angular frequencies w (rad/s), [w, freedom, freedom]."""
+    """-w^2 M + i w C + K(w) at angular frequencies w (rad/s), [w, freedom, freedom].
+
+    Where feet give way, k and c of each mount are in series with its foot.
+    """
     at = np.asarray(frequencies, float)
+    if block.has_feet:
+        along = block.rate(at) * block.yielding(at)
+        return gathered(block.arms, values=along) - at[:, None, None] ** 2 * block.mass
     size = block.freedoms
     each = block.each_stiffness.reshape(-1, size * size)
     loss = np.array([[own.loss] for own in block.mounts])

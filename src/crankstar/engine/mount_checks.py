@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from math import pi
 
 import numpy as np
 
@@ -30,7 +31,7 @@ def faults(engine: Assembly) -> Iterator[Fault]:
     if engine.mounts:
         yield from _mount_faults(engine.mounts, ("mounts",))
     if engine.foundation is not None:
-        yield from _foundation_faults(engine.foundation, standing=bool(engine.mounts))
+        yield from _foundation_faults(engine, engine.foundation)
 
 
 def _block_faults(block: Block | None) -> Iterator[Fault]:
@@ -89,17 +90,26 @@ def _impossible(here: Path, given: dict[str, float]) -> Iterator[Fault]:
         yield Fault((*here, name), "block.inertia-impossible", values)
 
 
-def _foundation_faults(own: Foundation, *, standing: bool) -> Iterator[Fault]:
+def _foundation_faults(engine: Assembly, own: Foundation) -> Iterator[Fault]:
     here = ("foundation",)
-    if not standing:
+    if not engine.mounts:
         yield Fault(here, "foundation.alone")
     yield from _point_faults(own.points, (*here, "points"))
     names = ("inertia_up", "inertia_right", "inertia_z")
     yield from _impossible(here, {name: getattr(own, name) for name in names})
     if own.mounts:
         yield from _mount_faults(own.mounts, (*here, "mounts"))
+        yield from _feet_on_a_foundation(engine)
     else:
         yield Fault((*here, "mounts"), "foundation.no-mounts")
+
+
+def _feet_on_a_foundation(engine: Assembly) -> Iterator[Fault]:
+    """Mounts with feet of their own, on a foundation that moves."""
+    names = [mount.name for mount in engine.mounts if mount.foot]
+    if names:
+        values = {"names": ", ".join(map(seen, names))}
+        yield Fault(("foundation",), "mounts.foot-and-foundation", values)
 
 
 def _mount_faults(mounts: Sequence[Mount], here: Path) -> Iterator[Fault]:
@@ -132,4 +142,20 @@ def _each_fault(mounts: Sequence[Mount], here: Path) -> Iterator[list[Fault]]:
         rising = [each.frequency for each in mount.rubber]
         if any(after <= before for before, after in pairwise(rising)):
             out.append(Fault((*path, "rubber"), "mounts.rubber-order"))
+        out += _foot_faults(mount, path)
         yield out
+
+
+def _foot_faults(mount: Mount, path: Path) -> Iterator[Fault]:
+    """Receptances of what a mount stands on that are out of order, or push by themselves."""
+    rising = [each.frequency for each in mount.foot]
+    if any(after <= before for before, after in pairwise(rising)):
+        yield Fault((*path, "foot"), "mounts.foot-order")
+    for place, each in enumerate(mount.foot):
+        here = (*path, "foot", place)
+        for key in ("amplitude", "phase"):
+            count = len(getattr(each, key))
+            if count not in (1, ALONG):
+                yield Fault((*here, key), "mounts.length", {"count": count})
+        if not all(-pi - ROUNDED <= phase <= ROUNDED for phase in each.phase):
+            yield Fault((*here, "phase"), "mounts.foot-phase")

@@ -6,6 +6,7 @@ front; `bearing`, `lean` and `twist` turn them (`engine.rigid_block.mount_axes`)
 
 from __future__ import annotations
 
+from cmath import rect
 from typing import Annotated
 
 from pydantic import BeforeValidator, Field
@@ -21,6 +22,7 @@ from crankstar.engine.quantities import (
     MountStiffness,
     MovingMass,
     Number,
+    PointReceptance,
     Position,
     Speed,
 )
@@ -34,6 +36,18 @@ ALONG = 3
 
 MountStiffnesses = Annotated[
     tuple[MountStiffness, ...],
+    BeforeValidator(as_list),
+    OneOrSeveral(),
+    Field(min_length=1, max_length=ALONG),
+]
+Receptances = Annotated[
+    tuple[PointReceptance, ...],
+    BeforeValidator(as_list),
+    OneOrSeveral(),
+    Field(min_length=1, max_length=ALONG),
+]
+Phases = Annotated[
+    tuple[Angle, ...],
     BeforeValidator(as_list),
     OneOrSeveral(),
     Field(min_length=1, max_length=ALONG),
@@ -54,6 +68,33 @@ class Stiffening(Record):
     factor: Annotated[Number, Field(gt=0, le=100)] = Field(
         description="stiffness there over that under a load that stands still", examples=[1.4]
     )
+
+
+class FootReceptance(Record):
+    """How far the place that a mount stands on gives way, per force on it, at a frequency.
+
+    >>> soft = FootReceptance(frequency=300.0, amplitude=[2e-8], phase=[-0.5])
+    >>> abs(soft.along[0]), len(soft.along)
+    (2e-08, 3)
+    """
+
+    frequency: Speed = Field(description="of the vibration", examples=["50 Hz"])
+    amplitude: Receptances = Field(
+        examples=[["0.02 um/N", "0.005 um/N", "0.005 um/N"]],
+        description="displacement per force along the three axes of the mount, or one for all",
+    )
+    phase: Phases = Field(
+        default=(0.0,),
+        examples=[["-20 deg"]],
+        description="of the displacement, from 0 to -180 deg behind the force; one or three",
+    )
+
+    @property
+    def along(self) -> tuple[complex, ...]:
+        """The complex receptance along each axis of the mount, m/N."""
+        sizes = self.amplitude * (ALONG if len(self.amplitude) == 1 else 1)
+        phases = self.phase * (ALONG if len(self.phase) == 1 else 1)
+        return tuple(rect(size, phase) for size, phase in zip(sizes, phases, strict=True))
 
 
 class Mount(Record):
@@ -95,6 +136,15 @@ class Mount(Record):
         description=(
             "how it stiffens: factors at rising frequencies, straight between them, from 1 at "
             "rest, and kept beyond the last"
+        ),
+    )
+
+    foot: tuple[FootReceptance, ...] = Field(
+        default=(),
+        max_length=1024,
+        description=(
+            "how what it stands on gives way: receptances at rising frequencies, straight between "
+            "them, and kept below the first and beyond the last; still if left out"
         ),
     )
 

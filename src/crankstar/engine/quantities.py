@@ -112,6 +112,8 @@ TurningDamping = Annotated[Number, Field(ge=0), TURNING_DAMPING]
 MountStiffness = Annotated[Number, Field(ge=0), Quantity("stiffness", "200 N/mm")]
 LinearDamping = Annotated[Number, Field(ge=0), Quantity("damping", "150 N*s/m")]
 """Of a mount: known in N/m and N s/m."""
+PointReceptance = Annotated[Number, Field(gt=0), Quantity("receptance", "0.02 um/N", least=1e-15)]
+"""Of what a mount stands on: displacement of a point per force on it."""
 Product = Annotated[Number, Quantity("moment of inertia", "0.4 kg*m^2", _MASS | _ACROSS)]
 """A product of inertia, of either sign."""
 ShearModulus = Annotated[Number, Field(gt=0), Quantity("elastic modulus", "80 GPa")]

@@ -19,6 +19,7 @@ _DIMENSIONS = {
     "torsional stiffness": N_("a torsional stiffness"),
     "torsional damping": N_("a torsional damping"),
     "damping": N_("a damping"),
+    "receptance": N_("a receptance"),
     "elastic modulus": N_("an elastic modulus"),
     "viscosity": N_("a viscosity"),
     "power": N_("a power"),

@@ -36,6 +36,16 @@ SENTENCES: dict[str, str | Plural] = {
     "mounts.rubber-order": N_(
         "{where} has frequencies that do not rise; list each once, from low to high"
     ),
+    "mounts.foot-order": N_(
+        "{where} has frequencies that do not rise; list each once, from low to high"
+    ),
+    "mounts.foot-phase": N_(
+        "{where} is not between -180 deg and 0; what gives way follows the force, it does not lead"
+    ),
+    "mounts.foot-and-foundation": N_(
+        "{where} is given beside feet of mounts ({names}), which say already how the ground gives "
+        "way; leave one of them out"
+    ),
     "mounts.one": N_(
         "{where} has one mount alone, {name}, about which the block can turn; give mounts at "
         "different places"

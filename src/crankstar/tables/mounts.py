@@ -340,6 +340,13 @@ def _doubts(found: MountAnalysis) -> list[str]:
                 value=number(RUBBER_LOSS_FACTOR),
             )
         )
+    if found.block.has_feet:
+        lines.append(
+            _(
+                "Feet give way by their receptances, each by itself; natural modes and the load at "
+                "rest are those on feet that stand still."
+            )
+        )
     known = found.over or found.at
     if known is not None and known.excitation.without_gas:
         reason = known.excitation.without_gas.rstrip(".")
