@@ -19,13 +19,13 @@ from crankstar.files import engine_of, toml, tree_of
 SPEEDS = np.geomspace(10.0, 900.0, 60)
 BODY = {"inertia_up": "40 kg*m^2", "inertia_right": "40 kg*m^2", "inertia_z": "30 kg*m^2"}
 FOOT = [
-    {"frequency": "10 Hz", "amplitude": "0.4 um/N", "phase": "-15 deg"},
+    {"frequency": "10 Hz", "amplitude": "0.4 um/N", "lag": "15 deg"},
     {
         "frequency": "80 Hz",
         "amplitude": ["2 um/N", "0.1 um/N", "0.05 um/N"],
-        "phase": ["-90 deg", "0 deg", "-180 deg"],
+        "lag": ["90 deg", "0 deg", "180 deg"],
     },
-    {"frequency": "300 Hz", "amplitude": "0.2 um/N", "phase": "-170 deg"},
+    {"frequency": "300 Hz", "amplitude": "0.2 um/N", "lag": "170 deg"},
 ]
 
 
@@ -64,7 +64,7 @@ def test_a_foundation_and_its_receptance_are_one_under_a_force_straight_up() -> 
         {
             "frequency": f"{f} rad/s",
             "amplitude": f"{abs(a)} m/N",
-            "phase": f"{min(np.angle(a), 0.0)} rad",
+            "lag": f"{max(-np.angle(a), 0.0)} rad",
         }
         for f, a in zip(at, shared, strict=True)
     ]
@@ -125,7 +125,7 @@ def test_feet_are_the_same_written_and_read_back() -> None:
     ("foot", "path", "code"),
     [
         (FOOT[::-1], "mounts.0.foot", "mounts.foot-order"),
-        ([{**FOOT[0], "phase": "30 deg"}], "mounts.0.foot.0.phase", "mounts.foot-phase"),
+        ([{**FOOT[0], "lag": "-30 deg"}], "mounts.0.foot.0.lag", "mounts.foot-lag"),
         (
             [{**FOOT[0], "amplitude": ["1 um/N", "1 um/N"]}],
             "mounts.0.foot.0.amplitude",

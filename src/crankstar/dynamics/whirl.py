@@ -26,6 +26,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from crankstar import spectra
+from crankstar.engine.block import BodyEstimate, inertia_in_box
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.mechanics.balance import default_reference
@@ -66,11 +67,12 @@ class Response:
 def body(engine: Engine, *, along: float = 1.0) -> Body:
     """The engine as a rigid body, from `[block]` of its file, else a homogeneous round bar.
 
-    The bar is homogeneous and lies along the crankshaft about the centre of mass. Its mass is
-    `MASS_TO_PISTONS` reciprocating masses (a third of a rigid rod included), its length the span of
-    the cylinders plus a stroke, its radius `RADIUS_TO_REACH` of the reach of the pistons. A couple
-    that turns in a circle makes it whirl in a circle. `along` is the unit along the crankshaft in
-    units across it (1 unless bore pitch or stroke is unknown); the body is in units across.
+    Where `[block]` has a mass and an outer size, it is a homogeneous box. The bar is homogeneous
+    too, and lies along the crankshaft about the centre of mass. Its mass is `MASS_TO_PISTONS`
+    reciprocating masses (a third of a rigid rod included), its length the span of the cylinders
+    plus a stroke, its radius `RADIUS_TO_REACH` of the reach of the pistons. A couple that turns in
+    a circle makes it whirl in a circle. `along` is the unit along the crankshaft in units across it
+    (1 unless bore pitch or stroke is unknown); the body is in units across.
     """
     block, middle = engine.block, default_reference(engine).z
     pistons = sum(
@@ -83,6 +85,10 @@ def body(engine: Engine, *, along: float = 1.0) -> Body:
     inertia = None if block is None else block.inertia
     if inertia is not None:
         return Body(mass, centre, inertia)
+    if block is not None and block.sides is not None:
+        up, right, length = block.sides
+        own = inertia_in_box(mass, sides=(up, right, length * along))
+        return Body(mass, centre, own.typical, (_boxed(own),))
     assumed = _(
         "The engine file gives no moments of inertia in [block]; a homogeneous round bar about the "
         "crankshaft is assumed."
@@ -94,6 +100,20 @@ def body(engine: Engine, *, along: float = 1.0) -> Body:
             factor=f"{MASS_TO_PISTONS:g}",
         )
     return Body(mass, centre, _bar(engine, mass, along), (assumed,))
+
+
+def _boxed(own: BodyEstimate) -> str:
+    """How far the moments of inertia of a body of that outer size may be from those of a box."""
+    low, high = (
+        [end / typical for end, typical in zip(ends, own.typical, strict=True)]
+        for ends in (own.low, own.high)
+    )
+    return _(
+        "Moments of inertia are estimated: a homogeneous box of the outer size of the block; by "
+        "its shape they may be {low} to {high} times as large.",
+        low=f"{min(low):.2g}",
+        high=f"{max(high):.2g}",
+    )
 
 
 def _bar(engine: Engine, mass: float, along: float) -> tuple[float, float, float]:

@@ -39,6 +39,9 @@ def _block_faults(block: Block | None) -> Iterator[Fault]:
     if block is None:
         return
     yield from _point_faults(block.points, ("block", "points"))
+    sides = [name for name in ("length", "width", "height") if getattr(block, name) is None]
+    if 0 < len(sides) < ALONG:
+        yield from (Fault(("block", name), "block.size-missing") for name in sides)
     given = {name: getattr(block, name) for name in ("inertia_up", "inertia_right", "inertia_z")}
     missing = [name for name, value in given.items() if value is None]
     if 0 < len(missing) < len(given):
@@ -153,9 +156,9 @@ def _foot_faults(mount: Mount, path: Path) -> Iterator[Fault]:
         yield Fault((*path, "foot"), "mounts.foot-order")
     for place, each in enumerate(mount.foot):
         here = (*path, "foot", place)
-        for key in ("amplitude", "phase"):
+        for key in ("amplitude", "lag"):
             count = len(getattr(each, key))
             if count not in (1, ALONG):
                 yield Fault((*here, key), "mounts.length", {"count": count})
-        if not all(-pi - ROUNDED <= phase <= ROUNDED for phase in each.phase):
-            yield Fault((*here, "phase"), "mounts.foot-phase")
+        if not all(-ROUNDED <= lag <= pi + ROUNDED for lag in each.lag):
+            yield Fault((*here, "lag"), "mounts.foot-lag")

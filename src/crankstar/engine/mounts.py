@@ -46,7 +46,7 @@ Receptances = Annotated[
     OneOrSeveral(),
     Field(min_length=1, max_length=ALONG),
 ]
-Phases = Annotated[
+Lags = Annotated[
     tuple[Angle, ...],
     BeforeValidator(as_list),
     OneOrSeveral(),
@@ -73,9 +73,9 @@ class Stiffening(Record):
 class FootReceptance(Record):
     """How far the place that a mount stands on gives way, per force on it, at a frequency.
 
-    >>> soft = FootReceptance(frequency=300.0, amplitude=[2e-8], phase=[-0.5])
-    >>> abs(soft.along[0]), len(soft.along)
-    (2e-08, 3)
+    >>> soft = FootReceptance(frequency=300.0, amplitude=[2e-8], lag=[0.5])
+    >>> abs(soft.along[0]), soft.along[0].imag < 0, len(soft.along)
+    (2e-08, True, 3)
     """
 
     frequency: Speed = Field(description="of the vibration", examples=["50 Hz"])
@@ -83,18 +83,18 @@ class FootReceptance(Record):
         examples=[["0.02 um/N", "0.005 um/N", "0.005 um/N"]],
         description="displacement per force along the three axes of the mount, or one for all",
     )
-    phase: Phases = Field(
+    lag: Lags = Field(
         default=(0.0,),
-        examples=[["-20 deg"]],
-        description="of the displacement, from 0 to -180 deg behind the force; one or three",
+        examples=[["20 deg"]],
+        description="of the displacement behind the force, from 0 to 180 deg; one or three",
     )
 
     @property
     def along(self) -> tuple[complex, ...]:
         """The complex receptance along each axis of the mount, m/N."""
         sizes = self.amplitude * (ALONG if len(self.amplitude) == 1 else 1)
-        phases = self.phase * (ALONG if len(self.phase) == 1 else 1)
-        return tuple(rect(size, phase) for size, phase in zip(sizes, phases, strict=True))
+        lags = self.lag * (ALONG if len(self.lag) == 1 else 1)
+        return tuple(rect(size, -lag) for size, lag in zip(sizes, lags, strict=True))
 
 
 class Mount(Record):

@@ -25,8 +25,12 @@ from crankstar.files.mistakes import SpreadsheetTree, Tree, copied
 from crankstar.files.read import engine_of
 from crankstar.language.faults import Fault, ValueFaultError
 
-CONDITIONS = ("speed", "cylinder.bore", "cylinder.stroke")
-"""Estimated values whose range is not carried into forces: these hold at that size and speed."""
+CONDITIONS = (
+    *("speed", "cylinder.bore", "cylinder.stroke"),
+    *(f"block.inertia_{axis}" for axis in ("up", "right", "z")),
+)
+"""Estimated values whose range is not carried into forces: these hold at that size and speed, and
+whatever the inertia of the block is."""
 MOST_RANGES = 8
 """Values with a range that one file may have: twice as many corners with each."""
 

@@ -11,6 +11,7 @@ from inspect import signature
 from math import pi, prod
 from typing import Any, NamedTuple
 
+from crankstar.engine.block import inertia_in_box
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.proportions import (
@@ -42,6 +43,9 @@ POWERS["moment of inertia"] = {"mass": 1, "radius": 2}
 """Powers of the units m and r in a quantity; lengths have their own unit once."""
 
 
+SIDES = ("height", "width", "length")
+INERTIAS = ("inertia_up", "inertia_right", "inertia_z")
+"""The keys of a block that go together: up, right, z."""
 STANDING = ("block", "mounts", "foundation")
 """Tables of what moves on the mounts: no layout depends on them."""
 
@@ -99,6 +103,7 @@ def estimated(
     try:
         _lengths(filling, laid_out, bore, stroke)
         _masses(filling, laid_out, bore, rod)
+        _block(filling)
     except KeyError:
         raise refused(name, "no-proportions", kind=kind) from None
     except ValueFaultError as error:
@@ -113,6 +118,24 @@ def estimated(
         del filling.tree["provenance"]
     engine_of(filling.tree, name=name)
     return Estimate(filling.tree, kind, reason, tuple(filling.filled))
+
+
+def _block(filling: Filling) -> None:
+    """The moments of inertia of a block whose mass and outer size are given."""
+    table = filling.tree.get("block")
+    if not isinstance(table, dict) or set(INERTIAS) & table.keys():
+        return
+    needed = {key: table.get(key) for key in ("mass", *SIDES)}
+    if not all(isinstance(value, str) for value in needed.values()):
+        return
+    mass = units.si(needed["mass"], MASS)
+    sides = [units.si(needed[key], LENGTH) for key in SIDES]
+    if mass <= 0 or min(sides) <= 0:  # reading the file says what is wrong
+        return
+    own = inertia_in_box(mass, sides=sides)
+    source = "a homogeneous box of that mass and outer size; an ellipsoid in it, or its walls alone"
+    for key, *sizes in zip(INERTIAS, own.low, own.typical, own.high, strict=True):
+        filling.fill(f"block.{key}", sizes, source)
 
 
 def _kind_of(tree: Tree) -> Any:

@@ -214,6 +214,7 @@ def unknown_sources(tree: Tree, forms: Iterable[type[Record]]) -> Iterator[Fault
 RANGED = (
     *("reciprocating_mass", "rotating_mass", "throw_mass", "big_end_mass"),
     *("mass", "centre", "inertia", "rod_length", "rod_ratio", "bore_pitch", "row_pitch"),
+    *("inertia_up", "inertia_right", "inertia_z"),
     *("bore", "stroke", "radius", "unbalance", "speed"),
 )
 """Values that may have a range: their keys. Forces are computed at the ends of it."""

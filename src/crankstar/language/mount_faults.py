@@ -20,6 +20,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, which no body with these moments of inertia has; are sign and unit "
         "right?"
     ),
+    "block.size-missing": N_(
+        "{where} is missing, and another outer size is given; give length, width and height, or "
+        "none"
+    ),
     "block.point-twice": N_("{where} is {value} twice; give each point its own name"),
     "mounts.relative": N_(
         "{where} are given for an engine without masses or sizes, which cannot be set against "
@@ -39,8 +43,8 @@ SENTENCES: dict[str, str | Plural] = {
     "mounts.foot-order": N_(
         "{where} has frequencies that do not rise; list each once, from low to high"
     ),
-    "mounts.foot-phase": N_(
-        "{where} is not between -180 deg and 0; what gives way follows the force, it does not lead"
+    "mounts.foot-lag": N_(
+        "{where} is not between 0 and 180 deg; what gives way follows the force, it does not lead"
     ),
     "mounts.foot-and-foundation": N_(
         "{where} is given beside feet of mounts ({names}), which say already how the ground gives "

@@ -17,6 +17,7 @@ from crankstar.engine.rigid_block import FREEDOMS
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.spectra import Complex, Real
+from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.headings import heading
 from crankstar.tables.mount_points import point_tables
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
@@ -53,6 +54,7 @@ def mounts_document(
         parts += [_order_table(found, found.at), _force_table(found.at)]
     if not machine:
         parts += [*remarks(*_notes(found), kind="note"), *remarks(*_doubts(found), kind="doubt")]
+        parts += typical_remarks(engine)
     return Document(engine.name, tuple(parts), _facts(engine, found))
 
 
