@@ -126,6 +126,17 @@ def test_roll_is_decoupled_where_stiffness_times_arm_is_even(what: str) -> None:
     assert found.after < 1e-5
 
 
+def test_products_of_inertia_do_not_lead_beyond_decoupled_roll() -> None:
+    """With them shares of energy may be below nought: what counts is their size."""
+    block = {**FOUR["block"], "product_up_z": "0.8 kg*m^2"}
+    limits = MountLimits(stiffness=(3e4, 4e5), shift=(0.05, 0.02, 0.05))
+    found = best(four(UNEVEN, block=block), aim="roll", limits=limits, starts=2)
+    modes = crankstar.mounts(found.engine).modes
+    energy = max(modes, key=lambda mode: mode.energy[5]).energy
+    assert found.after == pytest.approx(np.abs(np.delete(energy, 5)).sum(), abs=1e-4)
+    assert 0 <= found.after < 0.2 * found.before
+
+
 def test_all_frequencies_come_into_the_band() -> None:
     engine = four(UNEVEN)
     limits = MountLimits(stiffness=(2e4, 6e5), frequencies=(5.0, 14.0))
@@ -157,6 +168,17 @@ def test_a_foundation_that_gives_way_is_told_the_force_below_it() -> None:
     assert found.after == pytest.approx(greatest_force(found.engine), rel=1e-3)
     assert found.after < found.before
     assert found.engine.foundation == engine.foundation
+
+
+def test_the_forces_of_all_mounts_are_minimised_together() -> None:
+    engine = four(UNEVEN)
+    found = best(engine, aim="mounts", limits=MountLimits(stiffness=(3e4, 4e5), sag=9e-3))
+    for value, own in ((found.before, engine), (found.after, found.engine)):
+        over = crankstar.mounts(own, speeds=SPEEDS).over
+        assert over is not None
+        squares = sum(rms(over.mount_force[:, :, place]) ** 2 for place in range(3))
+        assert value == pytest.approx(np.sqrt(squares).max(), rel=1e-3)
+    assert found.after < found.before
 
 
 def test_impossible_limits_are_refused_with_how_far_they_are_missed() -> None:

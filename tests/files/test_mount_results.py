@@ -181,7 +181,7 @@ def test_the_report_has_a_chapter_on_the_mounts(run: Run, tmp_path: Path) -> Non
     assert ran.code == 0, ran.err
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "On its mounts" in text
-    assert "The mounts from the front and from above." in text
+    assert "The mounts from the front, from above and from the side." in text
     assert "Force on the ground over the speed." in text
 
 

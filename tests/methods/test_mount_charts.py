@@ -97,24 +97,27 @@ def test_forces_of_the_mounts_add_up_to_that_on_the_ground() -> None:
         assert curve(through, name)[1] == pytest.approx(over.transmissibility[:, place], rel=1e-5)
 
 
-def test_the_layout_shows_every_mount_where_it_is_in_both_views() -> None:
+def test_the_layout_shows_every_mount_where_it_is_in_all_views() -> None:
     engine = mounted()
-    front, plan = charts.mount_layout_chart(engine).to_dict()["vconcat"]
-    for view, upward in ((front, lambda m: m.up), (plan, lambda m: -m.z)):
-        rows = rows_of(view)
-        dots = [row for row in rows if "atUp" in row and "colour" in row]
-        for mount in engine.mounts:
-            wanted = (1e3 * upward(mount), 1e3 * mount.right)
-            assert any((d["atUp"], d["atRight"]) == pytest.approx(wanted) for d in dots), mount.name
-        centre = crankstar.mounts(engine).block.centres[0] * 1e3
-        high = centre[0] if view is front else -centre[2]
-        assert any((d["atUp"], d["atRight"]) == pytest.approx((high, centre[1])) for d in dots)
+    views = charts.mount_layout_chart(engine).to_dict()["vconcat"]
+    shown = (  # upward and to the right in the picture, of (up, right, z)
+        ((1, 0, 0), (0, 1, 0)),
+        ((0, 0, -1), (0, 1, 0)),
+        ((1, 0, 0), (0, 0, -1)),
+    )
+    centre = crankstar.mounts(engine).block.centres[0]
+    places = [*((m.up, m.right, m.z) for m in engine.mounts), tuple(centre)]
+    for view, ways in zip(views, shown, strict=True):
+        dots = [row for row in rows_of(view) if "atUp" in row and "colour" in row]
+        for place in places:
+            wanted = tuple(1e3 * np.dot(way, place) for way in ways)
+            assert any((d["atUp"], d["atRight"]) == pytest.approx(wanted) for d in dots), place
 
 
 def test_drawn_axes_go_through_their_points_in_their_directions() -> None:
     engine = mounted(block={**BLOCK, "product_up_z": "-0.5 kg*m^2"})
     found = crankstar.mounts(engine)
-    _front, plan = charts.mount_layout_chart(engine).to_dict()["vconcat"]
+    _front, plan, _side = charts.mount_layout_chart(engine).to_dict()["vconcat"]
     rows = [row for row in rows_of(plan) if "line" in row]
     for axis, colour in ((found.torque_roll, "#009e73"), (found.elastic, "#e69f00")):
         one, other = (row for row in rows if row["colour"] == colour)

@@ -54,7 +54,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `torsion_responses` | torsional vibration over the speed |
 | `torsion_stars` | the vectors of the cylinders of an order in a mode |
 | `mount_words` | what figures of an engine on its mounts say |
-| `mount_layouts` | the mounts from the front and from above, with the block's axes |
+| `mount_layouts` | the mounts in three views, with the block's axes |
 | `mount_modes` | the natural modes on the mounts, freedom by freedom |
 | `mount_responses` | vibration and forces on the mounts over the speed |
 | `errata` | a printed formula beside the true one |

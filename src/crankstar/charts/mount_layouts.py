@@ -1,7 +1,7 @@
-"""Where the mounts are: from the front and from above, with centre of mass and the two axes.
+"""Where the mounts are: from the front, from above and from the side, with the block's two axes.
 
-From above the front is at the foot, so that right is right in both. The lines of a mount are its
-three axes, each as long as it is stiff.
+From above the front is at the foot, so that right is right in both; from the side it is at the
+left. The lines of a mount are its three axes, each as long as it is stiff.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from crankstar.engine.rigid_block import mount_axes
 from crankstar.language.messages import N_, _
 from crankstar.spectra import Real
 
-TITLE = N_("The mounts, from the front and from above")
+TITLE = N_("The mounts, from the front, from above and from the side")
 MM = 1e3
 MARGIN = 46.0
 """px around what is drawn, for the names."""
@@ -43,18 +43,19 @@ class _View(NamedTuple):
 
     name: str
     upward: tuple[float, float, float]
+    rightward: tuple[float, float, float]
 
     def seen(self, place: Sequence[float] | Real) -> complex:
         """Millimetres, up + i right."""
         at = np.asarray(place, float) * MM
-        return complex(float(at @ np.asarray(self.upward)), float(at[1]))
+        return complex(*(float(at @ np.asarray(way)) for way in (self.upward, self.rightward)))
 
 
-FRONT, ABOVE = (1.0, 0.0, 0.0), (0.0, 0.0, -1.0)
+UP, RIGHT, REAR = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, -1.0)
 
 
 def mount_layout_chart(engine: Engine, *, at: Sequence[float] | None = None) -> Chart:
-    """Mounts, crankshaft, centre of mass, torque-roll axis and elastic axis in two views.
+    """Mounts, crankshaft, centre of mass, torque-roll axis and elastic axis in three views.
 
     `at` is a point of the block (up, right, z; m) that is shown too. An engine without mounts has a
     figure that says so.
@@ -69,8 +70,9 @@ def mount_layout_chart(engine: Engine, *, at: Sequence[float] | None = None) -> 
     if at is not None:
         told.append(_("ringed: the point {place}", place=place_text(at)))
     views = (
-        _View(_("from the front"), FRONT),
-        _View(_("from above, the front of the engine at the foot"), ABOVE),
+        _View(_("from the front"), UP, RIGHT),
+        _View(_("from above, the front of the engine at the foot"), REAR, RIGHT),
+        _View(_("from its right, the front of the engine at the left"), UP, REAR),
     )
     rows = [[_panel(engine, found, view, named=at is not None)] for view in views]
     return figure(rows, title=title, subtitle=told)

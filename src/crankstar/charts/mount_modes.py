@@ -50,7 +50,7 @@ def mount_mode_chart(engine: Engine) -> Chart:
                 "y1": place + 0.05,
                 "y2": place + 0.95,
                 "share": round(share, 3),
-                "text": f"{share:.0f}" if share >= LEAST else "",
+                "text": f"{share:.0f}" if abs(share) >= LEAST else "",
             }
             for column, share in enumerate(shares)
         ]

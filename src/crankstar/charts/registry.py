@@ -183,7 +183,7 @@ _FIGURES = (
     Figure(
         "mount-layout",
         "mount_layouts:mount_layout_chart",
-        N_("the mounts from the front and from above, with centre of mass and axes"),
+        N_("the mounts from the front, from above and from the side, with centre of mass and axes"),
     ),
     Figure(
         "mount-modes",

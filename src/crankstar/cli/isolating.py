@@ -25,8 +25,9 @@ def isolate(
         str,
         option(
             "--minimise",
-            "force (on the ground) or velocity (of the point): the greatest over the speeds; rms "
-            "force, rms velocity; or roll (what is not roll in the mode of roll).",
+            "force (on the ground), mounts (the forces of all) or velocity (of the point): the "
+            "greatest over the speeds; each also with rms in front; or roll (what is not roll in "
+            "the mode of roll).",
         ),
     ] = "force",
     stiffness: Annotated[str | None, option("--stiffness")] = None,

@@ -2,9 +2,12 @@
 
 Minimised over the speeds is one of
 
-    force, velocity        the greatest rms force on the ground, or rms velocity of a point
-    rms force, velocity    the root mean square of these over the speeds
-    roll                   what is not roll in the mode that has most of it: roll decoupled
+    force, mounts          the greatest rms force on the ground, or rms of the forces of all mounts
+                           (the root of the sum of their squares)
+    velocity               the greatest rms velocity of a point
+    rms force, ...         the root mean square of one of these over the speeds
+    roll                   what is not roll in the mode that has most of it: the sum of |e_i| of
+                           the other freedoms, e_i their shares of energy (`dynamics.mount_modes`)
 
 over the stiffness of each mount along each axis that the file gives one for (a mount with one value
 keeps its axes alike, one that slides goes on sliding), and over places within so much of those of
@@ -42,7 +45,9 @@ from crankstar.engine.records import Provenance
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.spectra import Real
 
-IsolationAim = Literal["force", "velocity", "rms force", "rms velocity", "roll"]
+IsolationAim = Literal[
+    "force", "mounts", "velocity", "rms force", "rms mounts", "rms velocity", "roll"
+]
 SPEEDS = 41
 """At most, of those of the analysis, evenly chosen: enough for the course, each costs time."""
 STARTS = 6
@@ -53,6 +58,8 @@ FIGURES = 5
 """Of a stiffness, and decimals of a place in metres: finer than any mount is made."""
 NEAREST = 1e-3
 """Of the aim of the file: the cost of changing every value from one limit to the other."""
+NOTHING = 1e-4
+"""Of the aim of the file: two ends that differ by less are one, as where both are nought."""
 ALIKE = 0.01
 """Share within which two ends count as one optimum."""
 PLACES = ("up", "right", "z")
@@ -89,7 +96,7 @@ class Isolation:
     def agreeing(self) -> int:
         """How many starts ended at the best value, within `ALIKE`."""
         ends = np.array(self.ends)
-        return int(np.sum(ends <= self.after * (1 + ALIKE) + 1e-12))
+        return int(np.sum(ends <= self.after * (1 + ALIKE) + NOTHING * self.before))
 
 
 class _Free(NamedTuple):
@@ -222,13 +229,17 @@ class _Search:
         own = mount_response(self.at(x), self.push)
         if self.aim.endswith("force"):
             return rms(own.ground_force[..., :3])
+        if self.aim.endswith("mounts"):
+            each = own.mount_force[:, :, : self.block.of_block]
+            return rms(each.reshape(*each.shape[:2], -1))
         return rms(own.velocity(self.point))
 
     def value(self, x: Real) -> float:
         """What is minimised."""
         if self.push is None:
             modes = mount_modes(self.at(x))
-            return 1.0 - float(modes[roll_mode(modes)].energy[ROLL])
+            energy = np.abs(modes[roll_mode(modes)].energy)
+            return float(energy.sum() - energy[ROLL])
         course = self.course(x)
         if self.aim.startswith("rms"):
             return float(np.sqrt(np.mean(course**2)))

@@ -12,7 +12,7 @@ from crankstar.tables.mounts import mounts_document
 from crankstar.tables.table import Remarks, Table
 
 FIGURES = (
-    ("mount-layout", None, N_("The mounts from the front and from above.")),
+    ("mount-layout", None, N_("The mounts from the front, from above and from the side.")),
     ("mount-modes", None, N_("Natural modes: share of each freedom in the kinetic energy.")),
 )
 """The figures of every report, in their order: name, quantity, caption."""

@@ -16,15 +16,19 @@ from crankstar.tables.table import Column, Document, Remarks, Table, Value, rema
 MM = 1e3
 AIMS = {
     "force": N_("greatest force on the ground, rms"),
+    "mounts": N_("greatest force of all mounts, rms"),
     "velocity": N_("greatest velocity of the point, rms"),
     "rms force": N_("force on the ground, rms over the speeds too"),
+    "rms mounts": N_("force of all mounts, rms over the speeds too"),
     "rms velocity": N_("velocity of the point, rms over the speeds too"),
-    "roll": N_("share of other freedoms in the mode of roll"),
+    "roll": N_("other freedoms in the mode of roll"),
 }
 UNITS = {
     "force": ("N", 1.0),
     "velocity": ("mm/s", MM),
     "rms force": ("N", 1.0),
+    "mounts": ("N", 1.0),
+    "rms mounts": ("N", 1.0),
     "rms velocity": ("mm/s", MM),
     "roll": ("%", 100.0),
 }
