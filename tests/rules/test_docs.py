@@ -307,10 +307,11 @@ NO_TERMS = {
     *("greatest pressure", "mean pressure", "least film", "eccentricity"),
     *("free end", "torque in {shaft}", "sum of amplitudes", "by order at this speed"),
     *("strongest order", "its mode", "pendulums", "pendulum on", "count", "mass of one", "length"),
-    *("radius of the pivot", "holds back order", "along"),
     *("family", "chosen", "of order", "power", "place along the crankshaft"),
     *("force, vertical", "force, horizontal", "one engine", "all in phase", "root mean square"),
     "exceeded {share} % of the time",
+    *("radius of the pivot", "holds back order", "along", "status", "point", "of the file"),
+    *("best found", "up, right, along"),
 }
 """Headings that are plain words."""
 

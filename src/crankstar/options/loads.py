@@ -98,6 +98,7 @@ LOADS = {
     ),
     "--save": Option(
         "text", "File in which the engine is written with what is added to it: .toml, .json, .xlsx."
+    ),
     "--sag": Option(
         "text",
         'How far the block may sit down on its mounts under its weight, such as "5 mm".',
