@@ -35,6 +35,11 @@ LINES = [
         'mounts audi-25-tfsi --set \'mounts=[{name="a", right="-0.4 m", stiffness="90 N/mm"}, '
         '{name="b", right="0.4 m", stiffness="90 N/mm"}, {name="c", z="-1 m", stiffness="1 N/m"}]\''
     ),
+    (
+        'isolate audi-25-tfsi --set \'mounts=[{name="a", right="-0.4 m", stiffness="90 N/mm"}, '
+        '{name="b", right="0.4 m", stiffness="90 N/mm"}, {name="c", z="-1 m", stiffness="9 N/m"}]\''
+        ' --minimise roll --stiffness "80..100 N/mm" --starts 1'
+    ),
     "new inline",
     "orders i4 --row 1",
     "orders i4",

@@ -7,7 +7,15 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from crankstar.cli.options import Json, Settings, engine_over_ranges, option, together, write_engine
+from crankstar.cli.options import (
+    Json,
+    Settings,
+    engine_over_ranges,
+    engine_suffix,
+    option,
+    together,
+    write_engine,
+)
 from crankstar.cli.output import display, progress, writable, write
 from crankstar.cli.speed_ranges import speeds_of
 from crankstar.language.messages import _
@@ -49,6 +57,7 @@ def isolate(
     from crankstar.tables import machine
     from crankstar.tables.isolation import isolation_document
 
+    engine_suffix(output)  # before minutes are spent
     if output is not None:
         writable(output)
     ((loaded, _spread), tree), aim, over, count = together(

@@ -224,6 +224,16 @@ def write_engine(engine: Engine, tree: Mapping[str, Any] | None, place: str | No
     write_tree(written_tree(engine, tree), place)
 
 
+def engine_suffix(place: str | None) -> str:
+    """How the name of an engine file ends, empty without one. Raises RequestError for others."""
+    from crankstar.options.refusals import refusal
+
+    suffix = "" if place is None else Path(place).suffix.lower()
+    if suffix not in ("", ".toml", ".json", ".xlsx"):
+        raise refusal("-o", place, "the name must end in .toml, .json or .xlsx")
+    return suffix
+
+
 def write_tree(tree: Mapping[str, Any], place: str | None) -> None:
     """Write an engine file as its name says: TOML, JSON or a spreadsheet; print it without a name.
 
@@ -233,9 +243,8 @@ def write_tree(tree: Mapping[str, Any], place: str | None) -> None:
     from crankstar.files import tree_of as tree_in
     from crankstar.files import tree_text
     from crankstar.options.forms import require
-    from crankstar.options.refusals import refusal
 
-    suffix = "" if place is None else Path(place).suffix.lower()
+    suffix = engine_suffix(place)
     if suffix == ".xlsx" and place is not None:
         require("xlsx")
         from crankstar.files.sheets import sheets_of
@@ -245,8 +254,6 @@ def write_tree(tree: Mapping[str, Any], place: str | None) -> None:
         engine_of(workbook_tree(content, place))
         write_bytes(content, place)
         return
-    if suffix not in ("", ".toml", ".json"):
-        raise refusal("-o", place, "the name must end in .toml, .json or .xlsx")
     from crankstar.tables.machine import json_text
 
     text = json_text(tree) if suffix == ".json" else tree_text(dict(tree))
