@@ -12,6 +12,7 @@ from crankstar.charts.canvas import curve_height, panel_width, relative_width
 from crankstar.charts.drawing import GREY, LINES, PALETTE, Panel, checked_order, figure, layered
 from crankstar.charts.gas_curves import ROOM, without
 from crankstar.charts.grammar import Chart, field, of_rows, own, span
+from crankstar.charts.letters import text_width
 from crankstar.charts.mount_words import NO_SPEED, RPM, about, place_text
 from crankstar.charts.sums import checked_quantity
 from crankstar.dynamics.mount_analysis import mounts
@@ -56,6 +57,8 @@ MOST_ORDERS, VISIBLE = 5, 0.02
 MOST_MOUNTS = 10
 """Lines of mounts that can be told apart; of more those that have most are drawn."""
 HEIGHT = 230.0
+BESIDE_NAME = 40.0
+"""px beside a name in a legend: its line, and the space to the next one."""
 
 
 class _Line(NamedTuple):
@@ -215,12 +218,14 @@ def _panel(over: MountResponse, lines: Sequence[_Line], axis: str) -> Panel:
     top = ROOM * max(float(np.nanmax(line.values)) for line in lines) or 1.0
     y = field("y:Q", scale=span(0, top), title=axis, axis={"tickCount": 4, "minExtent": 34})
     domain = {"domain": [line.name for line in lines], "range": [line.colour for line in lines]}
+    widest = max(text_width(line.name) for line in lines)
+    columns = 2 if widest < panel_width() / 2 - BESIDE_NAME else 1
     single = {"point": True} if len(speeds) == 1 else {}
     drawn = of_rows(rows).mark("line", strokeJoin="round", **single)
     layer = drawn.encode(
         x=x,
         y=y,
-        color=field("what:N", scale=domain, legend={**LINES, "columns": 2}),
+        color=field("what:N", scale=domain, legend={**LINES, "columns": columns}),
         strokeWidth=own("width:Q"),
         strokeDash=field("dash", type="nominal", scale=None),
     )
