@@ -38,7 +38,7 @@ def mount_sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
     >>> block = {"mass": "150 kg", "inertia_up": 8, "inertia_right": 9, "inertia_z": 4, "z": "0 m"}
     >>> five = load("audi-25-tfsi", changes={"mounts": rubber, "block": block})
     >>> mount_sentences(five)[0]  # sqrt(2 * 50 N/mm * (0.5 m)^2 / 4 kg m^2)/2 pi
-    'Roll on the mounts: 12.58 Hz, all six modes between 3.56 and 12.58 Hz.'
+    'Roll on the mounts: 12.58 Hz, all six modes between 2.621 and 12.58 Hz.'
     """
     if not engine.mounts:
         return []
