@@ -23,7 +23,7 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `studies/` | the same analysis over many values or engines: sweeps, batches, tolerances |
 | `search/` | crank stars, and nothing else, searched to the end with proof; executors |
 | `derive/` | exact closed forms step by step; their `algebra/`; `errata/` of published formulas |
-| `remedy/` | what is sized and added so that it shakes less: weights, shafts; gives an Engine |
+| `remedy/` | what is sized so that it shakes less: weights, shafts, mounts; gives an Engine |
 | `files/` | outside data to Engine and back: TOML, JSON, units; schema, starters, the catalog |
 | `dynamics/` | what the excitation does: block, mounts, uneven running, bearings and oil, twist |
 | `mechanics/` | excitation by cause: inertia, gas; what counts as zero, which orders are shown |

@@ -82,6 +82,13 @@ def test_without_a_sag_every_stiffness_goes_to_its_least() -> None:
     assert found.before == pytest.approx(greatest_force(four(CORNERS), [500.0]))
 
 
+def test_mounts_of_the_file_may_lie_outside_the_limits() -> None:
+    found = best(four(CORNERS), [500.0], limits=MountLimits(stiffness=(1e5, 4e5)), starts=1)
+    assert [each.along[0] for each in found.engine.mounts] == pytest.approx([1e5] * 4)
+    assert found.before == pytest.approx(greatest_force(four(CORNERS), [500.0]))
+    assert found.after > found.before  # softer ones were not asked for
+
+
 def test_no_point_of_a_grid_is_better_than_what_is_found() -> None:
     """Two stiffnesses that are free, against every pair of a fine grid, computed by `mounts`."""
     own = [

@@ -159,7 +159,7 @@ def isolated(
             share=f"{100 * nearest:.3g}",
         )
     after = _fitted(engine, search.mounts(best[1]), search.free, aim)
-    return Isolation(after, aim, search.value(search.own), best[0], tuple(ends))
+    return Isolation(after, aim, search.value_of(found.block), best[0], tuple(ends))
 
 
 def _starts(search: _Search, count: int) -> list[Real]:
@@ -223,10 +223,16 @@ class _Search:
         return with_mounts(self.block, self.mounts(x))
 
     def course(self, x: Real) -> Real:
-        """The rms of force or velocity at each speed."""
+        """The rms of force or velocity at each speed, of scaled values."""
+        return self.course_of(self.at(x))
+
+    def course_of(self, block: MountedBlock) -> Real:
+        """The same of a block; of decoupling, what is not roll."""
         if self.push is None:
-            return np.array([self.value(x)])
-        own = mount_response(self.at(x), self.push)
+            modes = mount_modes(block)
+            energy = np.abs(modes[roll_mode(modes)].energy)
+            return np.array([float(energy.sum() - energy[ROLL])])
+        own = mount_response(block, self.push)
         if self.aim.endswith("force"):
             return rms(own.ground_force[..., :3])
         if self.aim.endswith("mounts"):
@@ -235,12 +241,12 @@ class _Search:
         return rms(own.velocity(self.point))
 
     def value(self, x: Real) -> float:
-        """What is minimised."""
-        if self.push is None:
-            modes = mount_modes(self.at(x))
-            energy = np.abs(modes[roll_mode(modes)].energy)
-            return float(energy.sum() - energy[ROLL])
-        course = self.course(x)
+        """What is minimised, of scaled values."""
+        return self.value_of(self.at(x))
+
+    def value_of(self, block: MountedBlock) -> float:
+        """The same of a block."""
+        course = self.course_of(block)
         if self.aim.startswith("rms"):
             return float(np.sqrt(np.mean(course**2)))
         return float(course.max())
