@@ -91,6 +91,9 @@ export interface Exhibit {
   torsion_numbers: TorsionNumbers | null
   /** what torsion needs, a sentence; else empty */
   torsion_needs: string
+  /** null without [[mounts]] */
+  mounts: Mounts | null
+  mount_numbers: MountNumbers | null
   charts: ChartKey[]
   derivations: DerivationKey[]
   /** weights, shafts and remaining unbalance of a fitted engine; else empty */
@@ -536,6 +539,111 @@ export interface TorsionNumbers {
   vibrations: Table[][]
   notes: string[]
   doubts: string[]
+}
+/** The block on its mounts. */
+export interface Mounts {
+  /** of mass, of the block and of a foundation */
+  centres: [number, number, number][]
+  /** the point of the block of which motion is told */
+  point: [number, number, number]
+  mounts: MountShown[]
+  modes: MountedMode[]
+  torque_roll: MountAxis
+  elastic: MountAxis
+  /** null where no speed is known */
+  over: MountsOverSpeed | null
+  /** of the vibrations */
+  orders: number[]
+  vibrations: MountVibration[]
+}
+/** A mount of the block, or one below the foundation. */
+export interface MountShown {
+  name: string
+  place: [number, number, number]
+  /** the directions of its three axes */
+  axes: [[number, number, number], [number, number, number], [number, number, number]]
+  /** whether it is between the foundation and the ground */
+  below: boolean
+  /** what it bears at rest: force on what is below it, N */
+  load: [number, number, number]
+}
+/** A natural mode of the block on its mounts. */
+export interface MountedMode {
+  number: number
+  frequency_hz: number
+  damping: number
+  /** the share of each freedom in the kinetic energy */
+  energy: number[]
+  /** how far each freedom goes, m and rad, no size */
+  shape: number[]
+  /** of each mount on what is below it, N at that shape, without damping */
+  forces: [number, number, number][]
+}
+/** A line in the block. */
+export interface MountAxis {
+  point: [number, number, number]
+  direction: [number, number, number]
+}
+/** What is shaken and passed on over the range of speeds. */
+export interface MountsOverSpeed {
+  speeds_rpm: number[]
+  /** of the point of the block, rms, m */
+  displacement: number[]
+  /** of the point of the block, rms, m/s */
+  velocity: number[]
+  /** on what the mounts stand on, rms, N */
+  force: number[]
+  /** of each mount of the block; null where nothing pushes */
+  transmissibility: (number | null)[][]
+}
+/** The forced vibration in all orders at a speed. */
+export interface MountVibration {
+  /** the operating point whose gas drives; empty without a name */
+  point: string
+  /** whether there is gas, or the moving parts alone */
+  gas: boolean
+  speed_rpm: number
+  /** whether the block shakes more here than at speeds beside it */
+  peak: boolean
+  /** of each freedom, m and rad */
+  motion: [number, number][][]
+  /** of each mount on what is below it, N: up, right, z */
+  forces: [[number, number][], [number, number][], [number, number][]][]
+}
+/** The numbers of the mounts as they are printed, in the units of the page. */
+export interface MountNumbers {
+  displacement_unit: Unit3
+  velocity_unit: Unit4
+  force_unit: Unit5
+  load_unit: Unit6
+  mounts: Table
+  modes: Table
+  axes: Table
+  speeds: Table
+  /** of each vibration: by order, and the forces in the mounts */
+  vibrations: Table[][]
+  notes: string[]
+  doubts: string[]
+}
+/** A unit as it is printed, and the factor to it from the number that is sent. */
+export interface Unit3 {
+  label: string
+  factor: number
+}
+/** A unit as it is printed, and the factor to it from the number that is sent. */
+export interface Unit4 {
+  label: string
+  factor: number
+}
+/** A unit as it is printed, and the factor to it from the number that is sent. */
+export interface Unit5 {
+  label: string
+  factor: number
+}
+/** A unit as it is printed, and the factor to it from the number that is sent. */
+export interface Unit6 {
+  label: string
+  factor: number
 }
 /** A figure of an engine: the `key` that it is requested by, and the properties to choose by. */
 export interface ChartKey {

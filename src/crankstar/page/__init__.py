@@ -7,6 +7,7 @@
 | `form_words` | the schema of engine files in the reader's language |
 | `cycle_records` | what happens over a working cycle: strokes, torque, exhaust |
 | `torsion_records` | the twist of the crankshaft |
+| `mount_records` | the block on its mounts |
 | `records` | Exhibition, Exhibit and their parts |
 | `crankshafts` | pins, webs, rods side by side, weights on webs |
 | `gears` | gear wheels between shafts |
@@ -17,6 +18,7 @@
 | `torque` | gas and inertia torque over a working cycle, the exhaust as a sound |
 | `keys` | the figures and derivations that an engine has, by key |
 | `torsion` | modes, critical speeds and forced vibration of the crankshaft that twists |
+| `mounts` | modes of the block on its mounts, vibration over speed and at a speed |
 | `figures` | a figure as Vega-Lite, a derivation as HTML, by key |
 | `exhibits` | Engine -> Exhibit, Exhibition; the engine with the recommended remedy |
 | `workshop_records` | what the workshop is sent |

@@ -32,6 +32,7 @@ from crankstar.page.bearing_loads import (
 )
 from crankstar.page.cycle_records import StrokeColours, StrokeWindow
 from crankstar.page.keys import chart_keys, derivation_keys
+from crankstar.page.mounts import mount_numbers, mounts_shown
 from crankstar.page.printed import printed
 from crankstar.page.proportions import proportions
 from crankstar.page.records import Exhibit, Exhibition, Fact, Scale
@@ -161,6 +162,7 @@ def exhibit(
         exhaust=exhaust(engine),
         torsion=torsion_shown(engine),
         torsion_needs=torsion_needs(engine),
+        mounts=mounts_shown(engine),
         charts=(*chart_keys(engine, remains.orders_pushed(result)), *torsion_charts(engine)),
         derivations=derivation_keys(remains.orders_pushed(result)),
         remedies=tuple(remedies),
@@ -203,6 +205,7 @@ def in_units(
         "gas_bearing_numbers": gas_bearing_numbers(engine),
         "torque_unit": torque_unit(engine),
         "torsion_numbers": torsion_numbers(engine),
+        "mount_numbers": mount_numbers(engine),
         "verdict": tuple(
             Fact(subject=fact.about, about=subject_of[fact.about], sentence=fact.sentence)
             for fact in facts

@@ -16,6 +16,7 @@ from pydantic import Field
 from crankstar.engine.quantities import Unknown
 from crankstar.language.glossary import Term
 from crankstar.page.cycle_records import Exhaust, StrokeColours, StrokeWindow, Torque
+from crankstar.page.mount_records import MountNumbers, Mounts
 from crankstar.page.torsion_records import Torsion, TorsionNumbers
 from crankstar.page.unit_records import Pair, Shown, Table, Unit, Units, UnitsOffered
 
@@ -345,6 +346,8 @@ class Exhibit(Shown):
     torsion: Torsion | None = Field(description="null without the table [torsion]")
     torsion_numbers: TorsionNumbers | None
     torsion_needs: str = Field(description="what torsion needs, a sentence; else empty")
+    mounts: Mounts | None = Field(description="null without [[mounts]]")
+    mount_numbers: MountNumbers | None
     charts: tuple[ChartKey, ...]
     derivations: tuple[DerivationKey, ...]
     remedies: tuple[Table, ...] = Field(
