@@ -5,6 +5,7 @@ import type { Exhibit, Term } from './exhibit'
 import type { Host, Tree } from './host/host'
 import type { News } from './host/watching'
 import { language, t } from './language/messages'
+import { type MountChoice, mountChoiceOf } from './mounts'
 import { packedTree, unpackedTree } from './packing'
 import { prevailing } from './prevailing'
 import { reasonOf } from './reason'
@@ -49,6 +50,8 @@ export interface App {
   readonly quantity: ReadonlySignal<Quantity>
   /** What twists the cranks of engines whose torsion is known. */
   readonly twist: ReadonlySignal<TwistChoice>
+  /** What moves the blocks of engines on mounts. */
+  readonly mounts: ReadonlySignal<MountChoice>
   /** What is on the stage: as chosen, or what there is room for. */
   readonly sight: ReadonlySignal<Sight>
   /** The stages that are on the page, each at the place of its engine in `shown`. */
@@ -140,6 +143,7 @@ export function createApp(host: Host): App {
     () => store.quantity.value ?? prevailing(engines.value[subject.value] ?? own.value),
   )
   const twist = computed(() => twistChoiceOf(store.choices.value))
+  const mounts = computed(() => mountChoiceOf(store.choices.value))
   const roomy = signal(true)
   const explained = signal<{ term: Term; beside: HTMLElement } | null>(null)
   const guide = signal(0)
@@ -356,6 +360,7 @@ export function createApp(host: Host): App {
     quantity,
     sight,
     twist,
+    mounts,
     stages: new Map(),
     roomy,
     explained,

@@ -4,9 +4,11 @@ import { choiceText } from './choices'
 import { idOf, useSession } from './context'
 import { Fit } from './fit'
 import { TYPES, withLayout } from './layouts'
+import { MountLayout } from './MountLayout'
 import { AnyField, Fields, Folded } from './records'
 import { EXPLICIT, type Field } from './schema'
 import type { Placed } from './session'
+import { at } from './tree'
 
 interface Group {
   readonly title: string
@@ -14,6 +16,7 @@ interface Group {
   readonly open: boolean
 }
 
+const BLOCK = message('Block and mounts')
 const COUNTERWEIGHTS = message('Counterweights and balance shafts')
 
 /** The usual changes first. Keys of no group, new ones too, stand in the last. */
@@ -28,7 +31,7 @@ const GROUPS: readonly Group[] = [
   { title: message('Cylinder'), keys: ['cylinder'], open: true },
   { title: COUNTERWEIGHTS, keys: ['balance_factor', 'crankshaft', 'balance_shaft'], open: true },
   { title: message('Individual cylinders'), keys: ['cylinders'], open: false },
-  { title: message('Block'), keys: ['block'], open: false },
+  { title: BLOCK, keys: ['block', 'mounts', 'foundation'], open: false },
   { title: message('Valves or ports'), keys: ['valves'], open: false },
   { title: message('Gas and load'), keys: ['gas', 'drive'], open: false },
   { title: message('Torsional vibration'), keys: ['torsion'], open: false },
@@ -65,12 +68,14 @@ export function EngineForm() {
 
 function GroupOf({ title, open, fields }: Omit<Group, 'keys'> & { fields: readonly Field[] }) {
   const session = useSession()
+  const stands = title === BLOCK && at(session.tree.peek(), ['mounts']) !== undefined
   return (
-    <Folded title={t(title)} open={open} paths={fields.map((field) => [field.key])}>
+    <Folded title={t(title)} open={open || stands} paths={fields.map((field) => [field.key])}>
       {() => (
         <>
           {title === 'Layout' && <LayoutType />}
           {title === COUNTERWEIGHTS && <Fit />}
+          {title === BLOCK && <MountLayout />}
           {fields.map((field) => {
             const { kind, key } = field
             // A group with one table in it is that table: it needs no frame of its own.

@@ -10,13 +10,14 @@ import css from './edit.css?inline'
 import { DropZone, FileButtons } from './files'
 import { EngineForm, jump } from './form'
 import { keepLast } from './keeping'
+import mountsCss from './mounts.css?inline'
 import { browserStore, keptNow, Shelf } from './Shelf'
 import { Steps } from './Steps'
 import { SearchButton } from './search'
 import { type OnStage, type Session, type Shown, sessionOf } from './session'
 
 /** The style of the editor, to be adopted by the page beside its own. */
-export const editStyle: string = `${css}${benchCss}`
+export const editStyle: string = `${css}${benchCss}${mountsCss}`
 
 interface Props {
   readonly service: Service

@@ -20,6 +20,7 @@ export type Shown = (exhibit: Exhibit, tree: Tree) => void
 export type OnStage = Pick<Exhibit, 'file' | 'relative' | 'weight_throws'> & {
   readonly verdict?: readonly Fact[]
   readonly scene?: Exhibit['scene']
+  readonly whirl?: Exhibit['whirl']
 }
 
 /** A mistake and the place in the engine file that it is about. */
@@ -51,6 +52,8 @@ export interface Session {
   readonly relative: Exhibit['relative']
   /** The engine on the stage as it is drawn. */
   readonly scene: Exhibit['scene'] | undefined
+  /** Its mass and centre, given or estimated. */
+  readonly whirl: Exhibit['whirl'] | undefined
   /** What was done or went wrong last, for everyone to see and hear. */
   readonly note: Signal<string>
   /** The engine on the stage: the last that was valid, and what its verdict says. */
@@ -163,6 +166,9 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
     },
     get scene() {
       return onStage.scene
+    },
+    get whirl() {
+      return onStage.whirl
     },
     note,
     shown,

@@ -1,6 +1,8 @@
 import type { Control, Exhibit } from '../exhibit'
 import type { PaneRead } from '../stage/stage'
+import { placeAt, SIDES, type Spot, seen } from '../ui/layoutView'
 import { moved, snapped, valueIn } from './control'
+import { KEYS, mountsIn, placedAt, placeIn } from './mounts'
 import { parsed, rewritten } from './quantity'
 import type { Session } from './session'
 import { at, type Path, put } from './tree'
@@ -33,9 +35,44 @@ const turned = (from: number, to: number): number => ((((to - from + 180) % 360)
 /** The handle at a place of the stage, pixels; null where there is none. */
 export function handleAt(grip: Grip, x: number, y: number): Handle | null {
   const pane = paneAt(grip.panes, x, y)
+  const mount = pane && mountAt(grip, pane, x, y)
+  if (mount) return mount
   if (pane?.camera === 'front') return bankAt(grip, pane, x, y)
   if (pane?.camera === 'side') return weightAt(grip, pane, x, y)
   return null
+}
+
+/** A mount of a file, on a view that is square to the axes of the engine. */
+function mountAt({ scene, session }: Grip, pane: PaneRead, x: number, y: number): Handle | null {
+  const side = SIDES.find((each) => each === pane.camera)
+  if (!side || scene.length_unit !== 'm') return null
+  const [left, top] = pane.origin
+  const spot = (across: number, down: number): Spot => [
+    (across - left) / pane.scale,
+    (down - top) / pane.scale,
+  ]
+  const pressed = spot(x, y)
+  const found = mountsIn(session.tree.peek()).flatMap(({ index, name, place }) => {
+    if (!place) return []
+    const at = seen(side, place)
+    const off: Spot = [pressed[0] - at[0], pressed[1] - at[1]]
+    return [{ index, name, place, off, away: Math.hypot(...off) * pane.scale }]
+  })
+  const nearest = found.sort((one, other) => one.away - other.away)[0]
+  if (!nearest || nearest.away > NEAR) return null
+  const { index, name, off } = nearest
+  const path: Path = ['mounts', index]
+  return {
+    follow(toX, toY, fine) {
+      const now = placeIn(session.tree.peek(), path) ?? nearest.place
+      const [across, down] = spot(toX, toY)
+      const to = placeAt(side, [across - off[0], down - off[1]], now)
+      const next = placedAt(session.tree.peek(), path, now, to, fine ? 0.001 : 0.005)
+      session.direct(next, `${path.join('.')} place`)
+      const told = KEYS.map((key) => `${key} ${String(at(next, [...path, key]) ?? 0)}`)
+      return `${name}: ${told.join(', ')}`
+    },
+  }
 }
 
 const bearingOf = ({ origin }: PaneRead, x: number, y: number): number =>

@@ -70,6 +70,18 @@ export class Batch {
     to[at + 14] = z
   }
 
+  /** Puts an item by where it begins and its three axes, twelve numbers of a list. */
+  set(index: number, from: ArrayLike<number>, first: number): void {
+    const to = this.#array
+    const at = 16 * index
+    for (let axis = 0; axis < 3; axis++) {
+      to[at + 12 + axis] = from[first + axis] as number
+      to[at + axis] = from[first + 3 + axis] as number
+      to[at + 4 + axis] = from[first + 6 + axis] as number
+      to[at + 8 + axis] = from[first + 9 + axis] as number
+    }
+  }
+
   /** To be called once all are put. */
   placed(): void {
     this.mesh.instanceMatrix.needsUpdate = true

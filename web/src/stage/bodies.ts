@@ -9,9 +9,9 @@ import type { Crank, Mark } from './twist'
 
 /**
  * What a body moves with: a shaft, a piston or a rod, by its index; or it stands on the axis of a
- * cylinder. A charge is 1 high from the crown of its piston to the end of its bore.
+ * cylinder; or it is of a mount. A charge is 1 high from the crown of its piston to the end of its bore.
  */
-export type Carrier = 'shaft' | 'piston' | 'rod' | 'bore' | 'charge'
+export type Carrier = 'shaft' | 'piston' | 'rod' | 'bore' | 'charge' | 'mount'
 export type Fill =
   | 'crankshaft'
   | 'balanceShaft'
@@ -19,6 +19,8 @@ export type Fill =
   | 'piston'
   | 'rod'
   | 'slave'
+  | 'mount'
+  | 'plate'
   | 'glass'
   | 'charge'
 
@@ -148,5 +150,7 @@ function upright(
 
 /** The two colours of a body: its side, and the cap that faces the eye. */
 export function coloursOf(fill: Fill, palette: Palette): readonly [number, number] {
+  if (fill === 'mount') return [palette.mount[0], palette.mount[0]]
+  if (fill === 'plate') return [palette.mount[1], palette.mount[1]]
   return fill === 'glass' || fill === 'charge' ? [palette.glass, palette.glass] : palette[fill]
 }

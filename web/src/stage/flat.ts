@@ -1,8 +1,10 @@
 import type { Exhibit, StrokeColours } from '../exhibit'
 import { type Places, turned } from '../motion'
 import type { Plane } from '../phasor'
+import { straight } from './arrow'
 import { type Body, bodiesOf, coloursOf } from './bodies'
 import { along, boreEnd } from './extent'
+import { type Flattened, flattenedMounts, mountArrows, mountBodies } from './flatMounts'
 import { hull } from './hull'
 import { projected } from './lettering'
 import { type Load, ROLL } from './load'
@@ -31,6 +33,8 @@ export class FlatPicture implements Picture {
   #exhibit: Exhibit | null = null
   #crank: Crank | null = null
   #bodies: Body[] = []
+  #mounts: Body[] = []
+  #mounted: Float64Array = new Float64Array()
   #heat: Float32Array = new Float32Array()
   #windows: ReturnType<typeof windowsOf> = []
   readonly #hue = new Float32Array(4)
@@ -43,6 +47,7 @@ export class FlatPicture implements Picture {
     this.#exhibit = exhibit
     this.#crank = crankOf(exhibit)
     this.#bodies = bodiesOf(exhibit.scene, this.#crank)
+    this.#mounts = mountBodies(exhibit)
     this.#windows = windowsOf(exhibit, colours)
   }
 
@@ -82,7 +87,9 @@ export class FlatPicture implements Picture {
       .filter(({ fill }) =>
         fill === 'glass' ? instant.view.glass : fill !== 'charge' || instant.view.glow,
       )
-      .map((body) => this.#flattened(body, exhibit, instant, project))
+      .map((body): Flattened => this.#flattened(body, exhibit, instant, project))
+    const { mounted } = instant
+    if (mounted) drawn.push(...flattenedMounts(this.#mounts, mounted, pane))
     for (const shape of drawn.sort((a, b) => a.depth - b.depth)) {
       const { z } = shape
       if (slice && z > slice.to) continue
@@ -96,6 +103,7 @@ export class FlatPicture implements Picture {
     to.globalAlpha = 1
     to.named?.('arrows')
     this.#arrows(to, instant, project)
+    mountArrows(to, instant, pane)
     to.named?.(null)
   }
 
@@ -168,29 +176,15 @@ export class FlatPicture implements Picture {
     to.lineCap = 'round'
     curved(to, load, arrow, css(palette.roll), project)
     for (const { kind, x, y, z, up, right } of load.pulls) {
-      const [fromX, fromY] = project([x, y, z])
-      const [tipX, tipY] = project([x + right * arrow, y + up * arrow, z])
-      const long = Math.hypot(tipX - fromX, tipY - fromY)
-      if (long < 3) continue
-      const [dx, dy] = [(tipX - fromX) / long, (tipY - fromY) / long]
-      const head = Math.min(12, 0.7 * long)
-      to.strokeStyle = to.fillStyle = css(palette[kind])
-      to.lineWidth = kind === 'part' ? 2 : 3.5
-      to.beginPath()
-      to.moveTo(fromX, fromY)
-      to.lineTo(tipX - head * dx, tipY - head * dy)
-      to.stroke()
-      to.beginPath()
-      to.moveTo(tipX, tipY)
-      to.lineTo(tipX - head * dx + 0.45 * head * dy, tipY - head * dy - 0.45 * head * dx)
-      to.lineTo(tipX - head * dx - 0.45 * head * dy, tipY - head * dy + 0.45 * head * dx)
-      to.fill()
+      const tip = project([x + right * arrow, y + up * arrow, z])
+      straight(to, project([x, y, z]), tip, css(palette[kind]), kind === 'part' ? 2 : 3.5)
     }
   }
 
   /** Keeps where the crank pins were drawn. */
-  #note(exhibit: Exhibit, { view, twisted }: Instant): void {
+  #note(exhibit: Exhibit, { view, twisted, mounted }: Instant): void {
     const { scene, sense } = exhibit
+    this.#mounted = mounted?.boxes.slice() ?? new Float64Array()
     this.#heat = twisted?.heat ?? new Float32Array()
     this.#pins = scene.shafts.map((shaft, index) =>
       shaft.throws.map(({ angle, radius, z }, at): [number, number, number] => {
@@ -214,6 +208,10 @@ export class FlatPicture implements Picture {
     return this.#heat
   }
 
+  mounted(): Float64Array {
+    return this.#mounted
+  }
+
   size(width: number, height: number, density: number): void {
     this.#size = { width, height, density }
     this.canvas.width = Math.round(width * density)
@@ -225,23 +223,16 @@ export class FlatPicture implements Picture {
   dispose(): void {
     this.#exhibit = null
     this.#bodies = []
+    this.#mounts = []
   }
 }
 
 /** How much is seen of what stands behind a section. */
 const FAINT = 0.22
 
-/** A body on the screen: points [x, y], nearness, its place along z, the first point of the nearer cap. */
-interface Flattened {
-  readonly z: number
-  readonly body: Body
-  readonly flat: Float64Array
-  readonly depth: number
-  readonly nearer: number
-}
-
 /** What a body is a part of, such as `piston 3`. */
-function nameOf({ carrier, index }: Body, { scene }: Exhibit): string {
+function nameOf({ carrier, index }: Body, { scene, mounts }: Exhibit): string {
+  if (carrier === 'mount') return `mount ${mounts?.mounts[index]?.name ?? ''}`.trim()
   const name = carrier === 'shaft' ? scene.shafts[index]?.name : scene.cylinders[index]?.number
   return `${carrier} ${name ?? ''}`.trim()
 }

@@ -1,12 +1,14 @@
 import type { Exhibit, StrokeColours } from '../exhibit'
 import { message, t } from '../language/messages'
 import { type Chain, chainOf, moved, type Places, placesOf } from '../motion'
+import { type MountChoice, shakeOf } from '../mounts'
 import type { Plane } from '../phasor'
 import { type TwistChoice, twistOf } from '../torsion'
 import { clearestAzimuth } from './clearest'
 import { FlatPicture } from './flat'
 import { Inset } from './inset'
 import { footOf, write } from './lettering'
+import { BOX, BOXES, Mounting, Shaking } from './mounts'
 import { listened } from './orbit'
 import { DARK, LIGHT } from './palette'
 import { type Pane, pixelsOf, placed } from './panes'
@@ -55,6 +57,7 @@ interface Machine {
   readonly whirling: Whirling
   readonly slices: readonly Slice[]
   readonly crank: Crank | null
+  readonly mounting: Mounting | null
 }
 
 function machineOf(exhibit: Exhibit): Machine {
@@ -67,8 +70,11 @@ function machineOf(exhibit: Exhibit): Machine {
     whirling,
     slices: slicesOf(exhibit.scene),
     crank: crankOf(exhibit),
+    mounting: exhibit.mounts && new Mounting(exhibit, exhibit.mounts),
   }
 }
+
+type Triple = [number, number, number]
 
 /** The engine, the labels beside it, and the viewpoint. */
 class EngineStage implements Stage {
@@ -93,6 +99,8 @@ class EngineStage implements Stage {
   #traced: readonly unknown[] = []
   /** What twists the crank, and of which engine and choice. */
   #twisting: { twisting: Twisting | null; machine: Machine; choice: TwistChoice } | null = null
+  /** What moves the block on its mounts, and of which engine and choice. */
+  #shaking: { shaking: Shaking | null; machine: Machine; choice: MountChoice } | null = null
   readonly #front: Plane = [0, 0]
   readonly #rear: Plane = [0, 0]
   readonly #refresh: () => void
@@ -180,11 +188,13 @@ class EngineStage implements Stage {
   }
 
   #instant(view: View): Instant {
-    const { chain, places, whirling, room, slices } = this.#machine
+    const { chain, places, whirling, room, slices, mounting } = this.#machine
     const { width, height } = this.#size
     const palette = view.dark ? DARK : LIGHT
     // where there is room, the paths of the whirl stand beside the engine, not before it
-    const beside = view.whirl.magnification > 0 && width >= ASIDE ? this.#inset.breadth : 0
+    const shaking = this.#shakingOf(view.mounts)
+    const magnification = shaking?.shake.times ?? view.whirl.magnification
+    const beside = magnification > 0 && width >= ASIDE ? this.#inset.breadth : 0
     const screen = {
       ...{ width: width - beside, height },
       ...{ foot: footOf(width, height), margin: MARGIN },
@@ -198,8 +208,10 @@ class EngineStage implements Stage {
     const slice = slices[view.section - 1] ?? null
     const twisted = this.#twistingOf(view.twist)?.at(view.theta) ?? null
     moved(chain, view.theta, places, twisted?.cylinders)
-    const displacement = whirling.at(view.theta, view.whirl.orders)
-    return { view, panes, slice, places, moved: displacement, load, arrow, palette, twisted }
+    const displacement = (shaking ?? whirling).at(view.theta, view.whirl.orders)
+    const mounted = mounting?.at(displacement, magnification, shaking) ?? null
+    const block = { moved: displacement, magnification, mounted }
+    return { view, panes, slice, places, ...block, load, arrow, palette, twisted }
   }
 
   /** What twists the crank, made where engine or choice have changed. */
@@ -215,6 +227,23 @@ class EngineStage implements Stage {
     return this.#twisting.twisting
   }
 
+  /** What moves the block on its mounts, made where engine or choice have changed. */
+  #shakingOf(choice: MountChoice): Shaking | null {
+    const machine = this.#machine
+    if (!machine.mounting || choice.show === 'still') return null
+    if (this.#shaking?.machine !== machine || this.#shaking.choice !== choice) {
+      const shake = shakeOf(this.#exhibit, choice)
+      const shaking = shake && new Shaking(this.#exhibit, shake)
+      this.#shaking = { shaking, machine, choice }
+    }
+    return this.#shaking.shaking
+  }
+
+  /** What carries the block, free or on its mounts. */
+  #carrier(view: View): Whirling {
+    return this.#shakingOf(view.mounts) ?? this.#machine.whirling
+  }
+
   /** Whether an instant differs from the last drawn one; drawing without a card is slow. */
   #anew({ view, panes, palette, load, arrow }: Instant): boolean {
     const { arrows, whirl, section } = view
@@ -224,7 +253,7 @@ class EngineStage implements Stage {
     ]
     const pushed = [arrows.force, arrows.couple, arrows.axes, arrows.each, arrows.orders?.join()]
     const whirled = [whirl.magnification, whirl.orders?.join()]
-    const state = [...shown, ...pushed, panes, section, ...whirled, view.twist]
+    const state = [...shown, ...pushed, panes, section, ...whirled, view.twist, view.mounts]
     if (equal(state, this.#drawn)) return false
     this.#drawn = state
     return true
@@ -262,9 +291,11 @@ class EngineStage implements Stage {
   #write(instant: Instant): void {
     const { view, panes, slice, palette, load, arrow } = instant
     const { width, height, density } = this.#size
-    const { magnification, orders } = view.whirl
+    const { magnification, mounted } = instant
+    const { orders } = view.whirl
     const { force, couple, roll } = load
-    const sizes = [panes, slice, width, height, density, palette, arrow, view.twist]
+    const forces = mounted?.shake && view.arrows.force ? mounted.shake : null
+    const sizes = [panes, slice, width, height, density, palette, arrow, view.twist, forces]
     const still = [...sizes, force, couple, roll]
     const state = magnification > 0 ? [...still, magnification, view.theta, orders] : still
     if (equal(state, this.#written)) return
@@ -275,13 +306,12 @@ class EngineStage implements Stage {
     write(to, this.#exhibit, { ...instant, width, height })
   }
 
-  #trace({ view, moved: displacement, palette }: Instant): void {
-    const shown = view.whirl.magnification > 0
+  #trace({ view, moved: displacement, magnification, palette }: Instant): void {
+    const shown = magnification > 0
     this.#inset.visible = shown
     if (!shown) return
     this.#place({ moved: displacement })
     this.#paths(view)
-    const { magnification } = view.whirl
     const { density } = this.#size
     this.#inset.draw(this.#front, this.#rear, palette, { density, magnification })
   }
@@ -295,12 +325,17 @@ class EngineStage implements Stage {
 
   /** Works the paths out where the orders have changed. */
   #paths(view: View): void {
-    const state = [view.whirl.orders?.join() ?? 'all', this.#exhibit]
+    const carrier = this.#carrier(view)
+    const state = [view.whirl.orders?.join() ?? 'all', this.#exhibit, carrier]
     if (equal(state, this.#traced)) return
     this.#traced = state
-    const [front, rear] = this.#machine.whirling.ends
+    const [front, rear] = carrier.ends
     const { orders } = view.whirl
-    const whirling = new Whirling(this.#exhibit)
+    // one of its own: that of the stage keeps the angle that is shown
+    const whirling =
+      carrier instanceof Shaking
+        ? new Shaking(this.#exhibit, carrier.shake)
+        : new Whirling(this.#exhibit)
     const { low, high } = this.#exhibit.scene
     const paths = { front: whirling.path(front, orders), rear: whirling.path(rear, orders) }
     this.#inset.trace(
@@ -339,7 +374,7 @@ class EngineStage implements Stage {
     flat.sketch(pen, instant)
     pen.named?.('labels')
     write(pen, this.#exhibit, { ...instant, width, height })
-    const { magnification } = view.whirl
+    const { magnification } = instant
     if (magnification > 0) {
       this.#place(instant)
       const { offsetLeft, offsetTop } = this.#inset.canvas
@@ -357,6 +392,8 @@ class EngineStage implements Stage {
       pistons: this.#picture.pistons(),
       pins: this.#picture.pins(),
       heat: this.#heat(),
+      magnification: this.#view ? this.#magnification(this.#view) : 0,
+      mounts: this.#mounts(),
       paths: this.#inset.paths,
       panes: this.#panes.map((pane) => {
         const { camera, x, y, width, height } = pane
@@ -364,6 +401,33 @@ class EngineStage implements Stage {
         return { camera, x, y, width, height, scale: pixelsOf(pane), origin: [across, down] }
       }),
     }
+  }
+
+  #magnification(view: View): number {
+    return this.#shakingOf(view.mounts)?.shake.times ?? view.whirl.magnification
+  }
+
+  #mounts(): Reading['mounts'] {
+    const view = this.#view
+    const { mounts } = this.#exhibit
+    if (!view || !mounts) return []
+    const boxes = this.#picture.mounted()
+    const shaking = this.#shakingOf(view.mounts)
+    const forces = new Float64Array(3 * mounts.mounts.length)
+    shaking?.forces(forces)
+    const most = shaking?.shake.most ?? 0
+    return mounts.mounts.map(({ name }, index) => {
+      const first = index * BOXES * BOX
+      const [x, y, z] = boxes.subarray(first, first + 3) as unknown as Triple
+      const [dx, dy, dz] = boxes.subarray(first + 6, first + 9) as unknown as Triple
+      const [fx, fy, fz] = forces.subarray(3 * index, 3 * index + 3) as unknown as Triple
+      return {
+        name,
+        upper: [y + dy, x + dx, z + dz],
+        lower: [y, x, z],
+        force: [most * fy, most * fx, most * fz],
+      }
+    })
   }
 
   #heat(): Reading['heat'] {

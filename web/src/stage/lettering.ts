@@ -4,6 +4,7 @@ import type { Plane } from '../phasor'
 import { along, facesAnother } from './extent'
 import { heat } from './heat'
 import { ROLL } from './load'
+import { FORCES } from './mounts'
 import { css, type Palette } from './palette'
 import { type Pane, pixelsOf, placed } from './panes'
 import type { Pen } from './pen'
@@ -40,12 +41,12 @@ export interface Writing extends Instant {
 
 /** Puts a point (x, y, z) of the block on the stage: x, y, and how near it is to the eye. */
 export function projected(
-  { moved, view }: Pick<Instant, 'moved' | 'view'>,
+  { moved, magnification }: Pick<Instant, 'moved' | 'magnification'>,
   pane: Pane,
   { whirl }: Exhibit,
   point: Vector,
 ): Vector {
-  return placed(pane, displaced(whirl, moved, view.whirl.magnification, point, [0, 0, 0]))
+  return placed(pane, displaced(whirl, moved, magnification, point, [0, 0, 0]))
 }
 
 /** Kept at the lower edge for axes and scales: pixels, and at most a share of the height. */
@@ -91,6 +92,19 @@ export function write(to: Pen, exhibit: Exhibit, writing: Writing): void {
     const line = { value, unit: units[kind], colour: palette[kind], name: names[kind] }
     end = scale(to, writing, line, pixels, { x: beside, y: height - foot - step * above })
   })
+  const shake = writing.mounted?.shake ?? null
+  const printed = exhibit.mount_numbers
+  if (shake && view.arrows.force && printed && shake.most > 0 && width >= NARROW) {
+    const { factor, label: unit } = printed.force_unit
+    const value = (shake.most * factor) / FORCES
+    const line = {
+      value,
+      unit,
+      colour: palette.reaction,
+      name: shake.free ? t('Force of a mount at 1 mm') : t('Force of a mount'),
+    }
+    scale(to, writing, line, pixels, { x: beside, y: height - foot - step * kinds.length })
+  }
   if (writing.load.roll > 0 && width >= WIDE)
     // beside the force, whose words are few; a couple alone leaves the line above
     roll(

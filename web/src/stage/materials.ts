@@ -138,9 +138,9 @@ void main() {
 }`
 
 const SHAFTS = ['crankshaft', 'balanceShaft', 'gear'] as const
-const CYLINDERS = ['piston', 'rod', 'slave'] as const
+const CYLINDERS = ['piston', 'rod', 'slave', 'mount'] as const
 const PARTS = [...SHAFTS, ...CYLINDERS] as const
-const ARROWS = ['force', 'part', 'couple', 'roll'] as const
+const ARROWS = ['force', 'part', 'couple', 'roll', 'reaction'] as const
 export type Arrow = (typeof ARROWS)[number]
 /** What is shaded, by the colours of the palette that it takes. */
 type Shaded = Record<(typeof PARTS)[number] | Arrow, ShaderMaterial>

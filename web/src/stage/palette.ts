@@ -7,6 +7,8 @@ export interface Palette {
   readonly piston: readonly [number, number]
   readonly rod: readonly [number, number]
   readonly slave: readonly [number, number]
+  /** The rubber of mounts, and their plates. */
+  readonly mount: readonly [number, number]
   readonly glass: number
   readonly edge: number
   readonly edgeOpacity: number
@@ -14,6 +16,8 @@ export interface Palette {
   readonly part: number
   readonly couple: number
   readonly roll: number
+  /** The force of a mount. */
+  readonly reaction: number
   readonly text: string
   readonly quiet: string
   readonly paper: string
@@ -26,6 +30,7 @@ export const LIGHT: Palette = {
   piston: [0xc3ccd4, 0x8e99a5],
   rod: [0x8493a3, 0xa9b5c1],
   slave: [0x9aa7b4, 0xb9c3cd],
+  mount: [0x4b535c, 0xa8b2bc],
   glass: 0x5f86a8,
   edge: 0x1b2530,
   edgeOpacity: 0.55,
@@ -33,6 +38,7 @@ export const LIGHT: Palette = {
   part: 0x4fa9dc,
   couple: 0xb04f8c,
   roll: 0x8a6a00,
+  reaction: 0xb55a00,
   text: '#28323c',
   quiet: '#66727e',
   paper: '#ffffff',
@@ -45,6 +51,7 @@ export const DARK: Palette = {
   piston: [0x98a5b1, 0x6c7986],
   rod: [0x6f7f90, 0x93a1af],
   slave: [0x8391a0, 0xa5b2bf],
+  mount: [0x5b6570, 0x93a0ac],
   glass: 0x9cc3e4,
   edge: 0x0a0f14,
   edgeOpacity: 0.75,
@@ -52,6 +59,7 @@ export const DARK: Palette = {
   part: 0x3d87b8,
   couple: 0xe08fbd,
   roll: 0xd8b64a,
+  reaction: 0xf39a4b,
   text: '#e4e9ee',
   quiet: '#9aa6b2',
   paper: '#14181d',

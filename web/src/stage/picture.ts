@@ -1,6 +1,7 @@
 import type { Exhibit, StrokeColours } from '../exhibit'
 import type { Places } from '../motion'
 import type { Load } from './load'
+import type { Mounted } from './mounts'
 import type { Palette } from './palette'
 import type { Pane } from './panes'
 import type { Slice } from './section'
@@ -16,8 +17,11 @@ export interface Instant {
   readonly slice: Slice | null
   /** Where the rods are. */
   readonly places: Places
-  /** How the block has moved, not magnified. */
+  /** How the block has moved, not magnified, and how often that is drawn. */
   readonly moved: Displacement
+  readonly magnification: number
+  /** The mounts that it stands on; null without any. */
+  readonly mounted: Mounted | null
   readonly load: Load
   /** How the crank is twisted; null where it is drawn as it is. */
   readonly twisted: Twisted | null
@@ -37,6 +41,8 @@ export interface Picture {
   pins(): Reading['pins']
   /** Colours of the pieces of the crank, as `Twisted` has them. */
   heat(): Float32Array
+  /** The boxes of the mounts as they were drawn last, those that `Mounted` has. */
+  mounted(): Float64Array
   size(width: number, height: number, density: number): void
   /** Lets go of what the graphics card has taken back; `show` builds it anew. */
   lose(): void

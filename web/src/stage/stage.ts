@@ -1,4 +1,5 @@
 import type { Exhibit, StrokeColours } from '../exhibit'
+import type { MountChoice } from '../mounts'
 import type { TwistChoice } from '../torsion'
 import type { Pen } from './pen'
 
@@ -36,6 +37,8 @@ export interface View {
   readonly whirl: { readonly magnification: number; readonly orders: readonly number[] | null }
   /** What twists the crank of an engine whose torsion is known. */
   readonly twist: TwistChoice
+  /** What moves the block of an engine on mounts; while it does, nothing whirls. */
+  readonly mounts: MountChoice
   /** Cylinder bores as glass, block box, gears: what may be hidden. */
   readonly glass: boolean
   readonly glow: boolean
@@ -52,10 +55,22 @@ export interface Reading {
   readonly pins: [number, number, number][][]
   /** Colours of the pieces of a crank that twists, front first: red, green, blue; else null. */
   readonly heat: ([number, number, number] | null)[]
+  /** How often the motion of the block is drawn; 0 where it stands. */
+  readonly magnification: number
+  /** Mounts as they are drawn: the ends of the rubber at the block and below, and the force, N. */
+  readonly mounts: readonly MountRead[]
   /** Paths of the crank axis at the ends over a cycle, unmagnified: [up, right]. */
   readonly paths: { readonly front: [number, number][]; readonly rear: [number, number][] }
   /** The views on the stage: where each stands, and pixels to one unit of length. */
   readonly panes: readonly PaneRead[]
+}
+
+/** A mount on the stage: places and force on what is below it, [up, right, z]. */
+export interface MountRead {
+  readonly name: string
+  readonly upper: readonly [number, number, number]
+  readonly lower: readonly [number, number, number]
+  readonly force: readonly [number, number, number]
 }
 
 /** A view on the stage, pixels from its upper left corner. */

@@ -2,12 +2,14 @@ import { Matrix4, OrthographicCamera, Scene, Vector3, WebGLRenderer } from 'thre
 import type { Exhibit, StrokeColours } from '../exhibit'
 import type { Batch } from './batch'
 import { materials } from './materials'
+import { BOX, BOXES } from './mounts'
 import { LIGHT, type Palette } from './palette'
 import type { Pane } from './panes'
 import { arrows } from './parts/arrows'
 import { Block } from './parts/block'
 import { bores } from './parts/bores'
 import { glow } from './parts/glow'
+import { mounts } from './parts/mounts'
 import type { Part } from './parts/part'
 import { pistons } from './parts/pistons'
 import { rods } from './parts/rods'
@@ -28,12 +30,17 @@ interface Machine {
   readonly shafts: ReturnType<typeof shafts>
   readonly glow: ReturnType<typeof glow>
   readonly glass: readonly Batch[]
+  /** The mounts, which do not hang on the block; null without any. */
+  readonly mounts: ReturnType<typeof mounts> | null
   arrows: ReturnType<typeof arrows> | null
 }
 
 /** Milliseconds of rest before a slow machine draws finely, and how much finer. */
 const REST_MS = 500
 const FINER = 2
+
+/** The columns of a matrix as a box has them. */
+const ORIGIN_FIRST = [3, 0, 1, 2] as const
 
 /** How programs that draw in place of a graphics card call themselves. */
 const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
@@ -112,13 +119,15 @@ class WebglPicture implements Picture {
       shafts: turning,
       glow: shine,
       glass: bores(block.group, scene, this.#paint),
+      mounts: exhibit.mounts && mounts(this.#scene, exhibit.mounts.mounts.length, this.#paint),
       arrows: null,
     }
     this.#reach = 4 * Math.hypot(...scene.high.map((high, i) => high - (scene.low[i] as number)))
   }
 
   draw(instant: Instant): void {
-    const { view, panes, slice, places, moved, load, arrow, palette, twisted } = instant
+    const { view, panes, slice, places, moved, magnification, load, arrow, palette } = instant
+    const { twisted, mounted } = instant
     const machine = this.#machine
     if (!machine) return
     if (palette !== this.#palette) {
@@ -129,7 +138,8 @@ class WebglPicture implements Picture {
     machine.glow.visible = view.glow
     for (const part of machine.moving) part.move(places, view.theta)
     for (const batch of machine.glass) batch.visible = view.glass
-    machine.block.move(moved, view.whirl.magnification)
+    machine.block.move(moved, magnification)
+    if (mounted) machine.mounts?.move(mounted, mounted.shake && view.arrows.force ? arrow : 0)
     machine.arrows ??= arrows(machine.block.group, load, this.#paint)
     machine.arrows.move(arrow)
     this.#panes = panes
@@ -216,6 +226,25 @@ class WebglPicture implements Picture {
     return this.#paint.twisted.heat
   }
 
+  mounted(): Float64Array {
+    const machine = this.#machine
+    const count = machine?.exhibit.mounts?.mounts.length ?? 0
+    const out = new Float64Array(count * BOXES * BOX)
+    if (!machine?.mounts) return out
+    const { rubber, metal } = machine.mounts.drawn
+    const place = new Matrix4()
+    for (let index = 0; index < count; index++)
+      for (let part = 0; part < BOXES; part++) {
+        if (part === 0) rubber.mesh.getMatrixAt(index, place)
+        else metal.mesh.getMatrixAt(3 * index + part - 1, place)
+        ORIGIN_FIRST.forEach((column, at) => {
+          const own = place.elements.slice(4 * column, 4 * column + 3)
+          out.set(own, (index * BOXES + part) * BOX + 3 * at)
+        })
+      }
+    return out
+  }
+
   /** A point of a drawn thing, [up, right, z], from the matrices it was drawn with. */
   #read(batch: Batch, index: number, x: number, y: number, z: number): [number, number, number] {
     const point = new Vector3(x, y, z)
@@ -238,6 +267,7 @@ class WebglPicture implements Picture {
     for (const part of machine.moving) part.dispose()
     for (const batch of machine.glass) batch.dispose()
     machine.arrows?.dispose()
+    machine.mounts?.dispose()
     this.#scene.remove(machine.block.group)
     this.#machine = null
   }

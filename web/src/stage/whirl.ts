@@ -1,4 +1,4 @@
-import type { Exhibit, Whirl } from '../exhibit'
+import type { Exhibit } from '../exhibit'
 import {
   type Coefficients,
   coefficientsOf,
@@ -13,16 +13,24 @@ import {
 import type { Vector } from './vector'
 
 /**
- * The small motion of the rigid engine at an instant: the centre goes by `up`, `right`; the axis by
+ * The small motion of the rigid engine at an instant: the centre goes by `up`, `right` and, on its
+ * mounts, `along`; the axis by
  * `tiltUp`, `tiltRight` more for each unit of z in front of the centre; the block turns clockwise
  * by `turn` (radians).
  */
 export interface Displacement {
   up: number
   right: number
+  along: number
   tiltUp: number
   tiltRight: number
   turn: number
+}
+
+/** Nothing moves. */
+export const REST_AT: Readonly<Displacement> = {
+  ...{ up: 0, right: 0, along: 0 },
+  ...{ tiltUp: 0, tiltRight: 0, turn: 0 },
 }
 
 /** Steps of a drawn path for each turn of the first shaft. */
@@ -35,7 +43,7 @@ export class Whirling {
   readonly #turn: Coefficients
   readonly #phase: Phase
   readonly #place: Plane = [0, 0]
-  readonly #now: Displacement = { up: 0, right: 0, tiltUp: 0, tiltRight: 0, turn: 0 }
+  readonly #now: Displacement = { ...REST_AT }
   /** Places of the two ends of the first shaft along z, front first. */
   readonly ends: readonly [number, number]
 
@@ -93,7 +101,10 @@ export class Whirling {
  * the right, backwards; tilting it to the right is a turn about the vertical; clockwise is
  * backwards about z.
  */
-export function rotation(moved: Displacement, magnification: number): [number, number, number] {
+export function rotation(
+  moved: Readonly<Displacement>,
+  magnification: number,
+): [number, number, number] {
   return [
     -moved.tiltUp * magnification,
     moved.tiltRight * magnification,
@@ -106,13 +117,12 @@ export function rotation(moved: Displacement, magnification: number): [number, n
  * small angles times the magnification, and the shift. Written into `out`.
  */
 export function displaced(
-  whirl: Whirl,
-  moved: Displacement,
+  { centre: [cy, cx, cz] }: { readonly centre: readonly [number, number, number] },
+  moved: Readonly<Displacement>,
   magnification: number,
   [x, y, z]: Vector,
   out: [number, number, number],
 ): [number, number, number] {
-  const [cy, cx, cz] = whirl.centre
   const [wx, wy, wz] = rotation(moved, magnification)
   const angle = Math.hypot(wx, wy, wz)
   const [rx, ry, rz] = [x - cx, y - cy, z - cz]
@@ -123,7 +133,7 @@ export function displaced(
   const cosine = Math.cos(angle)
   out[0] = cx + rx * cosine + first * (wy * rz - wz * ry) + along * wx + moved.right * magnification
   out[1] = cy + ry * cosine + first * (wz * rx - wx * rz) + along * wy + moved.up * magnification
-  out[2] = cz + rz * cosine + first * (wx * ry - wy * rx) + along * wz
+  out[2] = cz + rz * cosine + first * (wx * ry - wy * rx) + along * wz + moved.along * magnification
   return out
 }
 

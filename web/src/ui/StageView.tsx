@@ -10,7 +10,7 @@ import { useApp } from './context'
 import { listenForSights } from './gestures'
 
 /** What the stage is to draw at this angle. */
-export function viewOf({ store, dark, sight, twist }: App, theta: number): View {
+export function viewOf({ store, dark, sight, twist, mounts }: App, theta: number): View {
   const orders = store.orders.value
   return {
     theta,
@@ -26,6 +26,7 @@ export function viewOf({ store, dark, sight, twist }: App, theta: number): View 
     },
     whirl: { magnification: store.whirl.value, orders },
     twist: twist.value,
+    mounts: mounts.value,
     glass: store.glass.value,
     glow: store.glow.value,
     section: store.section.value,

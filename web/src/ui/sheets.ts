@@ -1,6 +1,7 @@
 import exporting from '../export/export.css?inline'
 import derivation from './derivation.css?inline'
 import guide from './guide.css?inline'
+import mounts from './mounts.css?inline'
 import narrow from './narrow.css?inline'
 import panels from './panels.css?inline'
 import present from './present.css?inline'
@@ -31,6 +32,7 @@ export function adopt(
     panels,
     torque,
     twist,
+    mounts,
     derivation,
     guide,
     exporting,

@@ -134,6 +134,8 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
     gas_needs: '',
     exhaust: null,
     torsion: null,
+    mounts: null,
+    mount_numbers: null,
     torsion_numbers: null,
     torsion_needs: '',
     charts: [],

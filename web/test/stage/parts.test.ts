@@ -1,6 +1,7 @@
 import { Group, type InstancedMesh, Matrix4, Vector3 } from 'three'
 import { describe, expect, test } from 'vitest'
 import type { Exhibit, GearShown, Scene } from '../../src/exhibit'
+import { mountChoiceOf } from '../../src/mounts'
 import { along, boreEnd, facesAnother } from '../../src/stage/extent'
 import { hull } from '../../src/stage/hull'
 import { quantity, roundValue } from '../../src/stage/lettering'
@@ -168,6 +169,7 @@ describe('arrows', () => {
     },
     whirl: { magnification: 0, orders: null },
     twist: twistChoiceOf({}),
+    mounts: mountChoiceOf({}),
     glass: true,
     glow: true,
     section: 0,

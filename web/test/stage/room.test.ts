@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest'
 import type { Exhibit } from '../../src/exhibit'
+import { mountChoiceOf } from '../../src/mounts'
 import { reach } from '../../src/stage/extent'
 import { Loads } from '../../src/stage/load'
 import { Room } from '../../src/stage/room'
@@ -22,6 +23,7 @@ const view = (arrows: Partial<View['arrows']>): View => ({
   },
   whirl: { magnification: 0, orders: null },
   twist: twistChoiceOf({}),
+  mounts: mountChoiceOf({}),
   glass: true,
   glow: true,
   section: 0,

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import type { Exhibit, Vectors } from '../../src/exhibit'
-import { type Displacement, displaced, rotation, Whirling } from '../../src/stage/whirl'
+import { type Displacement, displaced, REST_AT, rotation, Whirling } from '../../src/stage/whirl'
 import { exhibit } from './engine'
 
 const vectors = (forward: [number, number], backward: [number, number] = [0, 0]): Vectors => ({
@@ -11,7 +11,10 @@ const whirling = (changes: Partial<Exhibit['whirl']>): Exhibit => {
   const plain = exhibit()
   return { ...plain, whirl: { ...plain.whirl, ...changes } }
 }
-const moved: Displacement = { up: 2e-6, right: -1e-6, tiltUp: 3e-6, tiltRight: 5e-6, turn: -4e-6 }
+const moved: Displacement = {
+  ...{ up: 2e-6, right: -1e-6, along: 0 },
+  ...{ tiltUp: 3e-6, tiltRight: 5e-6, turn: -4e-6 },
+}
 
 describe('the motion of the block', () => {
   test('of the axis is what is drawn, as far as small angles go', () => {
@@ -47,7 +50,7 @@ describe('the motion of the block', () => {
   })
 
   test('tilts the front up by a turn backwards about the axis to the right', () => {
-    const [x, y, z] = rotation({ up: 0, right: 0, tiltUp: 1, tiltRight: 0, turn: 0 }, 2)
+    const [x, y, z] = rotation({ ...REST_AT, tiltUp: 1 }, 2)
     expect([x, y, z].map((part) => part + 0)).toEqual([-2, 0, 0])
   })
 })

@@ -5,7 +5,7 @@ import type { Arrow, Materials } from '../materials'
 import { BAR, Solid } from '../solid'
 
 /** How thick an arrow is, as a share of the design length; heads are three times that wide. */
-const THICK: Readonly<Record<Arrow, number>> = {
+const THICK: Readonly<Record<Exclude<Arrow, 'reaction'>, number>> = {
   ...{ force: 0.045, couple: 0.038, part: 0.026, roll: 0.036 },
 }
 /** Straight pieces of a curved arrow. */

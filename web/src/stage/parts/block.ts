@@ -26,6 +26,7 @@ export class Block {
     this.#moved.copy(this.#centre).applyQuaternion(this.#turn).negate().add(this.#centre)
     this.#moved.x += displacement.right * magnification
     this.#moved.y += displacement.up * magnification
+    this.#moved.z += displacement.along * magnification
     this.group.matrix.compose(this.#moved, this.#turn, Block.#SIZE)
     this.group.matrixWorldNeedsUpdate = true
   }

@@ -6,6 +6,7 @@ import { cylinders } from './Cylinders'
 import { derivation } from './Derivation'
 import { edit } from './Edit'
 import { forces } from './Forces'
+import { mounts } from './Mounts'
 import { orders } from './Orders'
 import { remedies } from './Remedies'
 import { sound } from './Sound'
@@ -26,6 +27,7 @@ export const PANELS: readonly Panel[] = [
   cylinders,
   bearings,
   twist,
+  mounts,
   strokes,
   sound,
   derivation,
