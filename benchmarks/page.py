@@ -17,8 +17,9 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from playwright.sync_api import Browser, ViewportSize
 from tests.front_end import BUNDLE
+from tests.mounted_engines import FOUNDATION, standing
 from tests.web.browsing import chromium
-from tests.web.engine_page import HANDLE, opened, written
+from tests.web.engine_page import HANDLE, opened, written, written_of
 from tests.web.serving import serving
 
 import tables
@@ -99,6 +100,7 @@ def rows() -> list[tables.Row]:
         out.append(
             ("its first frame is drawn after", f"{median(ready(browser, path)):.2f} s", "1.5 s")
         )
+        mounted = written_of(Path(folder), standing(foundation=FOUNDATION))
         for what, state in (
             ("a frame, table of orders", "tab=orders"),
             ("a frame, loads on bearings", "tab=bearings"),
@@ -109,8 +111,9 @@ def rows() -> list[tables.Row]:
                 "a frame, two figures, all arrows and the whirl",
                 "tab=forces&couple=1&each=cylinders&whirl=1000",
             ),
+            ("a frame, a five driven on its mounts and a foundation", "tab=mounts&mounts.show=forced"),
         ):
-            times = frames(browser, path, state)
+            times = frames(browser, mounted if "mounts" in state else path, state)
             late = quantiles(times, n=20)[-1]
             out.append(
                 (

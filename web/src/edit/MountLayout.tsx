@@ -9,7 +9,7 @@ import {
   type Spot,
   seen,
 } from '../ui/layoutView'
-import { Centre, Ground, NAMES, scaleOf } from '../ui/MountViews'
+import { Centre, Ground, NAMES, NameBelow, scaleOf } from '../ui/MountViews'
 import { idOf, useSession } from './context'
 import { fourMounts, mountsIn, oneMore, placedAt, placeIn, withEstimate } from './mounts'
 import { at, type Path } from './tree'
@@ -303,7 +303,9 @@ function View({ side, things, places, chosen, choose }: ViewProps) {
               ) : (
                 <rect x="-7" y="-7" width="14" height="14" rx="2" />
               )}
-              <text y="20">{hidden || thing.key === 'centre' ? '' : thing.name}</text>
+              {!hidden && thing.key !== 'centre' && (
+                <NameBelow name={thing.name} at={[x, y]} frame={frame} />
+              )}
             </g>
           )
         })}

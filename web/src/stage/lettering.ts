@@ -103,7 +103,11 @@ export function write(to: Pen, exhibit: Exhibit, writing: Writing): void {
       colour: palette.reaction,
       name: shake.free ? t('Force of a mount at 1 mm') : t('Force of a mount'),
     }
-    scale(to, writing, line, pixels, { x: beside, y: height - foot - step * kinds.length })
+    // where there is little room, above the engine and below what is written there
+    const small = width < WIDE && !sheet
+    const head = 14 + (slice ? 20 : 0) + (writing.twisted ? 20 : 0)
+    const y = small ? head : height - foot - step * kinds.length
+    scale(to, writing, line, pixels, { x: small ? 12 : beside, y })
   }
   if (writing.load.roll > 0 && width >= WIDE)
     // beside the force, whose words are few; a couple alone leaves the line above

@@ -1,7 +1,16 @@
 import type { ComponentChildren } from 'preact'
 import type { Exhibit, MountAxis, Mounts, Scene } from '../exhibit'
 import { message, t } from '../language/messages'
-import { type Frame, frameOf, outlinesOf, type Place, type Side, seen, shaftOf } from './layoutView'
+import {
+  type Frame,
+  frameOf,
+  outlinesOf,
+  type Place,
+  type Side,
+  seen,
+  shaftOf,
+  within,
+} from './layoutView'
 
 export const NAMES = {
   front: message('Front'),
@@ -85,10 +94,16 @@ export function MountViews({ exhibit, mounts }: { exhibit: Exhibit; mounts: Moun
             label={`${t('Mounts and axes')}: ${t(NAMES[side])}`}
           >
             {lines.map(({ key, axis }) => (
-              <path key={key} class={key} d={lineOf(axis, frame, spot)} />
+              <path key={key} class={key} d={lineOf(axis, side, frame)} />
             ))}
             {marksOf(mounts, spot).map(({ at, names, below }) => (
-              <Mark key={names.join()} at={at} name={names.join(' · ')} below={below} />
+              <Mark
+                key={names.join()}
+                at={at}
+                name={names.join(' · ')}
+                below={below}
+                frame={frame}
+              />
             ))}
             {mounts.centres.map((centre, index) => (
               <Centre key={index} at={spot(centre)} />
@@ -116,7 +131,7 @@ export function MountViews({ exhibit, mounts }: { exhibit: Exhibit; mounts: Moun
   )
 }
 
-type Pair = [number, number]
+export type Pair = [number, number]
 
 /** The mounts on a view, those that stand behind each other as one. */
 function marksOf({ mounts }: Mounts, spot: (place: Place) => Pair) {
@@ -135,33 +150,59 @@ function marksOf({ mounts }: Mounts, spot: (place: Place) => Pair) {
 /** Units of a drawing within which marks are one. */
 const CLOSE = 16
 
+interface MarkProps {
+  readonly at: Pair
+  readonly name: string
+  readonly below: boolean
+  readonly frame: Frame
+}
+
 /** A mount by a square and its name. */
-export function Mark({ at: [x, y], name, below }: { at: Pair; name: string; below: boolean }) {
+function Mark({ at, name, below, frame }: MarkProps) {
+  const [x, y] = at
   return (
     <g
       class={below ? 'mount-mark below' : 'mount-mark'}
       transform={`translate(${x.toFixed(2)} ${y.toFixed(2)})`}
     >
       <rect x="-6" y="-6" width="12" height="12" rx="2" />
-      <text y="18">{name}</text>
+      <NameBelow name={name} at={at} frame={frame} />
     </g>
   )
 }
 
-/** A line through a frame, as a path that reaches beyond it. */
-function lineOf({ point, direction }: MountAxis, frame: Frame, spot: (place: Place) => Pair) {
-  const reach = 2 * Math.max(frame.width, frame.height)
-  const end = (way: number): Place => [
-    point[0] + way * reach * direction[0],
-    point[1] + way * reach * direction[1],
-    point[2] + way * reach * direction[2],
-  ]
-  const [from, to] = [spot(end(1)), spot(end(-1))]
-  const text = ([x, y]: Pair) => `${x.toFixed(2)} ${y.toFixed(2)}`
-  // an axis that points at the eye is a cross
-  if (Math.hypot(from[0] - to[0], from[1] - to[1]) < 12) {
-    const [x, y] = spot(point)
+/** A line through a frame, as a path; one that points at the eye is a cross. */
+function lineOf({ point, direction }: MountAxis, side: Side, frame: Frame): string {
+  const reach = 2 * Math.max(frame.width, frame.height) + Math.hypot(...point)
+  const scale = scaleOf(frame)
+  const end = (way: number) =>
+    seen(side, [
+      point[0] + way * reach * direction[0],
+      point[1] + way * reach * direction[1],
+      point[2] + way * reach * direction[2],
+    ])
+  const text = (spot: readonly number[]) => spot.map((each) => (each * scale).toFixed(2)).join(' ')
+  const [from, to] = [end(1), end(-1)]
+  if (Math.hypot(from[0] - to[0], from[1] - to[1]) * scale < 12) {
+    const [x = 0, y = 0] = seen(side, point).map((each) => each * scale)
     return `M${x - 7} ${y}H${x + 7}M${x} ${y - 7}V${y + 7}`
   }
-  return `M${text(from)}L${text(to)}`
+  const cut = within(frame, from, to)
+  return cut ? `M${text(cut[0])}L${text(cut[1])}` : ''
+}
+
+/** Units of a letter on an average, and how many a name has at most. */
+const [LETTER, LONGEST] = [6.6, 20]
+
+/** A name below a mark, as much of it as there is room for, within its drawing. */
+export function NameBelow({ name, at: [x], frame }: { name: string; at: Pair; frame: Frame }) {
+  const text = name.length > LONGEST ? `${name.slice(0, LONGEST - 1)}…` : name
+  const scale = scaleOf(frame)
+  const half = (LETTER * text.length) / 2 + 2
+  const [left, right] = [frame.x * scale + half, (frame.x + frame.width) * scale - half]
+  return (
+    <text x={(Math.max(left, Math.min(right, x)) - x).toFixed(2)} y="19">
+      {text}
+    </text>
+  )
 }

@@ -53,6 +53,32 @@ export interface Frame {
   readonly height: number
 }
 
+/** The part of a line within a frame; null where it passes by (after Y. Liang and B. Barsky). */
+export function within(frame: Frame, from: Spot, to: Spot): readonly [Spot, Spot] | null {
+  let [first, last] = [0, 1]
+  const ends = [
+    [frame.x, frame.x + frame.width],
+    [frame.y, frame.y + frame.height],
+  ] as const
+  for (const axis of [0, 1] as const) {
+    const [low, high] = ends[axis]
+    const way = to[axis] - from[axis]
+    if (Math.abs(way) < 1e-12) {
+      if (from[axis] < low || from[axis] > high) return null
+      continue
+    }
+    const cuts = [(low - from[axis]) / way, (high - from[axis]) / way]
+    first = Math.max(first, Math.min(...cuts))
+    last = Math.min(last, Math.max(...cuts))
+  }
+  if (first > last) return null
+  const at = (share: number): Spot => [
+    from[0] + share * (to[0] - from[0]),
+    from[1] + share * (to[1] - from[1]),
+  ]
+  return [at(first), at(last)]
+}
+
 /** Room beside what is drawn, as a share of it, and the least share of the breadth that is high. */
 const [ROOM, LEAST] = [0.16, 0.5]
 

@@ -1,6 +1,8 @@
+import { batch } from '@preact/signals'
 import type { MountNumbers, Mounts, Unit } from '../exhibit'
 import { message, t } from '../language/messages'
 import type { Shake } from '../mounts'
+import { set } from '../state'
 import { sizeText } from './Bars'
 import { pathOf, ticksOf, tickText } from './Curves'
 import { useApp } from './context'
@@ -24,7 +26,11 @@ export function useMounts(): (change: Chosen) => void {
       if (value === '' || value === OPENING[name]) delete next[`mounts.${name}`]
       else next[`mounts.${name}`] = value
     }
-    store.choices.value = next
+    batch(() => {
+      // what moves on its mounts does not whirl freely
+      if (change.show && change.show !== OPENING.show) set(store.whirl, 0)
+      set(store.choices, next)
+    })
   }
 }
 

@@ -39,7 +39,10 @@ function greatest({ forward, backward }: Vectors): number {
 
 /** Whirl on, as it is seen well, or off. */
 export function toggledWhirl({ store, shown }: App): void {
-  store.whirl.value = store.whirl.peek() > 0 ? 0 : usualMagnification(shown.peek()) || 1
+  const on = !(store.whirl.peek() > 0)
+  store.whirl.value = on ? usualMagnification(shown.peek()) || 1 : 0
+  const { 'mounts.show': moving, ...rest } = store.choices.peek()
+  if (on && moving) store.choices.value = rest
 }
 
 /** The magnification at which the one of these engines that moves most is seen well; 0 at rest. */
