@@ -27,6 +27,8 @@ const WAYS: Readonly<Record<string, Spot>> = {
 export function MountLayout() {
   const session = useSession()
   const tree = session.tree.value
+  // what is known of the engine on the stage is another whenever that is
+  void session.valid.value
   const { whirl, scene, relative } = session
   if (!whirl || !scene) return null
   if (relative.length > 0)

@@ -316,14 +316,17 @@ function useTake(path: Path, kind: Kind): (text: string) => unknown {
   const { tree, relative } = useSession()
   const value = at(tree.peek(), path)
   const unit = useRef('')
-  const now = parsed(value)
+  const now = parsed(Array.isArray(value) ? value[0] : value)
   if (now) unit.current = now.unit
   else if (value === undefined && kind.is === 'quantity' && measured(kind, relative))
     unit.current ||= USUAL[kind.dimension]
-  return (text) => {
+  const one = (text: string): unknown => {
     const meant = typed(text)
     return typeof meant === 'number' && unit.current ? `${text.trim()} ${unit.current}` : meant
   }
+  const several = kind.is === 'quantity' && kind.several
+  return (text) =>
+    several && text.includes(',') ? text.split(',').map((part) => one(part.trim())) : one(text)
 }
 
 /** A dial for the angle at a path; a turn is one step of the history. */

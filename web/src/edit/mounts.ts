@@ -100,17 +100,25 @@ export function fourMounts(
   }))
 }
 
-/** One mount more: like the last, at the other side, under a name of its own. */
+/** Metres beside the middle where a mount more stands, and between mounts at one place. */
+const [ASIDE, APART] = [0.2, 0.1]
+
+/** One mount more: like the last, at the other side where none stands, under a name of its own. */
 export function oneMore(mounts: readonly unknown[]): Record<string, unknown> {
   const last = (mounts.at(-1) ?? { stiffness: '100 N/mm' }) as Record<string, unknown>
   const names = new Set(mounts.map((mount) => at(mount, ['name'])))
   let number = mounts.length + 1
   while (names.has(`mount ${number}`)) number++
-  const right = parsed(last.right)
-  const turned = right?.number ? { right: rewritten(-right.number, last.right, USUAL) } : {}
+  const places = mountsIn({ mounts }).flatMap(({ place }) => (place ? [place] : []))
+  const was: Place = placeIn(last, []) ?? [0, 0, 0]
+  let to: Place = [was[0], -was[1] || ASIDE, was[2]]
+  while (
+    places.some((place) => place.every((each, axis) => Math.abs(each - (to[axis] ?? 0)) < 1e-3))
+  )
+    to = [to[0], to[1], to[2] + APART]
   const leaning = parsed(last.bearing)
   const leant = leaning?.number ? { bearing: rewritten(-leaning.number, last.bearing, 'deg') } : {}
-  return { ...last, ...turned, ...leant, name: `mount ${number}` }
+  return { ...placedAt(last, [], was, to, 1e-3), ...leant, name: `mount ${number}` }
 }
 
 /** The file with the estimated mass of the block, marked as a guess. */

@@ -21,7 +21,10 @@ function beginningOf(field: Field, relative: readonly string[]): unknown {
     case 'choice':
       return kind.among[0]
     case 'quantity':
-      if (measured(kind, relative)) return field.example
+      if (measured(kind, relative))
+        return kind.several && field.example.includes(',')
+          ? field.example.split(',').map((part) => part.trim())
+          : field.example
       return kind.dimension === 'mass'
         ? (parsed(field.example)?.number ?? 1)
         : kind.positive

@@ -15,6 +15,8 @@ export type Kind =
       readonly dimension: Dimension
       readonly relativeTo: readonly string[]
       readonly positive: boolean
+      /** Whether it may also be a list. */
+      readonly several?: boolean
     }
   | { readonly is: 'numbers' }
   | { readonly is: 'lists' }
@@ -70,7 +72,9 @@ function ways(schema: Tree, node: Node): Node[] {
   const given = node.anyOf
     ? nodes(node.anyOf).map((way) => followed(schema, way))
     : [followed(schema, node)]
-  return given.filter((way) => way.type !== 'null')
+  return given
+    .flatMap((way) => (way.anyOf ? ways(schema, way) : [way]))
+    .filter((way) => way.type !== 'null')
 }
 
 function listKind(schema: Tree, way: Node): Kind {
@@ -95,7 +99,8 @@ function kindOf(schema: Tree, node: Node): Kind {
     const dimension = DIMENSIONS[text(measured['x-dimension'])] ?? 'other'
     const relativeTo = strings(measured['x-relative-to'])
     const positive = given.some((way) => 'exclusiveMinimum' in way || way.minimum === 0)
-    return { is: 'quantity', dimension, relativeTo, positive }
+    const several = given.some((way) => way.type === 'array')
+    return { is: 'quantity', dimension, relativeTo, positive, ...(several && { several }) }
   }
   if (first.type === 'array') return listKind(schema, first)
   if (first.properties) return { is: 'record', fields: fieldsOf(schema, first) }

@@ -64,6 +64,13 @@ describe('mounts of a file', () => {
     const [left] = tree.mounts
     const more = oneMore([left, { name: 'mount 3' }, left])
     expect(more).toEqual({ ...left, name: 'mount 4', right: '0.3 m' })
+    const pair = [left, { ...left, right: '300 mm' }]
+    expect(oneMore(pair)).toMatchObject({ right: '-300 mm', z: 0.2 })
+    expect(oneMore([{ name: 'rear', z: '-0.4 m' }])).toEqual({
+      name: 'mount 2',
+      right: '200 mm',
+      z: '-0.4 m',
+    })
   })
 
   test('that are offered carry the block where its centre of mass is, and let it bounce', () => {

@@ -175,3 +175,16 @@ test('another record is like the last, with the numbers that come next', () => {
   expect(another([{ number: 7 }, { number: 3 }], fields, [])).toEqual({ number: 8 })
   expect(another([], fields, [])).toEqual({ cylinders: [1] })
 })
+
+test('one value or several of them is a quantity that takes a list', () => {
+  const one = quantity('stiffness', '200 N/mm', { minimum: 0 })
+  const listed = { anyOf: [one, { type: 'array', items: one }] }
+  const examples = [['200 N/mm', '80 N/mm']]
+  const schema = {
+    anyOf: [{ properties: { stiffness: { ...listed, examples } }, required: ['stiffness'] }],
+  }
+  const [form] = forms(schema)
+  const stiffness = field(form?.fields, 'stiffness')
+  expect(stiffness.kind).toMatchObject({ is: 'quantity', dimension: 'other', several: true })
+  expect(recordOf([stiffness], [])).toEqual({ stiffness: ['200 N/mm', '80 N/mm'] })
+})
