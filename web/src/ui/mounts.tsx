@@ -143,7 +143,8 @@ function sharesText(energy: readonly number[]): string {
     .filter(({ share }) => share >= 0.01)
     .sort((one, other) => other.share - one.share)
     .map(({ share, place }) => {
-      const name = t(FREEDOMS[place % FREEDOMS.length]?.[1] ?? '')
+      const [, word] = FREEDOMS[place % FREEDOMS.length] ?? FREEDOMS[0]
+      const name = t(word)
       const of =
         place < FREEDOMS.length ? name : t('{freedom} of the foundation', { freedom: name })
       return `${of} ${(100 * share).toFixed(0)} %`
