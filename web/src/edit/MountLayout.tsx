@@ -110,7 +110,7 @@ function Mass() {
               withEstimate(
                 session.tree.peek(),
                 mass,
-                'usual mass of engines with such reciprocating parts',
+                t('usual mass of engines with such reciprocating parts'),
               ),
             )
           }

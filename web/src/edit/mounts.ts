@@ -1,5 +1,6 @@
 import type { Scene, Whirl } from '../exhibit'
 import type { Tree } from '../host/host'
+import { message, t } from '../language/messages'
 import type { Place } from '../ui/layoutView'
 import { parsed, rewritten } from './quantity'
 import { at, type Path, put } from './tree'
@@ -71,10 +72,10 @@ const BOUNCE = 9
 /** How stiff they are across, as a share of that upward. */
 const ACROSS = 0.5
 const MOUNTS = [
-  ['front left', -1, 1],
-  ['front right', 1, 1],
-  ['rear left', -1, -1],
-  ['rear right', 1, -1],
+  [message('front left'), -1, 1],
+  [message('front right'), 1, 1],
+  [message('rear left'), -1, -1],
+  [message('rear right'), 1, -1],
 ] as const
 
 const round = (value: number, step: number): number => Math.round(value / step) * step
@@ -92,7 +93,7 @@ export function fourMounts(
   const stiff = Number((round(each / digits, 0.5) * digits).toPrecision(3))
   const across = Number((ACROSS * stiff).toPrecision(3))
   return MOUNTS.map(([name, side, end]) => ({
-    name,
+    name: t(name),
     up: millimetres(up),
     right: millimetres(right + side * wide),
     z: millimetres(z + end * long),
@@ -108,7 +109,7 @@ export function oneMore(mounts: readonly unknown[]): Record<string, unknown> {
   const last = (mounts.at(-1) ?? { stiffness: '100 N/mm' }) as Record<string, unknown>
   const names = new Set(mounts.map((mount) => at(mount, ['name'])))
   let number = mounts.length + 1
-  while (names.has(`mount ${number}`)) number++
+  while (names.has(t('mount {number}', { number }))) number++
   const places = mountsIn({ mounts }).flatMap(({ place }) => (place ? [place] : []))
   const was: Place = placeIn(last, []) ?? [0, 0, 0]
   let to: Place = [was[0], -was[1] || ASIDE, was[2]]
@@ -118,7 +119,7 @@ export function oneMore(mounts: readonly unknown[]): Record<string, unknown> {
     to = [to[0], to[1], to[2] + APART]
   const leaning = parsed(last.bearing)
   const leant = leaning?.number ? { bearing: rewritten(-leaning.number, last.bearing, 'deg') } : {}
-  return { ...placedAt(last, [], was, to, 1e-3), ...leant, name: `mount ${number}` }
+  return { ...placedAt(last, [], was, to, 1e-3), ...leant, name: t('mount {number}', { number }) }
 }
 
 /** The file with the estimated mass of the block, marked as a guess. */

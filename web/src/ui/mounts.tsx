@@ -66,9 +66,9 @@ export const FREEDOMS = [
   ['up', message('up')],
   ['right', message('right')],
   ['along', message('along')],
-  ['yaw', message('yaw')],
-  ['pitch', message('pitch')],
-  ['roll', message('roll')],
+  ['yaw', message('yawing')],
+  ['pitch', message('pitching')],
+  ['roll', message('rolling')],
 ] as const
 
 /** Energy below this share has no bar. */
