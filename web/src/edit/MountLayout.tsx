@@ -262,7 +262,7 @@ function View({ side, things, places, chosen, choose }: ViewProps) {
         side={side}
         scene={scene}
         frame={frame}
-        label={`${t('Layout of the mounts')}: ${t(NAMES[side])}`}
+        label={t('Layout of the mounts: {view}', { view: t(NAMES[side]) })}
       >
         {byNearness(side, things).map(({ thing, place, index, hidden }) => {
           const [x, y] = seen(side, place).map((each) => each * scale) as [number, number]

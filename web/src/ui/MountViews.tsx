@@ -91,7 +91,7 @@ export function MountViews({ exhibit, mounts }: { exhibit: Exhibit; mounts: Moun
             side={side}
             scene={scene}
             frame={frame}
-            label={`${t('Mounts and axes')}: ${t(NAMES[side])}`}
+            label={t('Mounts and axes: {view}', { view: t(NAMES[side]) })}
           >
             {lines.map(({ key, axis }) => (
               <path key={key} class={key} d={lineOf(axis, side, frame)} />
