@@ -10,7 +10,7 @@ import {
   withEstimate,
 } from '../../src/edit/mounts'
 import { at } from '../../src/edit/tree'
-import { type Place, placeAt, SIDES, seen } from '../../src/ui/layoutView'
+import { type Place, placeAt, SIDES, seen, within } from '../../src/ui/layoutView'
 import { exhibit } from '../stage/engine'
 
 const tree = {
@@ -104,4 +104,23 @@ test('a spot of a view is a place again, as far from the eye as it was', () => {
   expect(seen('front', place)).toEqual([-0.3, -0.1])
   expect(seen('side', place)).toEqual([-0.25, -0.1])
   expect(seen('plan', place)).toEqual([-0.25, -0.3])
+})
+
+test('a line is cut to its frame, and one that passes by is none', () => {
+  const frame = { x: -1, y: -1, width: 2, height: 2 }
+  expect(within(frame, [-5, 0.5], [5, 0.5])).toEqual([
+    [-1, 0.5],
+    [1, 0.5],
+  ])
+  expect(within(frame, [-2, -2], [2, 2])).toEqual([
+    [-1, -1],
+    [1, 1],
+  ])
+  expect(within(frame, [0, -3], [0, 0])).toEqual([
+    [0, -1],
+    [0, 0],
+  ])
+  expect(within(frame, [-5, 3], [5, 3])).toBeNull()
+  expect(within(frame, [3, -5], [3, 5])).toBeNull()
+  expect(within(frame, [0, 4], [4, 0])).toBeNull()
 })
