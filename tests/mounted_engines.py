@@ -68,6 +68,8 @@ SOFT: list[dict[str, Any]] = [
     for each in MOUNTS
 ]
 """So soft that the block is as good as free."""
+HEAVY: dict[str, Any] = {"cylinder.rotating_mass": "400 g"}
+"""Big ends without counterweights, which yaw the block as well as pitch it."""
 
 
 def standing(name: str = FIVE, **changes: Any) -> Engine:

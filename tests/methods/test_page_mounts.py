@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.mounted_engines import FOUNDATION, MOUNTS, SOFT, standing
+from tests.mounted_engines import FOUNDATION, HEAVY, MOUNTS, SOFT, standing
 from tests.texts import SHORT, spoilt
 
 from crankstar import spectra
@@ -145,7 +145,7 @@ def test_over_the_speed_the_page_draws_what_the_command_writes() -> None:
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
 def test_on_soft_mounts_the_block_whirls_as_a_free_one(rotation: str) -> None:
     """Without gas: the whirl of the page knows the moving parts alone."""
-    engine = standing(rotation=rotation, mounts=SOFT, gas=None)
+    engine = standing(rotation=rotation, mounts=SOFT, gas=None, **HEAVY)
     shown = sent(engine)
     (vibration,) = [each for each in shown.vibrations if each.speed_rpm == pytest.approx(6500)]
     assert not vibration.gas
@@ -167,6 +167,7 @@ def test_on_soft_mounts_the_block_whirls_as_a_free_one(rotation: str) -> None:
     (turn,) = course(shown.orders, [free.turn])
     reach = max(np.abs(shift).max(), np.abs(tilt).max(), np.abs(turn).max())
     assert reach > 1e-6
+    assert np.abs(tilt).max(axis=1) == pytest.approx(reach, rel=0.9), "pitch and yaw"
     for own, whirled in ((up, shift[0]), (right, shift[1]), (pitch, tilt[0]), (yaw, tilt[1])):
         assert own == pytest.approx(whirled, abs=1e-6 * reach)
     assert roll == pytest.approx(turn, abs=1e-6 * reach)
