@@ -111,7 +111,10 @@ def rows() -> list[tables.Row]:
                 "a frame, two figures, all arrows and the whirl",
                 "tab=forces&couple=1&each=cylinders&whirl=1000",
             ),
-            ("a frame, a five driven on its mounts and a foundation", "tab=mounts&mounts.show=forced"),
+            (
+                "a frame, a five driven on its mounts and a foundation",
+                "tab=mounts&mounts.show=forced",
+            ),
         ):
             times = frames(browser, mounted if "mounts" in state else path, state)
             late = quantiles(times, n=20)[-1]
