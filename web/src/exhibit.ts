@@ -867,7 +867,7 @@ export interface SearchQuestion {
    */
   cycle?: ('two-stroke' | 'four-stroke') | null
   /**
-   * Quantity to minimise. Several with commas: couples M1, M2, ... (M1V, M1H: the external moment in the vertical, in the horizontal plane), forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over a turn of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2. On the command line also twist, the largest torsion of --orders, which also chooses the firing order.
+   * Quantity to minimise. Several with commas: couples M1, M2, ... (M1V, M1H: the external moment in the vertical, in the horizontal plane), forces F1, ..., torsion T1.5, ..., guide-force moments that twist the frame X3, ..., neighbours (cylinders side by side that fire in succession), couple (rms over a turn of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2. On the command line also twist, the largest torsion of --orders, which also chooses the firing order.
    */
   minimise?: string | null
   /** Quantities that must vanish, as in M2. */
