@@ -104,6 +104,8 @@ MESSAGE_ERRORS = [
     "UnitsError",
     "WeighingError",
     "JudgingError",
+    "ListError",
+    "MatchingError",
     "MountError",
     "ScatterError",
     "TypicalError",

@@ -1,8 +1,8 @@
 """The screens in the documents: each shows what its command prints.
 
 In a block of kind `console` a line `$ command` is what is typed, and the lines under it are what
-appears. The engine files of the page that have a title (```toml title="mine.toml") lie in the
-directory where the commands run. `python docs/screens.py` brings all pages up to date, what
+appears. The engine files and lists of the page that have a title (```toml title="mine.toml") lie
+in the directory where the commands run. `python docs/screens.py` brings all pages up to date, what
 `tables.py` makes for them included; a test compares them.
 """
 
@@ -21,7 +21,7 @@ ROOT = Path(__file__).parent.parent
 WIDTH = "80"
 """Columns of a screen, which must fit the column of its page."""
 CONSOLE = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-FILE = re.compile(r'^```toml title="([\w.-]+)"\n(.*?)^```$', re.MULTILINE | re.DOTALL)
+FILE = re.compile(r'^```(?:toml|csv) title="([\w.-]+)"\n(.*?)^```$', re.MULTILINE | re.DOTALL)
 
 
 def pages() -> list[Path]:

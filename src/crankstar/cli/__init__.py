@@ -26,6 +26,7 @@
 | `guide` | guide |
 | `balancing` | balance |
 | `workshop` | bobweight, drill, grade |
+| `matching` | match |
 | `picturing` | plot |
 | `drawing` | draw, animate |
 | `sounding` | sound |

@@ -26,7 +26,7 @@ from crankstar.options.vocabulary import OPTIONS
 from crankstar.search.faults import SearchError
 
 COMPLETION = "--install-completion"
-FILES = ("--beside", "--checkpoint", "--output", "--save")
+FILES = ("--beside", "--checkpoint", "--engine-file", "--output", "--save")
 """Options that take a file."""
 LANGUAGE = ("--language", "--lang")
 """The option of the language, and its short name."""
@@ -58,6 +58,7 @@ VERBS = {
     "isolate": "isolating:isolate",
     "list": "inspect:list_engines",
     "marine": "marine:marine",
+    "match": "matching:match",
     "mounts": "mounts:mounts",
     "new": "files:new",
     "orders": "firing:orders",
@@ -246,7 +247,7 @@ def _refuse_source(words: Sequence[str]) -> None:
     apart = [re.sub("^-o(?=[^=])", "-o=", word) for word in words]
     parts = [part for word in apart for part in word.split("=", 1) if _may_be_a_file(part)]
     for option, place in pairwise(parts):
-        if option not in ("-o", "--output") or not is_file(place):
+        if option not in ("-o", "--output", "--engine-file") or not is_file(place):
             continue
         real = os.path.realpath(place)
         if [os.path.realpath(part) for part in parts].count(real) > 1:

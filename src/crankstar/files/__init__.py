@@ -11,6 +11,7 @@
 | `cells` | the cells of that form to a tree, with every fault |
 | `workbook` | that form in an .xlsx file, written and read |
 | `traces` | a measured pressure from the CSV file that an engine file names |
+| `lists` | a list of values with headings: CSV or spreadsheet |
 | `source` | a file to its text and its tree of keys |
 | `changes` | values of a tree set by key path |
 | `tolerances` | how far each value may be off |

@@ -7,6 +7,7 @@
 | `goals` | the part of the vocabulary about searches |
 | `loads` | the part of the vocabulary about operating points |
 | `scatter` | the part of the vocabulary about tolerances |
+| `shop` | the part of the vocabulary about batches of parts, planes and faults |
 | `vocabulary` | every option of every command: what it takes, what it means |
 | `names` | the option that an unknown name stands for |
 | `refusals` | requests that cannot be met |

@@ -10,6 +10,7 @@ from crankstar.options.goals import GOALS
 from crankstar.options.loads import LOADS
 from crankstar.options.media import FILMS_AND_SOUNDS
 from crankstar.options.scatter import SCATTER
+from crankstar.options.shop import SHOP
 
 _MOST = {
     "--all": Option("nothing", "All stars within the limits."),
@@ -371,7 +372,7 @@ _MOST = {
     ),
     "--yes": Option("nothing", "Search even if it takes more than an hour."),
 }
-OPTIONS = dict(sorted((_MOST | FILMS_AND_SOUNDS | GOALS | LOADS | SCATTER).items()))
+OPTIONS = dict(sorted((_MOST | FILMS_AND_SOUNDS | GOALS | LOADS | SCATTER | SHOP).items()))
 """Every option by its name."""
 
 

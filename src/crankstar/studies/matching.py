@@ -1,0 +1,242 @@
+"""A batch of pistons, pins and rods matched to the cylinders of an engine, with proof.
+
+Pins go with pistons first, the heaviest with the lightest (`part_weights.paired`). Then pistons
+with their pins, and rods, are assigned to the cylinders so that the unbalance U that is left
+(`matched_orders`) is least of all assignments (`assignments`). Beside it stands what chance would
+leave: the rms of U over all assignments, of items i with the 2-vector m_i = (going up and down,
+turning) and the 2-column vectors A_c of the cylinders, S the scatter of the m_i,
+
+    E U^2 = |F(mean)|^2 + n/(n - 1) sum tr(A_c S A_c') - tr(A S A')/(n - 1),    A = sum A_c,
+
+and what classes of w leave, in which every part may lie anywhere, its variance w^2/12.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar.engine.engine import Engine
+from crankstar.spectra import Real
+from crankstar.studies.assignments import Kind, Watch, least
+from crankstar.studies.matched_orders import ORDERS, LinearUnbalance, Minimised, linear_unbalance
+from crankstar.studies.part_weights import Batch, MatchingError, base, paired, with_parts
+
+CLASSES = (0.0005, 0.001, 0.002, 0.005)
+"""Widths of classes that are compared where none are asked for, kg."""
+
+
+class Place(NamedTuple):
+    """What goes into a cylinder: its number, the items of the batch by kind, None where none is."""
+
+    cylinder: int
+    piston: int | None
+    pin: int | None
+    rod: int | None
+
+
+class ByClass(NamedTuple):
+    """What classes of a width (kg) leave: the rms of U, and a bound that it does not exceed."""
+
+    width: float
+    rms: float
+    most: float
+
+
+@dataclass(frozen=True)
+class Matched:
+    """A matched engine: what goes where, U left (kg m), whether it is proved least.
+
+    `whole`: U is that of the whole engine; else of what the parts add to the engine with their mean
+    everywhere. `whole_unbalance` is that of the whole engine either way, `whole_alike` with the
+    mean.
+    `as_listed` is U with the parts in the order of the list, `by_chance` its rms over all
+    assignments, `fixed` that of the engine with the mean of the parts everywhere.
+    """
+
+    engine: Engine
+    law: LinearUnbalance
+    places: tuple[Place, ...]
+    unbalance: float
+    proved: bool
+    as_listed: float
+    by_chance: float
+    fixed: float
+    classes: tuple[ByClass, ...]
+    quantities: tuple[Minimised, ...]
+    whole: bool
+    whole_unbalance: float
+    whole_alike: float
+
+
+class _Masses(NamedTuple):
+    """The items of a kind: each item's masses [item, 2], more than the mean of the engine's own."""
+
+    items: Real
+    names: tuple[str, ...]
+
+
+def matched(
+    engine: Engine,
+    batch: Batch,
+    *,
+    orders: Sequence[float] = ORDERS,
+    quantities: Sequence[Minimised] = ("force", "couple"),
+    classes: Sequence[float] = CLASSES,
+    whole: bool = False,
+    watch: Watch | None = None,
+) -> Matched:
+    """The assignment of a batch to the cylinders of an engine that leaves least unbalance.
+
+    Of what the parts add to the engine with their mean in every cylinder, for which its crankshaft
+    is balanced afterwards; or of the `whole` engine with the counterweights that it has.
+
+    Raises MatchingError where there are too few parts, or the engine cannot tell their effect.
+
+    >>> from crankstar.files.catalog import load
+    >>> parts = {"piston": np.array([0.412, 0.410, 0.411, 0.413])}
+    >>> found = matched(load("subaru-ej25"), Batch(("a", "b", "c", "d"), parts), orders=(1.0,))
+    >>> found.proved, bool(found.unbalance < found.by_chance)
+    (True, True)
+    """
+    before, count = base(engine, batch), len(engine.cylinders)
+    if batch.size < count:
+        raise MatchingError(
+            "the list has {items} of each part and the engine {count} cylinders; list at least as "
+            "many",
+            items=batch.size,
+            count=count,
+        )
+    law = linear_unbalance(engine, orders=orders, quantities=quantities)
+    pins, _sums = paired(batch)
+    kinds = _kinds(batch, pins)
+    each = [Kind(_vectors(law, masses.items)) for masses in kinds]
+    alike = np.sum([kind.vectors.mean(axis=0).sum(axis=0) for kind in each], axis=0)
+    bare = law.rows(*_shift(before))
+    fixed = bare if whole else -alike
+    found = least(fixed, each, watch=watch)
+    listed = tuple(range(count))
+    places = _places(engine, batch, pins, dict(zip(_names(batch), found.items, strict=True)))
+    start = fixed + _sum(each, [listed] * len(each))
+    mean = fixed + alike
+    scatter = sum(_scatter(law, masses.items) for masses in kinds)
+    return Matched(
+        engine=with_parts(engine, _added(batch, before, places)),
+        law=law,
+        places=places,
+        unbalance=found.length,
+        proved=found.proved,
+        as_listed=float(np.linalg.norm(start)),
+        by_chance=float(np.sqrt(mean @ mean + scatter)),
+        fixed=float(np.linalg.norm(mean)),
+        classes=tuple(_by_class(law, batch, mean, width) for width in classes),
+        quantities=tuple(quantities),
+        whole=whole,
+        whole_unbalance=float(np.linalg.norm(bare + _sum(each, found.items))),
+        whole_alike=float(np.linalg.norm(bare + alike)),
+    )
+
+
+def _sum(kinds: Sequence[Kind], items: Sequence[Sequence[int]]) -> Real:
+    """What assigned items add up to [row]."""
+    places = np.arange(kinds[0].places)
+    own = [kind.vectors[[*some], places] for kind, some in zip(kinds, items, strict=True)]
+    return np.sum(own, axis=(0, 1))
+
+
+def _names(batch: Batch) -> list[str]:
+    return [*(["piston"] if batch.has_pistons else []), *(["rod"] if batch.has_rods else [])]
+
+
+def _kinds(batch: Batch, pins: Sequence[int]) -> list[_Masses]:
+    """Pistons with their pins, and rods, each as masses that go up and down, and that turn."""
+    none = np.zeros(batch.size)
+    part = {name: batch.masses.get(name, none) for name in ("piston", "pin")}
+    out: list[_Masses] = []
+    if batch.has_pistons:
+        up = part["piston"] + part["pin"][[*pins]]
+        out.append(_Masses(np.column_stack([up, none]), ("piston", "pin")))
+    if batch.has_rods:
+        ends = [batch.masses.get(name, none) for name in ("small_end", "big_end")]
+        out.append(_Masses(np.column_stack(ends), ("small_end", "big_end")))
+    return out
+
+
+def _shift(before: Mapping[str, Real]) -> tuple[Real, Real]:
+    """What the engine is without its own parts of the kinds listed, kg [cylinder]."""
+    none = np.zeros(len(next(iter(before.values()))))
+    up = none - sum((before[name] for name in before if name != "big_end"), none)
+    return up, none - before.get("big_end", none)
+
+
+def _vectors(law: LinearUnbalance, masses: Real) -> Real:
+    """What each item adds at each cylinder [item, cylinder, row]."""
+    return np.einsum("i,rc->icr", masses[:, 0], law.reciprocating) + np.einsum(
+        "i,rc->icr", masses[:, 1], law.rotating
+    )
+
+
+def _scatter(law: LinearUnbalance, masses: Real) -> float:
+    """The variance of the sum of the rows over all assignments of a kind."""
+    count = len(masses)
+    if count < 2:
+        return 0.0
+    apart = masses - masses.mean(axis=0)
+    own = apart.T @ apart / count
+    arms = np.stack([law.reciprocating, law.rotating], axis=-1)
+    each = np.einsum("rcj,jk,rck->", arms, own, arms)
+    whole = arms.sum(axis=1)
+    together = np.einsum("rj,jk,rk->", whole, own, whole)
+    return float(count / (count - 1) * each - together / (count - 1))
+
+
+def _by_class(law: LinearUnbalance, batch: Batch, mean: Real, width: float) -> ByClass:
+    """What classes of a width leave: each listed part anywhere in its class."""
+    up = sum(name in batch.masses for name in ("piston", "pin", "small_end"))
+    around = int("big_end" in batch.masses)
+    squares = up * (law.reciprocating**2).sum() + around * (law.rotating**2).sum()
+    rms = float(np.sqrt(mean @ mean + squares * width**2 / 12))
+    lengths = np.linalg.norm(law.reciprocating, axis=0), np.linalg.norm(law.rotating, axis=0)
+    most = np.linalg.norm(mean) + width / 2 * (up * lengths[0].sum() + around * lengths[1].sum())
+    return ByClass(width, rms, float(most))
+
+
+def _places(
+    engine: Engine, batch: Batch, pins: Sequence[int], items: Mapping[str, Sequence[int]]
+) -> tuple[Place, ...]:
+    """What goes into each cylinder."""
+    out: list[Place] = []
+    for at, cylinder in enumerate(engine.cylinders):
+        piston = items["piston"][at] if "piston" in items else None
+        out.append(
+            Place(
+                cylinder.number,
+                piston if "piston" in batch.masses else None,
+                pins[piston] if piston is not None and "pin" in batch.masses else None,
+                items["rod"][at] if "rod" in items else None,
+            )
+        )
+    return tuple(out)
+
+
+def _added(
+    batch: Batch, before: Mapping[str, Real], places: Sequence[Place]
+) -> dict[str, list[float]]:
+    """What each cylinder has more of each part than before, kg."""
+    out: dict[str, list[float]] = {}
+    for name, own in before.items():
+        kind = name if name in ("piston", "pin") else "rod"
+        items = [getattr(place, kind) for place in places]
+        out[name] = [
+            float(batch.masses[name][item] - mass) for item, mass in zip(items, own, strict=True)
+        ]
+    return out
+
+
+def labels(batch: Batch, place: Place) -> tuple[str, ...]:
+    """The names of the piston, the pin and the rod of a cylinder; empty where there is none."""
+    items = (place.piston, place.pin, place.rod)
+    return tuple("" if item is None else batch.labels[item] for item in items)

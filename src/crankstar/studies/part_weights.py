@@ -1,0 +1,230 @@
+"""The weights of a batch of pistons, pins and rods on a list, and an engine with such parts.
+
+Columns `piston`, `pin`, `small end` and `big end`, each with its unit; `no.` names the parts of a
+line. The parts of a line need not belong together, but both ends of a rod do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from crankstar.engine.copies import with_values
+from crankstar.engine.cylinder_parts import ENDS, RECIPROCATING
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import MASS
+from crankstar.engine.records import Cylinder, Rod
+from crankstar.files.lists import Listed, ListError, columns_of, refused_cell, value_of
+from crankstar.language.messages import MessageError, _
+from crankstar.spectra import Real
+
+WEIGHED = ("piston", "pin", "small_end", "big_end")
+"""The parts that a list may have."""
+NUMBERS = ("no", "number", "nr", "name", "id", "part", "label", "serial", "set")
+"""Headings of the column that names the parts of a line."""
+HEADS = {
+    **dict.fromkeys(("piston", "pistons", "piston mass", "piston weight"), "piston"),
+    **dict.fromkeys(
+        ("pin", "pins", "piston pin", "wrist pin", "gudgeon pin", "pin mass", "pin weight"), "pin"
+    ),
+    **dict.fromkeys(("small end", "rod small end", "small", "rod small"), "small_end"),
+    **dict.fromkeys(("big end", "rod big end", "big", "rod big"), "big_end"),
+    **dict.fromkeys(NUMBERS, "label"),
+}
+"""The parts by the headings under which people list them."""
+
+
+class MatchingError(MessageError):
+    """A batch that cannot be matched to an engine, and why."""
+
+
+@dataclass(frozen=True)
+class Batch:
+    r"""Parts by kind: what they are called, their masses in kg [item].
+
+    >>> from crankstar.files.lists import list_of
+    >>> found = batch_of(list_of("no,piston [g],pin [g]\nA,412,99\nB,413,98", name="w.csv"))
+    >>> found.labels, found.masses["pin"].round(9).tolist()
+    (('A', 'B'), [0.099, 0.098])
+    """
+
+    labels: tuple[str, ...]
+    masses: Mapping[str, Real]
+
+    @property
+    def size(self) -> int:
+        """How many there are of each kind."""
+        return len(self.labels)
+
+    @property
+    def has_rods(self) -> bool:
+        """Whether rods are on the list."""
+        return any(end in self.masses for end in ENDS)
+
+    @property
+    def has_pistons(self) -> bool:
+        """Whether pistons or pins are on the list."""
+        return "piston" in self.masses or "pin" in self.masses
+
+
+def batch_of(listed: Listed) -> Batch:
+    """The batch of a list. Raises ListError."""
+    columns = columns_of(listed, HEADS)
+    weighed = [name for name in WEIGHED if name in columns]
+    if not weighed:
+        raise ListError(
+            "{file} has no weights; name columns piston, pin, small end or big end with their "
+            "unit, as in {example}",
+            file=listed.name,
+            example='"piston [g]"',
+        )
+    masses = {
+        name: np.array([value_of(listed, row, columns[name], MASS) for row in listed.rows])
+        for name in weighed
+    }
+    for name in weighed:
+        for row, mass in zip(listed.rows, masses[name], strict=True):
+            if not mass > 0:
+                raise refused_cell(listed, row, columns[name], _("a weight must be greater than 0"))
+    labels = [
+        row.cells[columns["label"]] if "label" in columns else str(place)
+        for place, row in enumerate(listed.rows, 1)
+    ]
+    _refuse_twice(listed, labels, columns.get("label", 0))
+    return Batch(tuple(labels), masses)
+
+
+def _refuse_twice(listed: Listed, labels: Sequence[str], column: int) -> None:
+    for row, label in zip(listed.rows, labels, strict=True):
+        if not label:
+            raise refused_cell(listed, row, column, _("the parts of this line have no name"))
+        if labels.count(label) > 1:
+            raise refused_cell(
+                listed, row, column, _("{name} stands twice; name each part once", name=label)
+            )
+
+
+def paired(batch: Batch) -> tuple[tuple[int, ...], Real]:
+    """For each piston the pin that goes with it, and their masses together, kg [piston].
+
+    The heaviest pin goes with the lightest piston, and so on: of all pairings this has the least
+    greatest sum, the greatest least sum and the least scatter of sums, by exchange of any two pins.
+
+    >>> parts = {"piston": np.array([0.410, 0.412, 0.411]), "pin": np.array([0.1, 0.101, 0.102])}
+    >>> pins, sums = paired(Batch(("1", "2", "3"), parts))
+    >>> pins, sums.round(9).tolist()
+    ((2, 0, 1), [0.512, 0.512, 0.512])
+    """
+    none = np.zeros(batch.size)
+    pistons, pins = (batch.masses.get(name, none) for name in ("piston", "pin"))
+    own = np.arange(batch.size)
+    if "piston" in batch.masses and "pin" in batch.masses:
+        own[np.argsort(pistons, kind="stable")] = np.argsort(-pins, kind="stable")
+    return tuple(own.tolist()), pistons + pins[own]
+
+
+def base(engine: Engine, batch: Batch) -> dict[str, Real]:
+    """What each cylinder has of the weighed parts before, kg [cylinder]; those of the file.
+
+    Where the file has no parts the mean of the batch stands for what its masses have of them, so
+    that only the differences count. Raises MatchingError.
+    """
+    if "mass" in engine.relative:
+        raise MatchingError(
+            "the engine file gives no masses, so that grams mean nothing in it; add "
+            "cylinder.parts, or reciprocating_mass and rotating_mass"
+        )
+    out: dict[str, Real] = {}
+    for name, masses in batch.masses.items():
+        found: list[float] = []
+        for cylinder in engine.cylinders:
+            parts = cylinder.parts
+            if parts is None:
+                found.append(float(masses.mean()))
+                continue
+            found.append(getattr(parts, name))
+            if not found[-1]:
+                raise MatchingError(
+                    "the parts of cylinder {number} have no {part}; add it to the file, or leave "
+                    "the column out",
+                    number=cylinder.number,
+                    part=name,
+                )
+        out[name] = np.array(found)
+    if "big_end" in batch.masses:
+        _refuse_without_ends(engine)
+    return out
+
+
+def _refuse_without_ends(engine: Engine) -> None:
+    """Refuse an engine on whose pins nothing hangs, since big ends have no place in it."""
+    for cylinder in engine.cylinders:
+        alone = cylinder.articulated is not None or cylinder.rod is not None
+        hangs = cylinder.rotating if alone else engine.throw(cylinder).rotating_mass
+        if not hangs > 0:
+            raise MatchingError(
+                "nothing hangs on the crank pin of cylinder {number} in the file; add "
+                "cylinder.rotating_mass or cylinder.parts for the big ends of the list",
+                number=cylinder.number,
+            )
+
+
+def with_parts(engine: Engine, added: Mapping[str, Sequence[float] | Real]) -> Engine:
+    """The engine with other masses of its parts: what is added to each cylinder's own, kg.
+
+    Big ends hang on the throw, on a knuckle pin where the rod is articulated, or are the rod's
+    own where it is a rigid body, whose moment of inertia stays. Counterweights stay.
+
+    >>> from crankstar.files.catalog import load
+    >>> four = with_parts(load("subaru-ej25"), {"piston": [0.001, 0, 0, 0]})
+    >>> heavier = four.cylinders[0].reciprocating_mass - four.cylinders[1].reciprocating_mass
+    >>> round(heavier, 9)
+    0.001
+    """
+    more = {name: np.asarray(values, float) for name, values in added.items()}
+    none = np.zeros(len(engine.cylinders))
+    cylinders: list[Cylinder] = []
+    hung: dict[tuple[str, int], float] = {}
+    for place, cylinder in enumerate(engine.cylinders):
+        own = {name: float(more.get(name, none)[place]) for name in WEIGHED}
+        cylinders.append(_with_own(cylinder, own))
+        if cylinder.rod is None and cylinder.articulated is None:
+            key = (cylinder.shaft, cylinder.throw)
+            hung[key] = hung.get(key, 0.0) + own["big_end"]
+    shafts = tuple(
+        with_values(
+            shaft,
+            throws=tuple(
+                with_values(
+                    throw, rotating_mass=throw.rotating_mass + hung.get((shaft.name, number), 0.0)
+                )
+                for number, throw in enumerate(shaft.throws, 1)
+            ),
+        )
+        for shaft in engine.shafts
+    )
+    return with_values(engine, cylinders=tuple(cylinders), shafts=shafts)
+
+
+def _with_own(cylinder: Cylinder, added: Mapping[str, float]) -> Cylinder:
+    """A cylinder with heavier or lighter parts; what hangs on a throw is not in it."""
+    values: dict[str, object] = {}
+    up = sum(added[name] for name in RECIPROCATING if name in added)
+    if cylinder.rod is not None:
+        big, small = cylinder.rod.shares(cylinder.rod_length)
+        up -= added["small_end"]
+        big, small = big + added["big_end"], small + added["small_end"]
+        values["rod"] = Rod(
+            mass=big + small,
+            centre=cylinder.rod_length * small / (big + small),
+            inertia=cylinder.rod.inertia,
+        )
+    elif cylinder.articulated is not None:
+        values["big_end_mass"] = cylinder.big_end_mass + added["big_end"]
+    values["reciprocating_mass"] = cylinder.reciprocating_mass + up
+    if cylinder.parts is not None:
+        own = {name: getattr(cylinder.parts, name) + added[name] for name in WEIGHED}
+        values["parts"] = with_values(cylinder.parts, **own)
+    return with_values(cylinder, **values)

@@ -1,0 +1,240 @@
+"""Parts matched to cylinders: what goes where, what is left, and what chance and classes leave."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+from typing import Any
+
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _, _n
+from crankstar.language.numbers import number, order_text
+from crankstar.language.shown_units import quantity_text
+from crankstar.studies.matched_sets import Division
+from crankstar.studies.matching import Matched, Place, labels
+from crankstar.studies.part_weights import Batch
+from crankstar.tables.table import Column, Document, Table, Value, remarks
+
+PARTS = {
+    "piston": N_("piston"),
+    "pin": N_("piston pin"),
+    "small_end": N_("rod, small end"),
+    "big_end": N_("rod, big end"),
+}
+"""The weighed parts as headings."""
+
+
+def matching_document(
+    engine: Engine, batch: Batch, found: Matched, *, speed: float | None
+) -> Document:
+    """One engine: its parts, what is left of which orders, beside chance and classes."""
+    parts = (_places_table(batch, [found]), _left_table(found, speed))
+    lines = [_said(found), *_notes(batch, found)]
+    return Document(engine.name, (*parts, *remarks(*lines, kind="note")), _facts(found, speed))
+
+
+def division_document(
+    engine: Engine, batch: Batch, found: Division, *, speed: float | None
+) -> Document:
+    """Several engines: the sets, what each leaves, how nearly equal their parts are."""
+    first = found.engines[0]
+    lines: list[str] = []
+    spreads: dict[str, Any] = {}
+    for name, sets, said in (
+        ("pistons", found.pistons, N_("pistons with their pins")),
+        ("rods", found.rods, N_("both ends of the rods, added")),
+    ):
+        if sets is None:
+            continue
+        spreads[name] = {"spread": sets.spread, "proved": sets.proved}
+        values = {"what": _(said), "spread": quantity_text(sets.spread, "kg")}
+        lines.append(
+            _("Sum over the sets of greatest less least mass of {what}: {spread}, least.", **values)
+            if sets.proved
+            else _(
+                "Sum over the sets of greatest less least mass of {what}: {spread}; there may be "
+                "less, which is not proved.",
+                **values,
+            )
+        )
+    spare = batch.size - len(found.engines) * len(engine.cylinders)
+    if spare:
+        lines.append(
+            _n(
+                "{count} of each part is left over.",
+                "{count} of each part are left over.",
+                spare,
+                count=spare,
+            )
+        )
+    parts = (_places_table(batch, found.engines), _engines_table(found.engines, speed))
+    facts = {**_facts(first, speed), "sets": spreads}
+    lines += _notes(batch, first)
+    return Document(engine.name, (*parts, *remarks(*lines, kind="note")), facts)
+
+
+def _facts(found: Matched, speed: float | None) -> dict[str, Any]:
+    return {
+        "format": 1,
+        "orders": list(found.law.orders),
+        "quantities": list(found.quantities),
+        "arm_mm": 1000 * found.law.arm,
+        "whole": found.whole,
+        "whole_unbalance": found.whole_unbalance,
+        "whole_alike": found.whole_alike,
+        "proved": found.proved,
+        "speed_rpm": None if speed is None else float(f"{speed * 30 / pi:.12g}"),
+    }
+
+
+def _places_table(batch: Batch, engines: Sequence[Matched]) -> Table:
+    """What goes into each cylinder, and what it weighs there."""
+    several = len(engines) > 1
+    kinds = [
+        (_("piston"), "piston", "piston" in batch.masses),
+        (_("piston pin"), "pin", "pin" in batch.masses),
+        (_("rod"), "rod", batch.has_rods),
+    ]
+    shown = [place for place, (_said, _key, there) in enumerate(kinds) if there]
+    columns = [Column(_("engine"), key="engine", label=True)] if several else []
+    columns += [Column(_("cylinder"), key="cylinder", label=True)]
+    columns += [Column(kinds[at][0], kind="text", key=kinds[at][1]) for at in shown]
+    columns += [Column(_(PARTS[name]), "g", key=f"mass/{name}", digits=7) for name in batch.masses]
+    columns += [
+        Column(_("goes up and down, listed"), "g", key="reciprocating", digits=7),
+        Column(_("turns, listed"), "g", key="rotating", digits=7),
+    ]
+    rows: list[tuple[Value, ...]] = []
+    for engine, found in enumerate(engines, 1):
+        for place in found.places:
+            own = labels(batch, place)
+            masses = {name: 1000 * _mass(batch, place, name) for name in batch.masses}
+            turning = masses.get("big_end")
+            up = [masses[name] for name in masses if name != "big_end"]
+            row: list[Value] = [engine] if several else []
+            row += [place.cylinder, *(own[at] for at in shown), *masses.values()]
+            rows.append((*row, sum(up) if up else None, turning))
+    return Table(_("What goes where"), tuple(columns), tuple(rows), key="cylinders")
+
+
+def _mass(batch: Batch, place: Place, name: str) -> float:
+    item = {"piston": place.piston, "pin": place.pin}.get(name, place.rod)
+    return 0.0 if item is None else float(batch.masses[name][item])
+
+
+def _left_table(found: Matched, speed: float | None) -> Table:
+    """The unbalance that is left, beside that of other ways to choose."""
+    rows: list[tuple[Value, ...]] = []
+
+    def add(said: str, key: str, rms: float, most: float | None = None) -> None:
+        force = () if speed is None else (rms * speed**2,)
+        rows.append((said, key, rms, *force, most))
+
+    add(_("matched"), "matched", found.unbalance)
+    add(_("in the order of the list"), "as_listed", found.as_listed)
+    add(_("by chance, rms of all assignments"), "by_chance", found.by_chance)
+    for each in found.classes:
+        width = quantity_text(each.width, "kg")
+        said = _("classes of {width}, rms", width=width)
+        add(said, f"class_{1000 * each.width:g}_g", each.rms, each.most)
+    add(_("all parts alike"), "alike", found.fixed)
+    columns = (
+        Column(_("parts"), kind="text", label=True),
+        Column("", kind="text", key="parts", machine=True),
+        Column(_("unbalance left"), "kg*m", key="unbalance", digits=4),
+        *(() if speed is None else (Column(_("force, rms"), "N", key="force", digits=4),)),
+        Column(_("at most"), "kg*m", key="most", digits=4),
+    )
+    return Table(_("What is left"), columns, tuple(rows), key="left")
+
+
+def _engines_table(engines: Sequence[Matched], speed: float | None) -> Table:
+    """What is left in each of several engines."""
+    columns = (
+        Column(_("engine"), key="engine", label=True),
+        Column(_("unbalance left"), "kg*m", key="unbalance", digits=4),
+        *(() if speed is None else (Column(_("force, rms"), "N", key="force", digits=4),)),
+        Column(_("by chance, rms of all assignments"), "kg*m", key="by_chance", digits=4),
+        Column(_("proved least"), kind="text", key="proved_least"),
+    )
+    rows = tuple(
+        (
+            at,
+            each.unbalance,
+            *(() if speed is None else (each.unbalance * speed**2,)),
+            each.by_chance,
+            _("yes") if each.proved else _("no"),
+        )
+        for at, each in enumerate(engines, 1)
+    )
+    return Table(_("What is left"), columns, rows, key="engines")
+
+
+def _said(found: Matched) -> str:
+    size = quantity_text(found.unbalance, "kg*m")
+    if found.proved:
+        return _(
+            "{size} is proved least: no other assignment of these pistons with their pins, and of "
+            "these rods, leaves less.",
+            size=size,
+        )
+    return _("{size} is the best that was found; that it is least is not proved.", size=size)
+
+
+def _notes(batch: Batch, found: Matched) -> list[str]:
+    """What was minimised, how pins went with pistons, what the list replaces."""
+    orders = ", ".join(map(order_text, found.law.orders))
+    what = {
+        ("force", "couple"): N_(
+            "Minimised: the rms over a turn of force, and of couple over {arm}, of the orders "
+            "{orders}, as an unbalance (times ω² a force)."
+        ),
+        ("force",): N_(
+            "Minimised: the rms over a turn of the force of the orders {orders}, as an unbalance "
+            "(times ω² a force)."
+        ),
+        ("couple",): N_(
+            "Minimised: the rms over a turn of the couple over {arm} of the orders {orders}, as an "
+            "unbalance (times ω² a force)."
+        ),
+    }[found.quantities]
+    lines = [_(what, arm=f"{number(1000 * found.law.arm)} mm", orders=orders)]
+    values = {
+        "size": quantity_text(found.whole_unbalance, "kg*m"),
+        "alike": quantity_text(found.whole_alike, "kg*m", beside=found.whole_unbalance),
+    }
+    if found.whole:
+        lines.append(
+            _(
+                "Of the whole engine with the counterweights of its file, which with the mean of "
+                "the list in every cylinder leaves {alike}.",
+                **values,
+            )
+        )
+    else:
+        lines.append(
+            _(
+                "It is what the parts add to the engine with the mean of the list in every "
+                "cylinder, for which the crankshaft is to be balanced. The whole engine has {size} "
+                "with the counterweights of its file, and {alike} with that mean; --whole "
+                "minimises that.",
+                **values,
+            )
+        )
+    if "piston" in batch.masses and "pin" in batch.masses:
+        lines.append(_("Pins go with pistons first, the heaviest with the lightest."))
+    if any(cylinder.parts is None for cylinder in found.engine.cylinders):
+        lines.append(
+            _(
+                "The file gives no cylinder.parts: only the differences of the weights count, "
+                "about the masses of the file."
+            )
+        )
+    if any(each.most for each in found.classes):
+        lines.append(
+            _(
+                "Classes: every listed part lies anywhere in its class, so that all parts of an "
+                "engine are within that width."
+            )
+        )
+    return lines

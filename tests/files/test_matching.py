@@ -1,0 +1,129 @@
+"""`crankstar match`: its tables, the engine file that it writes, and what it refuses."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import openpyxl
+import pytest
+from tests.commands import Run
+from tests.methods.test_matching import TRIPLE
+
+LIST = """no., piston [g], pin [g], small end [g], big end [g]
+a, 412, 99.5, 151, 401
+b, 410, 98.1, 150, 403
+c, 411.4, 99, 152.5, 399
+"""
+Refused = Callable[..., str]
+
+
+@pytest.fixture(autouse=True)
+def _files(tmp_path: Path) -> None:
+    """The files lie in the directory where the commands run."""
+    (tmp_path / "triple.toml").write_text(TRIPLE, encoding="utf-8")
+    (tmp_path / "w.csv").write_text(LIST, encoding="utf-8")
+
+
+def test_what_is_left_is_what_analyze_finds_in_the_file_that_is_written(run: Run) -> None:
+    said = json.loads(
+        run("match", "triple.toml", "w.csv", "--engine-file", "new.toml", "--json").out
+    )
+    own = {row["parts"]: row for row in said["left"]}
+    assert (said["format"], said["proved"]) == (1, True)
+    found = json.loads(run("analyze", "new.toml", "--orders", "1,2", "--json").out)
+    squares = 0.0
+    for row in found["orders"]:
+        for name, size in (("force", 1.0), ("couple", 1000 / said["arm_mm"])):
+            for way in ("forward", "backward"):
+                squares += size**2 * abs(complex(*row[name][way])) ** 2
+    whole = said["whole_unbalance"] * own["matched"]["force"] / own["matched"]["unbalance"]
+    assert squares**0.5 == pytest.approx(whole, rel=1e-9)
+    assert own["matched"]["unbalance"] <= own["as_listed"]["unbalance"]
+
+
+def test_csv_has_the_parts_of_each_cylinder(run: Run) -> None:
+    rows = list(csv.DictReader(io.StringIO(run("match", "triple.toml", "w.csv", "--csv").out)))
+    assert [row["cylinder"] for row in rows] == ["1", "2", "3"]
+    assert {row["piston"] for row in rows} == {row["rod"] for row in rows} == {"a", "b", "c"}
+
+
+def test_readers_are_told_what_is_least_and_of_what(run: Run) -> None:
+    said = " ".join(run("match", "triple.toml", "w.csv").out.split())
+    assert "is proved least: no other assignment" in said
+    assert "of the orders 1, 2" in said
+    assert "the heaviest with the lightest" in said
+    assert "only the differences of the weights count" in said
+
+
+def test_several_engines_have_a_file_each(run: Run, tmp_path: Path) -> None:
+    more = LIST + LIST.split("\n", 1)[1].replace("a,", "d,").replace("b,", "e,").replace("c,", "f,")
+    (tmp_path / "six.csv").write_text(more, encoding="utf-8")
+    line = ("match", "triple.toml", "six.csv", "--engines", "2", "--engine-file", "own.toml")
+    said = run(*line, "--json").out
+    assert [row["engine"] for row in json.loads(said)["engines"]] == [1, 2]
+    for number in (1, 2):
+        assert run("check", f"own-{number}.toml").code == 0
+
+
+def test_a_spreadsheet_of_weights_is_read_as_well(run: Run, tmp_path: Path) -> None:
+    book = openpyxl.Workbook()
+    for line in LIST.splitlines():
+        cells = [cell.strip() for cell in line.split(",")]
+        book.worksheets[0].append([float(c) if c[0].isdigit() else c for c in cells])
+    book.save(tmp_path / "w.xlsx")
+    assert (
+        run("match", "triple.toml", "w.xlsx", "--csv").out
+        == run("match", "triple.toml", "w.csv", "--csv").out
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("", "w.csv has no rows under a line of headings"),
+        ("1,2\n3,4\n", "w.csv, line 1: headings are missing"),
+        ("no,piston [g]\n1,\n", 'w.csv, line 2, column "piston [g]" is ""'),
+        ("no,piston [g]\n1,heavy\n", 'w.csv, line 2, column "piston [g]" is "heavy"'),
+        ("no,piston [g]\n1,-3\n", "must be greater than 0"),
+        ("no,piston\n1,412\n", "neither the heading nor the cell has a unit"),
+        ("no,piston [mm]\n1,412\n", 'is "412 mm", a length; a mass is needed'),
+        ("no,pistn [g]\n1,412\n", 'the column "pistn [g]" is not known; "piston" is'),
+        ("no,colour\n1,red\n", 'the column "colour" is not known'),
+        ("no\n1\n", "w.csv has no weights"),
+        ("no,piston [g],piston [kg]\n1,412,0.4\n", 'the column "piston [g]" stands twice'),
+        ("no,pin [g],wrist pin [g]\n1,99,98\n", "mean the same"),
+        ("no,piston [g]\n1,412\n1,413\n", "line 2"),
+        ("no,piston [g]\n1,412,9\n", "line 2: it has 3 cells under 2 headings"),
+        ("no,piston [g]\n1,412\n2,413\n", "the list has 2 of each part"),
+    ],
+)
+def test_a_mistake_in_the_list_is_told_with_its_place(
+    refused: Refused, tmp_path: Path, text: str, told: str
+) -> None:
+    (tmp_path / "w.csv").write_text(text, encoding="utf-8")
+    assert told in " ".join(refused("match", "triple.toml", "w.csv").split())
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        (("triple.toml", "none.csv"), "none.csv: there is no such file"),
+        (("i4", "w.csv"), "gives no masses"),
+        (("triple.toml", "w.csv", "--orders", "0"), "give numbers above 0"),
+        (("triple.toml", "w.csv", "--quantity", "roll"), "choose from force, couple"),
+        (("triple.toml", "w.csv", "--engines", "0"), "whole number from 1 to 100"),
+        (("triple.toml", "w.csv", "--classes", "2 mm"), "a mass is needed"),
+        (("triple.toml", "w.csv", "--engine-file", "x.csv"), "must end in .toml"),
+        (("triple.toml", "w.csv", "--engine-file", "none/x.toml"), "no such directory"),
+        (("triple.toml", "w.csv", "--engine-file", "triple.toml"), "would be lost"),
+    ],
+)
+def test_a_request_that_cannot_be_met_is_one_sentence(
+    refused: Refused, line: tuple[str, ...], told: str
+) -> None:
+    said = refused("match", *line)
+    assert told in " ".join(said.split())
