@@ -40,6 +40,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
 | `polar_grid` | the circles of a polar diagram, with their values |
 | `polar_diagrams` | the load on each main bearing or crank pin as a polar diagram |
+| `vector_diagrams` | vectors of several kinds in polar diagrams to one scale |
 | `bending` | the bending moment along the crankshaft |
 | `balance_shafts` | the balance shafts from the front and from the side |
 | `curve_names` | the results of a sweep in the words of the field |
@@ -116,6 +117,7 @@ if TYPE_CHECKING:
     from crankstar.charts.torsion_fronts import sequence_stars
     from crankstar.charts.torsion_responses import torsion_response_chart
     from crankstar.charts.torsion_stars import torsion_star
+    from crankstar.charts.vector_diagrams import Diagram, Named, polar_vectors
     from crankstar.charts.vector_stars import polygon, vector_star
 
 __all__ = [
@@ -124,7 +126,9 @@ __all__ = [
     "SUFFIXES",
     "Canvas",
     "ChartError",
+    "Diagram",
     "Figure",
+    "Named",
     "Paper",
     "Print",
     "amplitudes",
@@ -151,6 +155,7 @@ __all__ = [
     "over_turn",
     "pareto_front",
     "polar_loads",
+    "polar_vectors",
     "polygon",
     "pressure_chart",
     "printed",
@@ -212,6 +217,7 @@ _HOMES = {
     "torque": ("torque_chart",),
     "torsion_responses": ("torsion_response_chart",),
     "torsion_stars": ("torsion_star",),
+    "vector_diagrams": ("Diagram", "Named", "polar_vectors"),
     "vector_stars": ("polygon", "vector_star"),
 }
 """The module of each name. All are loaded on first use: a figure needs few of them."""

@@ -27,6 +27,7 @@
 | `balancing` | balance |
 | `workshop` | bobweight, drill, grade |
 | `matching` | match |
+| `correcting` | correct |
 | `picturing` | plot |
 | `drawing` | draw, animate |
 | `sounding` | sound |

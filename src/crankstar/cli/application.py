@@ -46,6 +46,7 @@ VERBS = {
     "bobweight": "workshop:bobweight",
     "check": "files:check",
     "compare": "inspect:compare",
+    "correct": "correcting:correct",
     "derive": "deriving:derive",
     "draw": "drawing:draw",
     "drill": "workshop:drill",

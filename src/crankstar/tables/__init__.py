@@ -16,6 +16,7 @@
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |
 | `scales` | the units in which an engine is written |
 | `workshop` | what to drill or to fit, which unbalance may remain |
+| `two_planes` | corrections in two planes |
 | `conditions` | speed, units and point of reference of an analysis |
 | `bobweights` | the bobweight card: parts, bobweights, overbalance |
 | `paths` | names of vectors and of their paths |

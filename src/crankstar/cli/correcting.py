@@ -1,0 +1,218 @@
+"""The verb correct: corrections of a rotor in two planes."""
+
+from __future__ import annotations
+
+from cmath import rect
+from functools import partial
+from math import pi, radians
+from typing import TYPE_CHECKING, Annotated
+
+import numpy as np
+from cyclopts import Parameter
+
+from crankstar.cli.options import FLAT, Csv, Json, option, together
+from crankstar.cli.output import working, write_bytes
+from crankstar.cli.tabulating import give, words_for
+from crankstar.engine.quantities import LENGTH, POSITION
+from crankstar.files import units
+from crankstar.files.lists import ListError, read_list
+from crankstar.language.messages import _
+from crankstar.options import values as request
+from crankstar.options import workshop
+from crankstar.options.forms import PICTURES, TABLES, form_of
+from crankstar.options.refusals import RequestError, refusal
+from crankstar.options.workshop import DrillOptions
+from crankstar.remedy.two_planes import Split
+
+if TYPE_CHECKING:
+    from crankstar.charts.grammar import Chart
+    from crankstar.options.trial_runs import TrialRuns
+    from crankstar.remedy.drilling import Drill
+    from crankstar.spectra import Complex
+    from crankstar.tables.table import Document
+    from crankstar.tables.two_planes import Corrections
+
+RUNS = "CSV file (or .xlsx) with an initial run, and one with a trial weight in each plane."
+MOST_POSITIONS = 360
+
+
+def correct(
+    runs: Annotated[str | None, Parameter(help=RUNS)] = None,
+    /,
+    *,
+    unbalance: Annotated[
+        str | None, option("--unbalance", "Two, in the measuring planes, with directions.")
+    ] = None,
+    measuring_planes: Annotated[str | None, option("--measuring-planes")] = None,
+    correction_planes: Annotated[str | None, option("--correction-planes")] = None,
+    positions: Annotated[str | None, option("--positions")] = None,
+    options: Annotated[DrillOptions, FLAT] = DrillOptions(),  # noqa: B008  # it is frozen
+    json: Json = False,
+    csv: Csv = False,
+    output: Annotated[str | None, option("--output", "A picture (.svg) has the vectors.")] = None,
+) -> None:
+    """Say what to add or to drill in two planes, for unbalance measured in two, or trial runs."""
+    form = form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
+    both = {"--measuring-planes": measuring_planes, "--correction-planes": correction_planes}
+    if (runs is None) == (unbalance is None):
+        raise RequestError(
+            "give either a list of runs with trial weights, or what a balancing machine shows, as "
+            'in --unbalance "850 g*mm at 20 deg, 400 g*mm at 200 deg"'
+        )
+    if runs is not None:
+        request.refuse_unused(both, beside="RUNS")
+    drill, radius, allowed = together(
+        partial(_drill, options), partial(_radius, options), partial(_positions, positions)
+    )
+    request.refuse_unused({"--positions": positions}, beside="--diameter") if drill else None
+    with words_for(form if form in TABLES else "txt"):
+        if runs is not None:
+            found = _of_runs(_trial_runs(runs), radius, allowed)
+        else:
+            found = _of_machine(unbalance or "", both, radius, allowed)
+        if form in PICTURES:
+            _draw(found, form, output)
+            return
+        document = _document(found, drill)
+    give(document, output, form=form)
+
+
+def _drill(options: DrillOptions) -> Drill | None:
+    """The drill, where a hole is described."""
+    given = options.model_dump(exclude={"at_radius"}, exclude_defaults=True)
+    return workshop.drill_of(options) if given else None
+
+
+def _radius(options: DrillOptions) -> float | None:
+    text = options.at_radius
+    return None if text is None else workshop.size("--at-radius", text, LENGTH)
+
+
+def _positions(text: str | None) -> list[float] | None:
+    """Allowed positions: so many at equal steps from 0, or their angles."""
+    if text is None:
+        return None
+    parts = request.listed(text)
+    if len(parts) == 1 and parts[0].isdecimal():
+        count = int(parts[0])
+        if not 3 <= count <= MOST_POSITIONS:
+            raise refusal("--positions", text, "give from 3 to {most} of them", most=MOST_POSITIONS)
+        return [2 * pi * at / count for at in range(count)]
+    return [radians(each) for each in request.degrees("--positions", text)]
+
+
+def _planes(option: str, text: str | None) -> list[float]:
+    """Two places along the rotor."""
+    parts = request.listed(text)
+    if len(parts) != 2:
+        raise refusal(option, text or '""', 'give two places, as in "0 mm, 400 mm"')
+    found: list[float] = []
+    for part in parts:
+        if units.is_bare(part):
+            raise refusal(option, part, "write it with a unit, {example}", example='"400 mm"')
+        with request.reading(option):
+            found.append(units.si(part, POSITION))
+    if found[0] == found[1]:
+        raise refusal(option, text or "", "the two are at one place; give planes apart")
+    return found
+
+
+def _of_machine(
+    text: str, both: dict[str, str | None], radius: float | None, allowed: list[float] | None
+) -> Corrections:
+    """Corrections for the unbalance that a balancing machine shows in two planes."""
+    from crankstar.remedy.two_planes import in_planes
+    from crankstar.tables.two_planes import Corrections
+
+    spots, at, planes = together(
+        partial(workshop.measured, text, radius=radius, most=2),
+        *(partial(_planes, name, value) for name, value in both.items()),
+    )
+    if len(spots) != 2 or any(spot.angle is None for spot in spots):
+        raise refusal("--unbalance", text, "give two, each with its direction: heavy spots")
+    measured = np.array([rect(spot.unbalance, spot.angle or 0.0) for spot in spots])
+    found = in_planes(measured, at=at, planes=planes)
+    return Corrections(found, _added(found, allowed), radius, measured, at)
+
+
+def _of_runs(runs: TrialRuns, radius: float | None, allowed: list[float] | None) -> Corrections:
+    """Corrections by influence coefficients."""
+    from crankstar.remedy.two_planes import effects, influence
+    from crankstar.tables.two_planes import Corrections
+
+    matrix = influence(runs.initial, runs.trials, runs.runs)
+    found = np.linalg.solve(matrix, runs.initial)
+    left = None if runs.check is None else np.linalg.solve(matrix, runs.check)
+    return Corrections(
+        found,
+        _added(found, allowed),
+        radius,
+        left=left,
+        effects=effects(runs.initial, runs.runs),
+        influence=matrix,
+    )
+
+
+def _added(unbalance: Complex, allowed: list[float] | None) -> tuple[tuple[Split, ...], ...]:
+    """What to add in each plane: opposite the heavy spot, or at allowed positions beside that."""
+    from crankstar.remedy.two_planes import split
+
+    if allowed is not None:
+        return tuple(split(complex(-each), allowed) for each in unbalance)
+    return tuple(
+        (Split(float(np.angle(-each)), float(abs(each))),) if abs(each) else ()
+        for each in unbalance
+    )
+
+
+def _trial_runs(place: str) -> TrialRuns:
+    from crankstar.options.trial_runs import trial_runs
+
+    try:
+        return trial_runs(read_list(place))
+    except ListError as error:
+        raise RequestError(str(error)) from None
+
+
+def _document(found: Corrections, drill: Drill | None) -> Document:
+    from crankstar.remedy.drilling import holes
+    from crankstar.tables.two_planes import corrections_document
+    from crankstar.tables.workshop import Correction, drilling_document
+
+    if drill is None:
+        return corrections_document(found)
+    made = [
+        Correction(str(at), None, float(abs(each)), float(np.angle(each)), holes(abs(each), drill))
+        for at, each in enumerate(found.unbalance, 1)
+    ]
+    return corrections_document(found, drilling_document("", made, drill))
+
+
+def _draw(found: Corrections, form: str, output: str | None) -> None:
+    """The unbalance and what is added to it, plane by plane."""
+    from crankstar.options import charts as chart_request
+
+    drawing = chart_request.charts()
+    title = _("Correction in two planes")
+
+    def draw() -> Chart:
+        diagrams = [
+            drawing.Diagram(
+                _("plane {number}", number=at),
+                (
+                    drawing.Named(_("heavy spot"), 1e6 * complex(own)),
+                    *(
+                        drawing.Named(_("add"), 1e6 * rect(each.unbalance, each.angle))
+                        for each in added
+                    ),
+                ),
+            )
+            for at, (own, added) in enumerate(zip(found.unbalance, found.added, strict=True), 1)
+        ]
+        about = _("unbalance in g mm; 0 deg is up, angles run clockwise")
+        return drawing.polar_vectors(diagrams, title=title, subtitle=[about])
+
+    look = chart_request.paper(form, theme=None, width=None, height=None, dpi=None, font_size=None)
+    with working(_("Drawing {chart} ...", chart=title)):
+        made = drawing.printed(draw, look, title=title)
+        write_bytes(drawing.saved_print(made, form, title=title), output)

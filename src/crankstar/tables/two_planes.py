@@ -1,0 +1,140 @@
+"""Corrections in two planes as tables: static and couple unbalance, what to add, what is left."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
+from crankstar.remedy.two_planes import LEAST_EFFECT, Split, static_and_couple
+from crankstar.spectra import Complex, Real
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+
+MM2 = 1e9
+"""g mm^2 in kg m^2."""
+
+
+class Corrections(NamedTuple):
+    """The unbalance in the correction planes, what is added there, and what led to it.
+
+    `measured` and `at` are those of a balancing machine; `left` is what a check run shows,
+    `effects` how much the trial weights changed the vibration.
+    """
+
+    unbalance: Complex
+    added: tuple[tuple[Split, ...], ...]
+    radius: float | None
+    measured: Complex | None = None
+    at: Sequence[float] = ()
+    left: Complex | None = None
+    effects: Real | None = None
+    influence: Complex | None = None
+
+
+def corrections_document(found: Corrections, drilled: Document | None = None) -> Document:
+    """All of it; instead of weights to add the tables of what to drill."""
+    parts: list[Table | Remarks] = []
+    if found.measured is not None:
+        parts.append(_measured(found.measured, found.at))
+    parts.append(_planes(found))
+    if drilled is None:
+        parts.append(_added(found))
+    else:
+        parts += drilled.parts
+    if found.left is not None:
+        parts.append(_left(found, found.left))
+    facts = dict(drilled.facts) if drilled else {}
+    if found.influence is not None:
+        facts["influence"] = [[[v.real, v.imag] for v in row] for row in found.influence.tolist()]
+    lines = [
+        _(
+            "Angles are counted as in the input, those of weights and phases in the same "
+            "direction; what is added stands opposite the heavy spot. The rotor is rigid."
+        )
+    ]
+    doubts: list[str] = []
+    if found.effects is not None:
+        for plane, share in enumerate(found.effects.tolist(), 1):
+            if share < LEAST_EFFECT:
+                doubts.append(
+                    _(
+                        "The trial weight in plane {plane} changed the vibration by {share} % at "
+                        "most; with a heavier one the answer is surer.",
+                        plane=plane,
+                        share=number(100 * share, digits=2),
+                    )
+                )
+    return Document(
+        _("Correction in two planes"),
+        (*parts, *remarks(*lines, kind="note"), *remarks(*doubts, kind="doubt")),
+        {"format": 1, **facts},
+    )
+
+
+def _vector(value: complex) -> tuple[float, float]:
+    return abs(value), round(degrees(float(np.angle(value))) % 360, 1) % 360
+
+
+def _measured(unbalance: Complex, at: Sequence[float]) -> Table:
+    """Static and couple unbalance."""
+    static, couple = static_and_couple(unbalance, at=at)
+    columns = (
+        Column(_("unbalance"), kind="text", label=True),
+        Column("", kind="text", key="name", machine=True),
+        Column(_("size"), "g*mm", key="size_g_mm", fixed=True),
+        Column(_("couple"), "g*mm^2", key="size_g_mm2", fixed=True),
+        Column(_("direction"), "deg", key="direction_deg"),
+    )
+    (still, where), (twist, turned) = _vector(static), _vector(couple)
+    rows: tuple[tuple[Value, ...], ...] = (
+        (_("static"), "static", 1e6 * still, None, where),
+        (_("couple"), "couple", None, MM2 * twist, turned),
+    )
+    said = _("The couple is taken about the middle of the measuring planes.")
+    return Table(_("Static and couple unbalance"), columns, rows, (said,), key="unbalance")
+
+
+def _planes(found: Corrections) -> Table:
+    columns = (
+        Column(_("plane"), key="plane", label=True),
+        Column(_("unbalance"), "kg*m", key="unbalance"),
+        Column(_("heavy spot"), "deg", key="heavy_spot_deg"),
+    )
+    rows = tuple((at, *_vector(complex(each))) for at, each in enumerate(found.unbalance, 1))
+    return Table(_("Unbalance in the correction planes"), columns, rows, key="planes")
+
+
+def _added(found: Corrections) -> Table:
+    """The weights to add, each at a position."""
+    massed = found.radius is not None
+    columns = (
+        Column(_("plane"), key="plane", label=True),
+        Column(_("add at"), "deg", key="at_deg"),
+        Column(_("unbalance"), "kg*m", key="unbalance"),
+        *((Column(_("mass"), "g", key="mass", digits=4),) if massed else ()),
+    )
+    rows: list[tuple[Value, ...]] = []
+    for plane, weights in enumerate(found.added, 1):
+        for each in weights:
+            mass = (1000 * each.unbalance / found.radius,) if found.radius is not None else ()
+            rows.append((plane, round(degrees(each.angle) % 360, 1) % 360, each.unbalance, *mass))
+    return Table(_("What to add"), columns, tuple(rows), key="added")
+
+
+def _left(found: Corrections, left: Complex) -> Table:
+    """What the check run shows, and which share of the unbalance before that is."""
+    columns = (
+        Column(_("plane"), key="plane", label=True),
+        Column(_("unbalance"), "kg*m", key="unbalance"),
+        Column(_("heavy spot"), "deg", key="heavy_spot_deg"),
+        Column(_("of that before"), "%", key="share_percent", digits=3),
+    )
+    rows = tuple(
+        (at, *_vector(complex(own)), 100 * abs(own) / abs(before) if before else None)
+        for at, (own, before) in enumerate(zip(left, found.unbalance, strict=True), 1)
+    )
+    return Table(_("Left by the check run"), columns, rows, key="left")
