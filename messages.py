@@ -104,6 +104,7 @@ MESSAGE_ERRORS = [
     "UnitsError",
     "WeighingError",
     "JudgingError",
+    "DiagnosisError",
     "ListError",
     "MatchingError",
     "MountError",

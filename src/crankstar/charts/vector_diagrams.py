@@ -35,10 +35,14 @@ def polar_vectors(
     diagrams: Sequence[Diagram], *, title: str, subtitle: Sequence[str] = ()
 ) -> Chart:
     """Panels of vectors, two in a row, all to one scale."""
+    return figure(diagram_panels(diagrams), title=title, subtitle=subtitle)
+
+
+def diagram_panels(diagrams: Sequence[Diagram]) -> list[list[Panel]]:
+    """The panels of vectors, two in a row, all to one scale."""
     reach = max((abs(each.vector) for panel in diagrams for each in panel.vectors), default=0.0)
     panels = [_panel(panel, reach) for panel in diagrams]
-    rows = [panels[at : at + 2] for at in range(0, len(panels), 2)]
-    return figure(rows, title=title, subtitle=subtitle)
+    return [panels[at : at + 2] for at in range(0, len(panels), 2)]
 
 
 def _panel(diagram: Diagram, reach: float) -> Panel:

@@ -28,6 +28,7 @@
 | `workshop` | bobweight, drill, grade |
 | `matching` | match |
 | `correcting` | correct |
+| `diagnosing` | fault, diagnose |
 | `picturing` | plot |
 | `drawing` | draw, animate |
 | `sounding` | sound |

@@ -27,6 +27,7 @@ from crankstar.search.faults import SearchError
 
 COMPLETION = "--install-completion"
 FILES = ("--beside", "--checkpoint", "--engine-file", "--output", "--save")
+FILES = ("--before", "--beside", "--checkpoint", "--engine-file", "--output")
 """Options that take a file."""
 LANGUAGE = ("--language", "--lang")
 """The option of the language, and its short name."""
@@ -48,12 +49,14 @@ VERBS = {
     "compare": "inspect:compare",
     "correct": "correcting:correct",
     "derive": "deriving:derive",
+    "diagnose": "diagnosing:diagnose",
     "draw": "drawing:draw",
     "drill": "workshop:drill",
     "errata": "deriving:errata",
     "estimate": "estimating:estimate",
     "export": "exporting:export",
     "genset": "genset:genset",
+    "fault": "diagnosing:fault",
     "grade": "workshop:grade",
     "guide": "guide:guide",
     "isolate": "isolating:isolate",

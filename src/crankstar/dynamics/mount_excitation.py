@@ -83,7 +83,7 @@ def mount_excitation(
     if found is not None:
         torque = spectra.amplitude(spectra.selected(found, wanted))
         gas[..., 5] = -sums.force.sense * torque
-    return MountExcitation(speeds, wanted, _inertia(sums, wanted), gas, why)
+    return MountExcitation(speeds, wanted, on_freedoms(sums, wanted), gas, why)
 
 
 def _sums(block: MountedBlock, engine: Engine, orders: Sequence[float] | None) -> Totals:
@@ -92,7 +92,7 @@ def _sums(block: MountedBlock, engine: Engine, orders: Sequence[float] | None) -
     return total(part_spectra(mechanism(engine), reference=Reference(z, up, right), orders=orders))
 
 
-def _inertia(sums: Totals, wanted: Real) -> Complex:
+def on_freedoms(sums: Totals, wanted: Real) -> Complex:
     """The inertia forces on the six freedoms at 1 rad/s [order, 6]."""
     force, couple, roll = (
         spectra.selected(each, wanted) for each in (sums.force, sums.couple, rolling_moment(sums))

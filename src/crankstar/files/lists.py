@@ -232,18 +232,17 @@ def columns_of(
 
 def _refuse_head(listed: Listed, head: str, known: dict[str, str]) -> None:
     near = get_close_matches(key_of(head), list(known), 1, 0.75)
-    shown = one_line(head, longest=60)
     if near:
         raise ListError(
             '{file}: the column {head} is not known; "{meant}" is',
             file=listed.name,
-            head=seen(shown),
+            head=seen(head),
             meant=near[0],
         )
     raise ListError(
         "{file}: the column {head} is not known; name columns {names}",
         file=listed.name,
-        head=seen(shown),
+        head=seen(head),
         names=", ".join(dict.fromkeys(known)),
     )
 

@@ -68,14 +68,10 @@ _KINDS = {
     "torsional stiffness": _Kind("newton*metre/radian", "N*m/rad", 1e13, 1e13),
     "torsional damping": _Kind("newton*metre*second/radian", "N*m*s/rad", 1e10, 1e10),
     "temperature": _Kind("kelvin", "K", 0.0, 5000.0),
+    "speed along a line": _Kind("metre/second", "m/s", 0.0, 1e4),
+    "acceleration": _Kind("metre/second^2", "m/s^2", 0.0, 1e6),
 }
-_OTHERS = {
-    "area": "metre^2",
-    "time": "second",
-    "speed along a line": "metre/second",
-    "acceleration": "metre/second^2",
-    "mass per length": "kilogram/metre",
-}
+_OTHERS = {"area": "metre^2", "time": "second", "mass per length": "kilogram/metre"}
 _SHOWN = {
     "angle": (57.29577951308232, "deg"),
     "length": (1000.0, "mm"),
@@ -99,6 +95,8 @@ _SHOWN = {
     "torsional stiffness": (1.0, "N*m/rad"),
     "torsional damping": (1.0, "N*m*s/rad"),
     "temperature": (1.0, "K"),
+    "speed along a line": (1.0, "m/s"),
+    "acceleration": (1.0, "m/s^2"),
 }
 
 

@@ -5,6 +5,12 @@ from __future__ import annotations
 from crankstar.options.entries import Option
 
 SHOP = {
+    "--before": Option(
+        "text",
+        "CSV file with the same measurement before the fault; without it the engine file says what "
+        "it was.",
+        ("--healthy", "--baseline"),
+    ),
     "--classes": Option(
         "text",
         'Widths of classes with which the match is compared, such as "1 g, 5 g" (default: 0.5, 1, '
@@ -16,6 +22,9 @@ SHOP = {
         'Places along the rotor at which it is corrected, such as "60 mm, 340 mm".',
         ("--correcting-planes",),
     ),
+    "--cut": Option(
+        "text", "Cylinders that do not fire, with commas, such as 3.", ("--dead", "--misfiring")
+    ),
     "--engine-file": Option(
         "text",
         "File in which the engine that comes of it is written, .toml, .json or .xlsx; of several "
@@ -24,6 +33,18 @@ SHOP = {
     ),
     "--engines": Option(
         "whole number", "Divide the batch among this number of engines.", ("--how-many-engines",)
+    ),
+    "--heavier": Option(
+        "several texts",
+        "Part that is heavier, as in piston.3=20g or big_end.2=15g; lighter with a minus sign; "
+        "repeatable.",
+        ("--heavy", "--lighter"),
+    ),
+    "--lost-weight": Option(
+        "several texts",
+        "Counterweight that is lost, by its number in the file, or a share of it, as in 2, "
+        "2=30% or balancer.1; repeatable.",
+        ("--lost", "--missing-weight"),
     ),
     "--measuring-planes": Option(
         "text",
@@ -35,6 +56,11 @@ SHOP = {
         "Where weights can be added: so many places at equal steps from 0 deg, such as 12, or "
         'their angles, such as "0, 45, 90 deg"; a correction is split between the two beside it.',
         ("--holes-at", "--bolts"),
+    ),
+    "--weaker": Option(
+        "several texts",
+        "Cylinder with less of its combustion, as in 3=20%; repeatable.",
+        ("--weak",),
     ),
     "--whole": Option(
         "nothing",

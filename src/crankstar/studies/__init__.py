@@ -18,18 +18,20 @@
 | `sweep` | one or two values of an engine file varied, and what becomes of its quantities |
 | `best_value` | the least or greatest of a curve, refined between its points |
 | `best_pair` | the best pair of two values, and the pairs that none beats in two results |
-<<<<<<< HEAD
 | `pitch_errors` | errors of the distances between cylinders |
 | `error_sources` | the independent errors behind the tolerances of a file, and what they move |
 | `linear_law` | mean, rms and worst case of each order to first order in these errors |
 | `unit_parts` | the parts of an engine at unit mass: masses and angles of many engines at once |
 | `builds` | engines built at random within their tolerances |
 | `scatter` | the scatter of an engine: law, random engines, what matters most |
-=======
 | `part_weights` | weights of a batch of pistons, pins and rods; an engine with such parts |
 | `matched_orders` | the unbalance of an engine as a linear law of the masses of its cylinders |
 | `assignments` | the assignments whose vectors add up to least, with proof |
 | `matching` | a batch matched to the cylinders of an engine, and what chance and classes leave |
 | `matched_sets` | a batch divided among several engines, each set matched |
->>>>>>> d3811cc7 (studies, cli: match weighed parts to cylinders, with proof)
+<<<<<<< HEAD
+=======
+| `single_faults` | faults of an engine, and what each changes in what shakes its block |
+| `diagnosis` | the likeliest fault by measured vibration |
+>>>>>>> 5b647b18 (studies, cli: tell what faults change, and find them again)
 """

@@ -56,6 +56,7 @@
 | `engine_family` | a family of engines with their firing orders, as a project guide |
 | `generating_sets` | uneven running of a generating set, and several on one foundation |
 =======
+| `diagnoses` | what faults change, and which fault explains a measurement |
 | `matching` | parts matched to cylinders, and what is left |
 >>>>>>> d3811cc7 (studies, cli: match weighed parts to cylinders, with proof)
 | `torsion_chain` | a chain that twists: masses, shafts, modes, Holzer's table |

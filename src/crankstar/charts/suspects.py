@@ -1,0 +1,86 @@
+"""The suspects of a diagnosis as bars, and what was measured beside what the likeliest explains."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from crankstar.charts.canvas import panel_width
+from crankstar.charts.drawing import BLUE, GREY, ChartError, Panel, figure, layered
+from crankstar.charts.grammar import Chart, constant, field, of_rows, span
+from crankstar.charts.letters import SMALL, text_width
+from crankstar.charts.vector_diagrams import Diagram, Named, diagram_panels
+from crankstar.language.messages import _
+from crankstar.language.numbers import number, order_text
+from crankstar.tables.diagnoses import NAMES, suspect_text
+
+if TYPE_CHECKING:
+    from crankstar.studies.diagnosis import Diagnosis
+
+BARS, READINGS = 8, 4
+"""Suspects and readings that are drawn: the likeliest, and the greatest."""
+ROW = 22.0
+"""px of a bar with its gap."""
+
+
+def suspect_chart(found: Diagnosis) -> Chart:
+    """Explained share of the likeliest faults; vectors of the greatest readings. Raises ChartError.
+
+    A vector is a velocity at the phase that was measured: 0 deg up, 90 deg to the right.
+    """
+    if not found.suspects:
+        raise ChartError(_("no fault changes anything at these readings"))
+    from crankstar.studies.diagnosis import AXES
+
+    order = sorted(range(len(found.readings)), key=lambda at: -abs(found.difference[at]))
+    diagrams: list[Diagram] = []
+    for at in order[:READINGS]:
+        each = found.readings[at]
+        title = _(
+            "line {line}: order {order}, {direction}",
+            line=each.line,
+            order=order_text(each.order),
+            direction=_(NAMES[AXES[each.axis]]),
+        )
+        diagrams.append(
+            Diagram(
+                title,
+                (
+                    Named(_("measured"), 1e3 * complex(found.difference[at])),
+                    Named(_("explained"), 1e3 * complex(found.suspects[0].rows[at])),
+                ),
+            )
+        )
+    return figure(
+        [[_bars(found)], *diagram_panels(diagrams)],
+        title=_("Which fault explains the measurement"),
+        subtitle=[
+            found.engine.name,
+            _("vectors: the difference in mm/s, its phase clockwise from up"),
+        ],
+    )
+
+
+def _bars(found: Diagnosis) -> Panel:
+    """A bar for each of the likeliest faults, its name before it."""
+    some = found.suspects[:BARS]
+    rows = [
+        {
+            "fault": f"{place}",
+            "name": suspect_text(each, found),
+            "to": max(100 * each.explained, 0.0),
+            "text": f"{number(max(100 * each.explained, 0.0), 100.0, digits=3)} %",
+        }
+        for place, each in enumerate(some, 1)
+    ]
+    wide = max(text_width(row["name"], SMALL) for row in rows) + 12
+    y = field("fault:N", sort=None, title=None, axis=None)
+    x = field("to:Q", title=_("explained, %"), scale=span(0, 118), axis={"values": [0, 50, 100]})
+    bars = of_rows(rows).mark("bar", size=12).encode(x=x, y=y, color=constant(BLUE))
+    numbers = of_rows(rows).mark("text", fontSize=SMALL, color=GREY, align="left", dx=4)
+    names = of_rows(rows).mark("text", fontSize=SMALL, color=GREY, align="right", dx=-6)
+    layers = [
+        bars,
+        numbers.encode(x=x, y=y, text=field("text:N")),
+        names.encode(x=constant(0), y=y, text=field("name:N")),
+    ]
+    return layered(layers, width=panel_width() + 60 - wide, height=ROW * len(rows))

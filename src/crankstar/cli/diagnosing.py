@@ -1,0 +1,213 @@
+"""The verbs fault and diagnose: what a fault changes, and which fault explains a measurement."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any
+
+from cyclopts import Parameter
+
+from crankstar.cli.options import (
+    Csv,
+    EngineName,
+    Json,
+    Output,
+    Settings,
+    Speed,
+    loaded_engine,
+    option,
+    together,
+)
+from crankstar.cli.output import working, write_bytes
+from crankstar.cli.tabulating import give, words_for
+from crankstar.engine.quantities import MASS
+from crankstar.files import units
+from crankstar.files.lists import ListError, read_list
+from crankstar.language.messages import _
+from crankstar.options import charts as chart_request
+from crankstar.options import values as request
+from crankstar.options.forms import PICTURES, TABLES, form_of
+from crankstar.options.gas import gas_orders
+from crankstar.options.refusals import RequestError, refusal
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
+    from crankstar.studies.diagnosis import Diagnosis, Reading
+    from crankstar.studies.single_faults import Fault
+
+MEASURED = "CSV file (or .xlsx): columns order, up, right, z, direction, amplitude, phase."
+HEAVIER = {"piston": "piston", "big_end": "big_end", "big-end": "big_end", "rod": "big_end"}
+"""The parts that may be heavier by their names."""
+
+
+def fault(
+    engine: EngineName,
+    /,
+    *,
+    cut: Annotated[str | None, option("--cut")] = None,
+    weaker: Annotated[list[str] | None, option("--weaker")] = None,
+    heavier: Annotated[list[str] | None, option("--heavier")] = None,
+    lost_weight: Annotated[list[str] | None, option("--lost-weight")] = None,
+    speed: Speed = None,
+    point: Annotated[str | None, option("--point")] = None,
+    at: Annotated[str | None, option("--at")] = None,
+    orders: Annotated[str | None, option("--orders", "Default: up to 6, with halves.")] = None,
+    settings: Settings = None,
+    json: Json = False,
+    csv: Csv = False,
+    output: Output = None,
+) -> None:
+    """Tell what a fault would change: a cut cylinder, a heavier part, a lost counterweight."""
+    from crankstar.studies.single_faults import shaken
+    from crankstar.tables.diagnoses import faults_document
+
+    form = form_of(output, TABLES, json=json, csv=csv)
+    loaded, turning, wanted, *parts = together(
+        partial(loaded_engine, engine, settings),
+        partial(request.speed, speed),
+        partial(gas_orders, orders),
+        partial(_cut, cut),
+        partial(_weaker, weaker),
+        partial(_heavier, heavier),
+        partial(_lost, lost_weight),
+    )
+    faults = [each for some in parts for each in some]
+    if not faults:
+        raise RequestError(
+            "name a fault: --cut 3, --weaker 3=20%, --heavier piston.3=20g or --lost-weight 2"
+        )
+    own = _speed(loaded, turning)
+    place = request.reference(at, loaded, option="--at")
+    where = None if place is None else (place.up, place.right, place.z)
+    rest: dict[str, Any] = {"speed": own, "point": point or "", "orders": wanted or ()}
+    with working(_("Computing what changes ...")), words_for(form):
+        before, after = (shaken(loaded, some, **rest) for some in ((), faults))
+        document = faults_document(before, after, faults, point=where, every=form != "txt")
+    give(document, output, form=form)
+
+
+def diagnose(
+    engine: EngineName,
+    measured: Annotated[str, Parameter(help=MEASURED)],
+    /,
+    *,
+    before: Annotated[str | None, option("--before")] = None,
+    speed: Speed = None,
+    point: Annotated[str | None, option("--point")] = None,
+    settings: Settings = None,
+    json: Json = False,
+    csv: Csv = False,
+    output: Annotated[
+        str | None, option("--output", "A picture (.svg) has the suspects and vectors.")
+    ] = None,
+) -> None:
+    """Find the likeliest fault by measured vibration: amplitude and phase of orders at points."""
+    from crankstar.studies.diagnosis import diagnosed
+    from crankstar.tables.diagnoses import diagnosis_document
+
+    form = form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
+    loaded, turning = together(
+        partial(loaded_engine, engine, settings), partial(request.speed, speed)
+    )
+    own = turning or loaded.speed
+    found_lists = together(
+        partial(_readings, measured, own),
+        *([partial(_readings, before, own)] if before is not None else []),
+    )
+    healthy: Sequence[Reading] = found_lists[1] if before is not None else ()
+    with working(_("Trying every fault ...")), words_for(form if form in TABLES else "txt"):
+        found = diagnosed(loaded, found_lists[0], before=healthy, point=point or "")
+        if form in PICTURES:
+            _draw(found, form, output)
+            return
+        every = form != "txt"
+        document = diagnosis_document(found, every=every, before=before is not None)
+    give(document, output, form=form)
+
+
+def _draw(found: Diagnosis, form: str, output: str | None) -> None:
+    drawing = chart_request.charts()
+    title = _("{engine}: diagnosis", engine=found.engine.name)
+    look = chart_request.paper(form, theme=None, width=None, height=None, dpi=None, font_size=None)
+    made = drawing.printed(partial(drawing.suspect_chart, found), look, title=title)
+    write_bytes(drawing.saved_print(made, form, title=title), output)
+
+
+def _readings(place: str, speed: float | None) -> Sequence[Reading]:
+    from crankstar.studies.diagnosis import readings_of
+
+    try:
+        return readings_of(read_list(place), speed=speed)
+    except ListError as error:
+        raise RequestError(str(error)) from None
+
+
+def _speed(engine: Engine, asked: float | None) -> float:
+    if asked is None and engine.speed is None:
+        raise RequestError('give the speed, as in --speed "800 rpm"')
+    return asked or engine.speed or 0.0
+
+
+def _cut(text: str | None) -> list[Fault]:
+    from crankstar.studies.single_faults import Fault
+
+    if text is None:
+        return []
+    parts = request.listed(text)
+    if not parts or any(not part.isdecimal() or len(part) > 4 for part in parts):
+        raise refusal("--cut", text, "give numbers of cylinders, as in 2,3")
+    return [Fault("combustion", int(part)) for part in dict.fromkeys(parts)]
+
+
+def _weaker(texts: Sequence[str] | None) -> list[Fault]:
+    from crankstar.studies.single_faults import Fault
+
+    found: list[Fault] = []
+    for text in texts or ():
+        name, _equals, value = (part.strip() for part in text.partition("="))
+        if not name.isdecimal() or len(name) > 4 or not value:
+            raise refusal("--weaker", text, "give a cylinder and what it lacks, as in 3=20%")
+        found.append(Fault("combustion", int(name), _share("--weaker", text, value)))
+    return found
+
+
+def _share(option: str, text: str, value: str) -> float:
+    match = re.fullmatch(r"(\d+(?:\.\d*)?|\.\d+)\s*(%?)", value)
+    share = -1.0 if match is None else float(match[1]) / (100 if match[2] else 1)
+    if not 0 < share <= 1:
+        raise refusal(option, text, "give a share above 0 up to 1, such as 0.2 or 20%")
+    return share
+
+
+def _heavier(texts: Sequence[str] | None) -> list[Fault]:
+    from crankstar.studies.single_faults import Fault
+
+    found: list[Fault] = []
+    for text in texts or ():
+        match = re.fullmatch(r"\s*([a-z_-]+)[.\s](\d{1,4})\s*=\s*(.+)", text, re.IGNORECASE)
+        kind = None if match is None else HEAVIER.get(match[1].lower())
+        if match is None or kind is None:
+            raise refusal(
+                "--heavier", text, "give a part, its cylinder and a mass, as in piston.3=20g"
+            )
+        if units.is_bare(match[3]):
+            raise refusal("--heavier", text, "write the mass with a unit, such as 20g")
+        with request.reading("--heavier"):
+            size = units.si(match[3], MASS)
+        found.append(Fault("piston" if kind == "piston" else "big_end", int(match[2]), size))
+    return found
+
+
+def _lost(texts: Sequence[str] | None) -> list[Fault]:
+    from crankstar.studies.single_faults import Fault
+
+    found: list[Fault] = []
+    for text in texts or ():
+        match = re.fullmatch(r"\s*(?:(.+)\.)?(\d{1,4})\s*(?:=\s*(.+))?", text)
+        if match is None:
+            raise refusal("--lost-weight", text, "give the number of a weight, as in 2 or 2=30%")
+        share = 1.0 if match[3] is None else _share("--lost-weight", text, match[3].strip())
+        found.append(Fault("weight", int(match[2]), share, match[1] or ""))
+    return found

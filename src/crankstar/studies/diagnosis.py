@@ -1,0 +1,332 @@
+"""The likeliest fault of an engine from measured vibration: amplitude and phase by order.
+
+The engine as its file has it would move by y_0; what was measured is y. Each fault of the
+catalogue adds a column a to the difference d = y - y_0, times its size s, which is real. Least
+squares with complex rows give
+
+    s = Re(a* d)/(a* a),    explained = 1 - |d - s a|^2/|d|^2,
+
+s kept within what there can be: shares from 0 to 1, masses of either sign. Rows are velocities, so
+that orders weigh alike; where the vibration before the fault was measured too, it stands for y_0,
+and errors of the model cancel. Two faults cannot be told apart where the cosine of the angle
+between their columns is ALIKE or more. Pairs are tried as well, and told where they explain much
+more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Literal, NamedTuple
+
+import numpy as np
+from scipy.optimize import lsq_linear
+
+from crankstar.dynamics.whirl import body
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import ANGLE, LENGTH, SPEED, Quantity
+from crankstar.engine.rigid_block import moved
+from crankstar.files.lists import (
+    Listed,
+    ListError,
+    Row,
+    columns_of,
+    number_of,
+    refused_cell,
+    value_of,
+)
+from crankstar.language.messages import _
+from crankstar.language.quoting import seen
+from crankstar.spectra import Complex
+from crankstar.studies.single_faults import DiagnosisError, Fault, Shaken, catalogue, known, shaken
+
+Axis = Literal["up", "right", "z"]
+AXES: tuple[Axis, ...] = ("up", "right", "z")
+ALIKE = 0.995
+"""Cosine of the angle between two columns from which two faults cannot be told apart."""
+EXPLAINS = 0.5
+"""Share that a fault must explain for it to be a cause."""
+NOTHING = 0.02
+"""Share of the vibration below which the difference counts as none."""
+NEXT_TO_NOTHING = 1e-4
+"""The same where it is rounding, whatever its pattern."""
+FEW = 4
+"""Readings below which many faults explain them."""
+MUCH_MORE = 0.5
+"""Share of what a single fault leaves that a pair must explain to be told."""
+HEADS = {
+    "order": "order",
+    "up": "up",
+    "right": "right",
+    "z": "z",
+    "along": "z",
+    "direction": "direction",
+    "axis": "direction",
+    "amplitude": "amplitude",
+    "phase": "phase",
+    "speed": "speed",
+}
+
+
+class Reading(NamedTuple):
+    """A line of a measurement: crank order, place (up, right, z), axis, velocity (m/s, complex)."""
+
+    order: float
+    place: tuple[float, float, float]
+    axis: int
+    velocity: complex
+    speed: float
+    line: int
+
+
+class Suspect(NamedTuple):
+    """A fault of its likeliest size, the share of the difference it explains, the rows it gives."""
+
+    faults: tuple[Fault, ...]
+    explained: float
+    rows: Complex
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """Suspects, the likeliest first; the best pair; what cannot be told apart from the first.
+
+    `difference` are the measured rows less those without a fault (m/s), `share` its size over that
+    of the measured vibration.
+    """
+
+    engine: Engine
+    readings: tuple[Reading, ...]
+    difference: Complex
+    share: float
+    suspects: tuple[Suspect, ...]
+    pair: Suspect | None
+    alike: tuple[Suspect, ...]
+
+    @property
+    def found(self) -> bool:
+        """Whether some single fault explains what was measured."""
+        return bool(self.suspects) and self.suspects[0].explained >= EXPLAINS
+
+    @property
+    def healthy(self) -> bool:
+        """Whether the engine without a fault explains it: little differs, and in no pattern."""
+        return self.share < NEXT_TO_NOTHING or (self.share < NOTHING and not self.found)
+
+
+def readings_of(listed: Listed, *, speed: float | None) -> tuple[Reading, ...]:
+    """The readings of a list, at a speed (rad/s) unless it has its own. Raises ListError."""
+    columns = columns_of(listed, HEADS, needed=("order", "direction", "amplitude", "phase"))
+    if "speed" not in columns and speed is None:
+        raise ListError(
+            "{file} has no column speed; add it, or give --speed, or speed in the engine file",
+            file=listed.name,
+        )
+    return tuple(_reading(listed, row, columns, speed) for row in listed.rows)
+
+
+def _reading(listed: Listed, row: Row, columns: dict[str, int], speed: float | None) -> Reading:
+    order = number_of(listed, row, columns["order"])
+    if not 0 < order <= 1000:
+        raise refused_cell(
+            listed, row, columns["order"], _("an order must be greater than 0, as in 0.5 or 2")
+        )
+    place = tuple(
+        value_of(listed, row, columns[name], LENGTH, usual="mm") if name in columns else 0.0
+        for name in AXES
+    )
+    own = speed if "speed" not in columns else value_of(listed, row, columns["speed"], SPEED)
+    if not own or not own > 0:
+        raise refused_cell(listed, row, columns["speed"], _("the speed must be greater than 0"))
+    word = row.cells[columns["direction"]].strip().lower()
+    word = {"vertical": "up", "horizontal": "right", "axial": "z", "along": "z"}.get(word, word)
+    sign = -1.0 if word in ("down", "left") else 1.0
+    word = {"down": "up", "left": "right"}.get(word, word)
+    if word not in AXES:
+        raise refused_cell(listed, row, columns["direction"], _("give up, down, right, left or z"))
+    size = _velocity(listed, row, columns["amplitude"], order * own)
+    phase = value_of(listed, row, columns["phase"], ANGLE, usual="deg")
+    velocity = sign * size * np.exp(1j * phase)
+    axis = AXES.index(word)
+    return Reading(order, (place[0], place[1], place[2]), axis, complex(velocity), own, row.line)
+
+
+def _velocity(listed: Listed, row: Row, column: int, frequency: float) -> complex:
+    """The amplitude of a cell as that of a velocity, with the phase between them."""
+    quantities = (
+        Quantity("length", "12 um"),
+        Quantity("speed along a line", "3 mm/s"),
+        Quantity("acceleration", "0.5 m/s^2"),
+    )
+    for power, quantity in enumerate(quantities):
+        try:
+            size = value_of(listed, row, column, quantity)
+        except ListError:
+            continue
+        if size < 0:
+            why = _("an amplitude is not negative; its phase says the sign")
+            raise refused_cell(listed, row, column, why)
+        return size * (1j * frequency) ** (1 - power)
+    why = _(
+        "{text} is no displacement, velocity or acceleration; name its unit, as in {example}",
+        text=seen(row.cells[column]),
+        example='"amplitude [um]"',
+    )
+    raise refused_cell(listed, row, column, why)
+
+
+def rows_of(found: dict[float, Shaken], readings: Sequence[Reading]) -> Complex:
+    """The velocities of readings, m/s, by what shakes the block at each speed."""
+    out = np.zeros(len(readings), complex)
+    for at, each in enumerate(readings):
+        own = found[each.speed]
+        centre = np.array(body(own.engine).centre)
+        row = moved(np.array(each.place) - centre)[each.axis]
+        order = int(np.argmin(np.abs(own.orders - each.order)))
+        out[at] = 1j * each.order * each.speed * (row @ own.motion[order])
+    return out
+
+
+def expected(
+    engine: Engine, readings: Sequence[Reading], faults: Sequence[Fault] = (), *, point: str = ""
+) -> Complex:
+    """What would be measured of an engine with faults, m/s [reading]."""
+    orders = sorted({each.order for each in readings})
+    found = {
+        speed: shaken(engine, faults, speed=speed, point=point, orders=orders)
+        for speed in sorted({each.speed for each in readings})
+    }
+    return rows_of(found, readings)
+
+
+def diagnosed(
+    engine: Engine, readings: Sequence[Reading], *, before: Sequence[Reading] = (), point: str = ""
+) -> Diagnosis:
+    """The likeliest single faults by what was measured, and the best pair of them.
+
+    `before` is what was measured in the same places without the fault. Raises DiagnosisError.
+
+    >>> from crankstar.files.catalog import load
+    >>> five = load("audi-25-tfsi")
+    >>> places = [(0.2, 0.1, 0.3), (-0.1, -0.2, -0.3)]
+    >>> lines = [Reading(k, p, a, 0j, 300.0, 0) for k in (1, 2) for p in places for a in (0, 1)]
+    >>> heard = expected(five, lines, [Fault("piston", 2, 0.02)])
+    >>> lines = [each._replace(velocity=v) for each, v in zip(lines, heard, strict=True)]
+    >>> first = diagnosed(five, lines).suspects[0]
+    >>> first.faults[0].number, round(first.faults[0].size, 9)
+    (2, 0.02)
+    """
+    known(engine)
+    measured = np.array([each.velocity for each in readings])
+    healthy = expected(engine, readings, point=point)
+    start = _matching(readings, before) if before else healthy
+    difference = measured - start
+    faults = catalogue(engine)
+    columns = np.array(
+        [expected(engine, readings, [fault], point=point) - healthy for fault in faults]
+    )
+    size = float(np.linalg.norm(difference))
+    whole = max(float(np.linalg.norm(measured)), float(np.linalg.norm(start)))
+    share = size / whole if whole else 0.0
+    suspects = [
+        _suspect(difference, [fault], [column])
+        for fault, column in zip(faults, columns, strict=True)
+        if np.linalg.norm(column) > 0
+    ]
+    suspects.sort(key=lambda each: (-round(each.explained, 6), _doubtful(engine, each.faults[0])))
+    return Diagnosis(
+        engine,
+        tuple(readings),
+        difference,
+        share,
+        tuple(suspects),
+        _pair(difference, faults, columns, suspects),
+        _alike(suspects),
+    )
+
+
+def _matching(readings: Sequence[Reading], before: Sequence[Reading]) -> Complex:
+    """What was measured before in the same places and orders. Raises DiagnosisError."""
+    known_before = {(e.order, e.place, e.axis, e.speed): e.velocity for e in before}
+    out: list[complex] = []
+    for each in readings:
+        key = (each.order, each.place, each.axis, each.speed)
+        if key not in known_before:
+            raise DiagnosisError(
+                "line {line} of the measurement has none before it in the same place, direction, "
+                "order and speed",
+                line=each.line,
+            )
+        out.append(known_before[key])
+    return np.array(out)
+
+
+def _bounds(fault: Fault) -> tuple[float, float]:
+    return (0.0, 1.0) if fault.kind in ("weight", "combustion") else (-np.inf, np.inf)
+
+
+def _suspect(difference: Complex, faults: Sequence[Fault], columns: Sequence[Complex]) -> Suspect:
+    """Faults of the sizes with which they explain most."""
+    rows = np.array(columns).T
+    real = np.concatenate([np.real(rows), np.imag(rows)])
+    aim = np.concatenate([np.real(difference), np.imag(difference)])
+    sizes = np.linalg.lstsq(real, aim, rcond=None)[0]
+    limits = np.array([_bounds(fault) for fault in faults])
+    if (np.clip(sizes, limits[:, 0], limits[:, 1]) != sizes).any() and len(faults) > 1:
+        sizes = lsq_linear(real, aim, bounds=(limits[:, 0], limits[:, 1])).x
+    sizes = np.clip(sizes, limits[:, 0], limits[:, 1])
+    explained = rows @ sizes
+    whole = float(np.vdot(difference, difference).real)
+    left = difference - explained
+    share = 1 - float(np.vdot(left, left).real) / whole if whole else 0.0
+    sized = tuple(
+        fault._replace(size=float(size)) for fault, size in zip(faults, sizes, strict=True)
+    )
+    return Suspect(sized, share, explained)
+
+
+def _pair(
+    difference: Complex, faults: Sequence[Fault], columns: Complex, suspects: Sequence[Suspect]
+) -> Suspect | None:
+    """The best pair, where it explains MUCH_MORE of what the best single fault leaves."""
+    best: Suspect | None = None
+    for one, other in combinations(range(len(faults)), 2):
+        if abs(_cosine(columns[one], columns[other])) >= ALIKE:
+            continue
+        pair = _suspect(difference, [faults[one], faults[other]], [columns[one], columns[other]])
+        if best is None or pair.explained > best.explained + 1e-9:
+            best = pair
+    single = suspects[0].explained if suspects else 0.0
+    if best is None or 1 - best.explained > (1 - MUCH_MORE) * (1 - single):
+        return None
+    return best if best.explained >= EXPLAINS and single < 1 - NOTHING**2 else None
+
+
+def _doubtful(engine: Engine, fault: Fault) -> float:
+    """How doubtful a fault is among those that explain as much: parts of a weight, great masses."""
+    if fault.kind == "weight":
+        return 1 - fault.size
+    if fault.kind == "combustion":
+        return 0.0
+    cylinder = next(each for each in engine.cylinders if each.number == fault.number)
+    turning = max(cylinder.rotating, engine.throw(cylinder).turning_mass)
+    whole = cylinder.reciprocating if fault.kind == "piston" else turning
+    return min(abs(fault.size) / whole, 1.0) if whole > 0 else 1.0
+
+
+def _alike(suspects: Sequence[Suspect]) -> tuple[Suspect, ...]:
+    """Those whose vibration has the same pattern as that of the first."""
+    if not suspects:
+        return ()
+    first = suspects[0].rows
+    return tuple(
+        each
+        for each in suspects[1:]
+        if np.linalg.norm(each.rows) > 0 and _cosine(first, each.rows) >= ALIKE
+    )
+
+
+def _cosine(one: Complex, other: Complex) -> float:
+    sizes = float(np.linalg.norm(one) * np.linalg.norm(other))
+    return float(np.real(np.vdot(one, other))) / sizes if sizes else 0.0

@@ -1,0 +1,301 @@
+"""Single faults of an engine and what each changes in what shakes its block.
+
+A fault adds to the six freedoms of the block, order by order, its size times
+
+    Q_k = w^2 (P_k(with it) - P_k(without)) + G_k(with it) - G_k(without)           N, N m
+
+P_k the inertia of the moving parts at 1 rad/s, G_k the gas; both are linear in the size: the mass
+of a part that is heavier, the share of a counterweight that is lost, or of its combustion that a
+cylinder has not (1: it is cut). The others burn as they did. The block then moves by H(k w) Q_k: on
+its mounts, or free without them (`mounted_block`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.dynamics.mount_excitation import on_freedoms
+from crankstar.dynamics.mounted_block import SIX, dynamic_stiffness, mounted_block
+from crankstar.dynamics.whirl import body
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.engine.rigid_block import mass_matrix, moved
+from crankstar.language.messages import MessageError, _
+from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.excitation import Reference, Totals, part_spectra, total
+from crankstar.mechanics.gas import cycle
+from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.spectra import Complex, Real
+from crankstar.studies.part_weights import with_parts
+
+Kind = Literal["piston", "big_end", "weight", "combustion"]
+HIGHEST = 6.0
+"""The highest order where none are chosen."""
+
+
+class DiagnosisError(MessageError):
+    """Faults or measurements that an engine cannot have, and why."""
+
+
+class Fault(NamedTuple):
+    """A fault: its kind, the number of its cylinder or weight, the shaft of the weight.
+
+    `size`: kg that a piston or a big end is heavier, the share of a weight or of combustion lost.
+    """
+
+    kind: Kind
+    number: int
+    size: float = 1.0
+    shaft: str = ""
+
+
+@dataclass(frozen=True)
+class Shaken:
+    """What shakes a block at one speed, and how it moves: `push` [order, 6], `torque` [order].
+
+    `force` and `couple` turn with the orders as `total` has them; `push` is about the centre.
+    """
+
+    engine: Engine
+    speed: float
+    orders: Real
+    push: Complex
+    torque: Complex
+
+    @property
+    def mounted(self) -> bool:
+        """Whether the block stands on mounts; else it is free."""
+        return bool(self.engine.mounts)
+
+    @cached_property
+    def motion(self) -> Complex:
+        """Of the six freedoms of the block, m and rad [order, 6]."""
+        return np.einsum("kij,kj->ki", receptance(self.engine, self.speed * self.orders), self.push)
+
+    def displacement(self, point: Sequence[float] | None) -> Complex:
+        """Of a point (up, right, z) of the block, else of its centre of mass, m [order, axis]."""
+        centre = np.array(body(self.engine).centre)
+        place = centre if point is None else np.asarray(point, float)
+        return self.motion @ moved(place - centre).T
+
+
+def receptance(engine: Engine, frequencies: Real) -> Complex:
+    """Motion of the freedoms of the block per push at angular frequencies [w, 6, 6].
+
+    A free block of 40 kg moves by 1/(40 w^2) against an upward force:
+
+    >>> from crankstar.files.catalog import load
+    >>> own = {"mass": "40 kg", "inertia_up": "1 kg*m^2", "inertia_right": "1 kg*m^2"}
+    >>> free = load("audi-25-tfsi", changes={"block": {**own, "inertia_z": "1 kg*m^2"}})
+    >>> round(float(receptance(free, np.array([10.0]))[0, 0, 0].real) * 40 * 100, 9)
+    -1.0
+
+    Raises DiagnosisError at a resonance without damping.
+    """
+    if engine.mounts:
+        stiff = dynamic_stiffness(mounted_block(engine), frequencies=frequencies)
+    else:
+        own = body(engine)
+        block = engine.block
+        products = (0.0, 0.0, 0.0) if block is None else block.products
+        mass = mass_matrix(own.mass, inertia=own.inertia, products=products)
+        stiff = -(frequencies[:, None, None] ** 2) * mass + 0j
+    try:
+        return np.linalg.inv(stiff)[:, :SIX, :SIX]
+    except np.linalg.LinAlgError:
+        raise DiagnosisError(
+            "mounts without damping resonate without end at one of these frequencies; give damping "
+            "or a loss factor"
+        ) from None
+
+
+def usual_orders(engine: Engine) -> list[float]:
+    """The orders of gas and inertia up to HIGHEST: halves of a four-stroke engine, too."""
+    step = 0.5 if engine.cycle == "four-stroke" else 1.0
+    return [step * number for number in range(1, int(HIGHEST / step) + 1)]
+
+
+def known(engine: Engine) -> Engine:
+    """The engine, where forces in N can be told. Raises DiagnosisError."""
+    if engine.relative:
+        raise DiagnosisError(
+            "the engine file gives no masses or sizes, so that forces in N are not known; add what "
+            "relative names: {names}",
+            names=", ".join(engine.relative),
+        )
+    return engine
+
+
+def with_fault(engine: Engine, fault: Fault) -> Engine:
+    """The engine with the fault in its masses; combustion leaves it as it is.
+
+    Raises DiagnosisError for a part that it has not.
+    """
+    if fault.kind == "weight":
+        return _without_weight(engine, fault)
+    numbers = [cylinder.number for cylinder in engine.cylinders]
+    if fault.number not in numbers:
+        raise DiagnosisError(
+            "there is no cylinder {number}; give one of {numbers}",
+            number=fault.number,
+            numbers=", ".join(map(str, numbers)),
+        )
+    if fault.kind == "combustion":
+        return engine
+    added = [fault.size if number == fault.number else 0.0 for number in numbers]
+    return with_parts(engine, {fault.kind: added})
+
+
+def _without_weight(engine: Engine, fault: Fault) -> Engine:
+    """The engine with a share of a weight lost."""
+    name = fault.shaft or engine.shafts[0].name
+    shafts = {shaft.name: shaft for shaft in engine.shafts}
+    if name not in shafts:
+        raise DiagnosisError(
+            "there is no shaft {name}; give one of {names}", name=name, names=", ".join(shafts)
+        )
+    weights = shafts[name].weights
+    if not 1 <= fault.number <= len(weights):
+        raise DiagnosisError(
+            "the shaft {name} has {count} weights; there is no weight {number}",
+            name=name,
+            count=len(weights),
+            number=fault.number,
+        )
+    lost = weights[fault.number - 1]
+    left = with_values(lost, unbalance=lost.unbalance * (1 - fault.size))
+    own = (*weights[: fault.number - 1], left, *weights[fault.number :])
+    changed = with_values(shafts[name], weights=own)
+    return with_values(
+        engine, shafts=tuple(changed if s.name == name else s for s in engine.shafts)
+    )
+
+
+def shaken(
+    engine: Engine,
+    faults: Sequence[Fault] = (),
+    *,
+    speed: float,
+    point: str = "",
+    orders: Sequence[float] = (),
+) -> Shaken:
+    """What shakes the block of an engine with faults at a speed (rad/s). Raises DiagnosisError.
+
+    >>> from crankstar.files.catalog import load
+    >>> six, cut = load("audi-25-tfsi"), [Fault("combustion", 2)]
+    >>> even, uneven = (shaken(six, faults, speed=100.0, orders=[0.5]) for faults in ((), cut))
+    >>> bool(abs(even.push[0, 5]) < 1e-9 < abs(uneven.push[0, 5]))  # half orders come with a cut
+    True
+    """
+    engine = known(engine)
+    built = engine
+    for fault in faults:
+        built = with_fault(built, fault)
+    wanted = np.array(sorted({*map(float, orders or usual_orders(engine))}))
+    up, right, z = body(engine).centre
+    sums: Totals = total(
+        part_spectra(mechanism(built), reference=Reference(z, up, right), orders=wanted.tolist())
+    )
+    push = speed**2 * on_freedoms(sums, wanted)
+    torque = speed**2 * spectra.amplitude(spectra.selected(sums.torque, wanted))
+    gas = gas_orders(engine, faults, speed=speed, point=point, orders=wanted)
+    push[:, 5] -= sums.force.sense * gas
+    return Shaken(engine, speed, wanted, push, torque + gas)
+
+
+def gas_orders(
+    engine: Engine, faults: Sequence[Fault], *, speed: float, point: str, orders: Real
+) -> Complex:
+    """The gas torque of the engine, N m [order]; none without [gas]. Raises DiagnosisError."""
+    weak = [fault for fault in faults if fault.kind == "combustion"]
+    if engine.gas is None and not point:
+        if weak:
+            raise DiagnosisError(
+                "a cylinder that does not fire cannot be told without the gas of the others; add "
+                "[gas] to the engine file"
+            )
+        return np.zeros(orders.size, complex)
+
+    def torque(off: tuple[int, ...]) -> Complex:
+        found = gas_torque(cycle(engine, point=point, speed=speed, off=off)).total
+        return spectra.amplitude(spectra.selected(found, orders))
+
+    firing = torque(())
+    return firing + np.sum(
+        [fault.size * (torque((fault.number,)) - firing) for fault in weak], axis=0
+    )
+
+
+def catalogue(engine: Engine, *, gas: bool = True) -> list[Fault]:
+    """Every single fault of an engine, of size 1: pistons, big ends, weights, combustion.
+
+    >>> from crankstar.files.catalog import load
+    >>> sorted({fault.kind for fault in catalogue(load("audi-25-tfsi"))})
+    ['big_end', 'combustion', 'piston']
+    """
+    numbers = [cylinder.number for cylinder in engine.cylinders]
+    found = [Fault("piston", number) for number in numbers]
+    pins: dict[tuple[str, int], int] = {}
+    for cylinder in engine.cylinders:
+        pins.setdefault((cylinder.shaft, cylinder.throw), cylinder.number)
+    alone = [c.number for c in engine.cylinders if c.articulated is not None]
+    found += [Fault("big_end", number) for number in sorted({*pins.values(), *alone})]
+    found += [
+        Fault("weight", number, shaft=shaft.name)
+        for shaft in engine.shafts
+        for number, weight in enumerate(shaft.weights, 1)
+        if weight.unbalance > 0
+    ]
+    if gas and engine.gas is not None:
+        chambers: dict[int, int] = {}
+        for cylinder in engine.cylinders:
+            chambers.setdefault(cylinder.chamber or cylinder.number, cylinder.number)
+        found += [Fault("combustion", number) for number in chambers.values()]
+    return found
+
+
+def fault_text(fault: Fault, engine: Engine) -> str:
+    """A fault with its size in words.
+
+    >>> from crankstar.files.catalog import load
+    >>> fault_text(Fault("piston", 3, 0.0184), load("audi-25-tfsi"))
+    'piston 3 heavier by 18.4 g'
+    """
+    size = quantity_text(abs(fault.size), "kg")
+    share = f"{number(100 * fault.size, digits=3)} %"
+    if fault.kind == "piston" and fault.size < 0:
+        return _("piston {number} lighter by {size}", number=fault.number, size=size)
+    if fault.kind == "piston":
+        return _("piston {number} heavier by {size}", number=fault.number, size=size)
+    if fault.kind == "big_end" and fault.size < 0:
+        return _("big end {number} lighter by {size}", number=fault.number, size=size)
+    if fault.kind == "big_end":
+        return _("big end {number} heavier by {size}", number=fault.number, size=size)
+    if fault.kind == "combustion" and fault.size > 0.9995:
+        return _("cylinder {number} does not fire", number=fault.number)
+    if fault.kind == "combustion":
+        return _("cylinder {number} weak by {share}", number=fault.number, share=share)
+    name = fault_name(fault, engine)
+    return name if fault.size > 0.9995 else _("{what}: {share} of it", what=name, share=share)
+
+
+def fault_name(fault: Fault, engine: Engine) -> str:
+    """A fault in words, without its size."""
+    if fault.kind == "piston":
+        return _("piston {number} heavier", number=fault.number)
+    if fault.kind == "big_end":
+        return _("big end {number} heavier", number=fault.number)
+    if fault.kind == "combustion":
+        return _("cylinder {number} weak", number=fault.number)
+    if len([shaft for shaft in engine.shafts if shaft.weights]) > 1:
+        name = fault.shaft or engine.shafts[0].name
+        return _("weight {number} of {shaft} lost", number=fault.number, shaft=name)
+    return _("weight {number} lost", number=fault.number)

@@ -1,0 +1,276 @@
+"""What faults change in what shakes an engine, and which fault explains a measurement."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+from typing import Any
+
+import numpy as np
+
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.spectra import Complex, Real
+from crankstar.studies.diagnosis import AXES, FEW, Diagnosis, Suspect
+from crankstar.studies.single_faults import Fault, Shaken, fault_text
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+
+RPM = 30 / pi
+ROWS = 12
+"""Suspects that are shown to readers; all are in JSON and CSV."""
+VISIBLE = 1e-3
+"""Share of the greatest of a column from which a change is told."""
+NAMES = {"up": N_("up"), "right": N_("right"), "z": N_("along")}
+
+
+def faults_document(
+    before: Shaken,
+    after: Shaken,
+    faults: Sequence[Fault],
+    *,
+    point: Sequence[float] | None,
+    every: bool,
+) -> Document:
+    """What is felt with faults and without: force, couple, roll, torque, motion of a point."""
+    engine = before.engine
+    names = [fault_text(fault, engine) for fault in faults]
+    table, fresh = _changes(before, after, point, every=every)
+    lines = [_("With: {faults}.", faults=", ".join(names))]
+    if fresh:
+        lines.append(
+            _(
+                "New orders, or more than twice what they were: {orders}.",
+                orders=", ".join(f"{order:g}" for order in fresh),
+            )
+        )
+    notes = [
+        _(
+            "Amplitudes at {rpm} rpm; force and couple are the greatest of the turning vector, "
+            "about the centre of mass; roll and torque with gas.",
+            rpm=number(before.speed * RPM),
+        )
+        if engine.gas is not None
+        else _(
+            "Amplitudes at {rpm} rpm; force and couple are the greatest of the turning vector, "
+            "about the centre of mass; without gas, which the file does not have.",
+            rpm=number(before.speed * RPM),
+        ),
+        _("The point moves as the block on its mounts does.")
+        if before.mounted
+        else _("The point moves as the free block does: the file has no mounts."),
+    ]
+    facts: dict[str, Any] = {
+        "format": 1,
+        "speed_rpm": float(f"{before.speed * RPM:.12g}"),
+        "mounted": before.mounted,
+        "faults": [_plain(fault) for fault in faults],
+        "new_orders": fresh,
+    }
+    parts: list[Table | Remarks] = [*remarks(*lines), table, *remarks(*notes, kind="note")]
+    return Document(engine.name, tuple(parts), facts)
+
+
+def _plain(fault: Fault) -> dict[str, Any]:
+    out: dict[str, Any] = {"kind": fault.kind, "number": fault.number, "size": fault.size}
+    return {**out, "shaft": fault.shaft} if fault.shaft else out
+
+
+def _greatest(upward: Complex, rightward: Complex) -> Real:
+    """The long half axis of the ellipse of a vector with these two waves."""
+    forward = (upward + 1j * rightward) / 2
+    backward = (upward - 1j * rightward) / 2
+    return np.abs(forward) + np.abs(backward)
+
+
+def sizes_of(own: Shaken, point: Sequence[float] | None) -> Real:
+    """Of each order: force, couple, roll, torque, rms of the velocity of the point [order, 5]."""
+    push = own.push
+    velocity = (own.speed * own.orders)[:, None] * np.abs(own.displacement(point))
+    return np.column_stack(
+        [
+            _greatest(push[:, 0], push[:, 1]),
+            _greatest(push[:, 4], push[:, 3]),
+            np.abs(push[:, 5]),
+            np.abs(own.torque),
+            1e3 * np.sqrt((velocity**2).sum(axis=1) / 2),
+        ]
+    )
+
+
+def _changes(
+    before: Shaken, after: Shaken, point: Sequence[float] | None, *, every: bool
+) -> tuple[Table, list[float]]:
+    """Order by order what there was and what there is, and the orders that are new."""
+    first, then = sizes_of(before, point), sizes_of(after, point)
+    top = np.maximum(first, then).max(axis=0)
+    least = VISIBLE * np.where(top > 0, top, 1.0)
+    rows: list[tuple[Value, ...]] = []
+    fresh: list[float] = []
+    for at, order in enumerate(before.orders.tolist()):
+        changed = np.abs(then[at] - first[at]) > least
+        if (then[at] > np.maximum(2 * first[at], 10 * least)).any():
+            fresh.append(order)
+        if every or changed.any():
+            pairs = np.column_stack([first[at], then[at]]).ravel()
+            rows.append((order, *map(float, pairs)))
+    columns = [Column(_("order"), key="order", label=True)]
+    for said, key, unit in (
+        (N_("force"), "force", "N"),
+        (N_("couple"), "couple", "N*m"),
+        (N_("roll"), "roll", "N*m"),
+        (N_("torque"), "torque", "N*m"),
+        (N_("velocity of the point, rms"), "velocity", "mm/s"),
+    ):
+        fixed = unit == "mm/s"
+        columns.append(
+            Column(_("{quantity} before", quantity=_(said)), unit, key=f"before/{key}", fixed=fixed)
+        )
+        columns.append(
+            Column(_("{quantity} now", quantity=_(said)), unit, key=f"now/{key}", fixed=fixed)
+        )
+    return Table(_("What changes"), tuple(columns), tuple(rows), key="orders"), fresh
+
+
+def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Document:
+    """The suspects, what the likeliest leaves unexplained reading by reading."""
+    verdict = _verdict(found)
+    parts: list[Table | Remarks] = [*remarks(*verdict)]
+    if found.suspects and not found.healthy:
+        parts += [_suspects(found, every=every), _readings(found)]
+    notes = [
+        _(
+            "Explained: share of the mean square of the difference, as velocity, that the fault of "
+            "its likeliest size has."
+        ),
+        _("The difference is that to the measurement before.")
+        if before
+        else _(
+            "The difference is that to what the engine file says; what the model leaves out is in "
+            "it. A measurement before the fault (--before) cancels that."
+        ),
+        _("The block stands on its mounts.")
+        if found.engine.mounts
+        else _("The block is taken as free: the file has no mounts."),
+    ]
+    facts = {
+        "format": 1,
+        "difference_share": found.share,
+        "explained": found.found and not found.healthy,
+        "healthy": found.healthy,
+        "pair": None if found.pair is None else _plain_suspect(found.pair),
+        "cannot_be_told_apart": [_plain_suspect(each) for each in found.alike],
+    }
+    return Document(found.engine.name, (*parts, *remarks(*notes, kind="note")), facts)
+
+
+def _plain_suspect(suspect: Suspect) -> dict[str, Any]:
+    return {"faults": [_plain(fault) for fault in suspect.faults], "explained": suspect.explained}
+
+
+def suspect_text(suspect: Suspect, found: Diagnosis) -> str:
+    """The faults of a suspect with their sizes."""
+    return ", ".join(fault_text(fault, found.engine) for fault in suspect.faults)
+
+
+def _percent(share: float) -> str:
+    return number(float(f"{100 * share:.4g}"), 100.0)
+
+
+def _verdict(found: Diagnosis) -> list[str]:
+    if found.healthy:
+        return [
+            _(
+                "Nothing is out of order by this measurement: it differs by {share} % from the "
+                "engine without a fault.",
+                share=_percent(found.share),
+            )
+        ]
+    if not found.found:
+        best = found.suspects[0].explained if found.suspects else 0.0
+        lines = [
+            _(
+                "No single fault explains this measurement: the best explains {share} % of it.",
+                share=_percent(best),
+            )
+        ]
+    else:
+        first = found.suspects[0]
+        lines = [
+            _(
+                "Likeliest: {fault}, which explains {share} %.",
+                fault=suspect_text(first, found),
+                share=_percent(first.explained),
+            )
+        ]
+        others = [each for each in found.suspects[1:] if each not in found.alike]
+        if others:
+            lines.append(
+                _(
+                    "Next: {fault}, {share} %.",
+                    fault=suspect_text(others[0], found),
+                    share=_percent(max(others[0].explained, 0.0)),
+                )
+            )
+    if found.found and found.alike:
+        lines.append(
+            _(
+                "By these readings it cannot be told from: {faults}; measure at other points, "
+                "directions or orders.",
+                faults="; ".join(suspect_text(each, found) for each in found.alike),
+            )
+        )
+    if len(found.readings) < FEW:
+        lines.append(
+            _(
+                "So few readings are explained by many faults: measure more orders, points and "
+                "directions."
+            )
+        )
+    if found.pair is not None:
+        lines.append(
+            _(
+                "Two faults together would explain {share} %: {faults}.",
+                share=_percent(found.pair.explained),
+                faults=suspect_text(found.pair, found),
+            )
+        )
+    return lines
+
+
+def _suspects(found: Diagnosis, *, every: bool) -> Table:
+    columns = (
+        Column(_("fault"), kind="text", label=True),
+        Column("", kind="text", key="kind", machine=True),
+        Column("", key="number", machine=True),
+        Column("", kind="text", key="shaft", machine=True),
+        Column("", key="size", machine=True),
+        Column(_("explained"), "%", key="explained_percent", digits=4),
+        Column(_("left, rms"), "mm/s", key="left_rms", digits=4, fixed=True),
+    )
+    rows: list[tuple[Value, ...]] = []
+    for suspect in found.suspects if every else found.suspects[:ROWS]:
+        (fault,) = suspect.faults
+        left = found.difference - suspect.rows
+        rms = 1e3 * float(np.sqrt((np.abs(left) ** 2).mean() / 2))
+        own = (suspect_text(suspect, found), fault.kind, fault.number, fault.shaft, fault.size)
+        rows.append((*own, 100 * suspect.explained, rms))
+    return Table(_("Suspects"), columns, tuple(rows), key="suspects")
+
+
+def _readings(found: Diagnosis) -> Table:
+    """Each reading: the difference, and what the likeliest fault explains of it."""
+    first = found.suspects[0]
+    columns = (
+        Column(_("line"), key="line", label=True),
+        Column(_("order"), key="order"),
+        Column(_("direction"), kind="text", key="direction"),
+        Column(_("difference"), "mm/s", kind="wave", key="difference", fixed=True),
+        Column(_("explained"), "mm/s", kind="wave", key="explained", fixed=True),
+    )
+    rows = tuple(
+        (each.line, each.order, _(NAMES[AXES[each.axis]]), 1e3 * complex(own), 1e3 * complex(said))
+        for each, own, said in zip(found.readings, found.difference, first.rows, strict=True)
+    )
+    return Table(
+        _("Readings, and what the likeliest fault explains"), columns, rows, key="readings"
+    )

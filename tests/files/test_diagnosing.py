@@ -1,0 +1,160 @@
+"""`crankstar fault` and `crankstar diagnose`: tables, pictures, JSON, and what they refuse."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.commands import Run
+from tests.methods.test_diagnosis import PLACES, SPEED, file, four, lines, seen, without_weight
+
+from crankstar.files import tree_text
+from crankstar.spectra import Complex
+from crankstar.studies.diagnosis import AXES
+
+Refused = Callable[..., str]
+HEAD = "order, up [mm], right [mm], z [mm], direction, amplitude [mm/s], phase [deg]\n"
+
+
+def listed(velocities: Complex) -> str:
+    """Readings as a CSV list."""
+    text = HEAD
+    for each in lines(velocities):
+        size, phase = 1e3 * abs(each.velocity), np.degrees(np.angle(each.velocity))
+        place = ", ".join(f"{1e3 * value:g}" for value in each.place)
+        text += f"{each.order:g}, {place}, {AXES[each.axis]}, {size:.9g}, {phase:.6f}\n"
+    return text
+
+
+@pytest.fixture(autouse=True)
+def _files(tmp_path: Path) -> None:
+    """The files lie in the directory where the commands run."""
+    (tmp_path / "four.toml").write_text(tree_text(file()), encoding="utf-8")
+    (tmp_path / "healthy.csv").write_text(listed(seen(four())), encoding="utf-8")
+    (tmp_path / "lost.csv").write_text(listed(seen(without_weight(2))), encoding="utf-8")
+
+
+def test_a_lost_weight_is_named_with_what_it_cannot_be_told_from(run: Run) -> None:
+    said = " ".join(run("diagnose", "four.toml", "lost.csv").out.split())
+    assert "Likeliest: weight 2 lost, which explains 100 %." in said
+    assert "it cannot be told from: big end 2 heavier by 200 g" in said
+    assert "Next: " in said
+    answer = json.loads(run("diagnose", "four.toml", "lost.csv", "--json").out)
+    assert (answer["format"], answer["explained"], answer["healthy"]) == (1, True, False)
+    assert len(answer["suspects"]) == 16
+    alike = answer["cannot_be_told_apart"][0]["faults"][0]
+    named = {(row["kind"], row["number"]) for row in answer["suspects"][:2]}
+    assert named == {("weight", 2), ("big_end", 2)}
+    assert (alike["kind"], alike["number"]) in named
+
+
+def test_a_healthy_engine_is_told_in_one_sentence(run: Run) -> None:
+    said = " ".join(run("diagnose", "four.toml", "healthy.csv").out.split())
+    assert "Nothing is out of order by this measurement" in said
+    before = run("diagnose", "four.toml", "healthy.csv", "--before", "healthy.csv").out
+    assert "Nothing is out of order" in before
+
+
+def test_what_no_fault_explains_is_told_in_one_sentence(run: Run, tmp_path: Path) -> None:
+    rows = (tmp_path / "healthy.csv").read_text(encoding="utf-8").splitlines()
+    chance = np.random.default_rng(5)
+    text = [HEAD.strip()]
+    for row in rows[1:]:
+        cells = row.split(",")
+        text.append(
+            ",".join(
+                [*cells[:5], f" {chance.uniform(50, 90):.3f}", f" {chance.uniform(0, 360):.1f}"]
+            )
+        )
+    (tmp_path / "odd.csv").write_text("\n".join(text), encoding="utf-8")
+    said = " ".join(run("diagnose", "four.toml", "odd.csv").out.split())
+    assert "No single fault explains this measurement: the best explains" in said
+    assert not json.loads(run("diagnose", "four.toml", "odd.csv", "--json").out)["explained"]
+
+
+def test_the_picture_has_bars_and_vectors(run: Run, tmp_path: Path) -> None:
+    run("diagnose", "four.toml", "lost.csv", "-o", "why.svg")
+    drawn = (tmp_path / "why.svg").read_text(encoding="utf-8")
+    assert "weight 2 lost" in drawn
+    assert drawn.count(">measured<") == drawn.count(">explained<") == 4
+
+
+def test_what_a_cut_changes_is_half_orders_of_roll(run: Run) -> None:
+    said = json.loads(run("fault", "four.toml", "--cut", "3", "--json").out)
+    rows = {row["order"]: row for row in said["orders"]}
+    assert rows[0.5]["before"]["roll"] == pytest.approx(0, abs=1e-6)
+    assert rows[0.5]["now"]["roll"] > 10
+    assert rows[1]["now"]["force"] == pytest.approx(rows[1]["before"]["force"])
+    assert {0.5, 1.0, 1.5} <= {*said["new_orders"]}
+    assert said["faults"] == [{"kind": "combustion", "number": 3, "size": 1.0}]
+
+
+def test_a_heavier_piston_adds_its_share_of_force(run: Run) -> None:
+    said = json.loads(run("fault", "four.toml", "--heavier", "piston.1=20g", "--json").out)
+    row = next(row for row in said["orders"] if row["order"] == 1)
+    assert row["now"]["force"] == pytest.approx(0.02 * 0.045 * SPEED**2, rel=1e-6)
+    assert row["now"]["velocity"] > 0
+    text = run("fault", "four.toml", "--heavier", "piston.1=-20g", "--weaker", "2=20%").out
+    assert "cylinder 2 weak by 20 %, piston 1 lighter by 20 g" in text
+
+
+def test_csv_has_every_order(run: Run) -> None:
+    said = run("fault", "four.toml", "--lost-weight", "2=30%", "--orders", "1,2", "--csv").out
+    rows = list(csv.DictReader(io.StringIO(said)))
+    assert [float(row["order"]) for row in rows] == [1, 2]
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        (("four.toml",), "name a fault: --cut 3"),
+        (("four.toml", "--cut", "x"), "give numbers of cylinders"),
+        (("four.toml", "--cut", "9"), "no cylinder 9; give one of 1, 2, 3, 4"),
+        (("four.toml", "--weaker", "3"), "as in 3=20%"),
+        (("four.toml", "--weaker", "3=120%"), "a share above 0 up to 1"),
+        (("four.toml", "--heavier", "valve.3=20g"), "as in piston.3=20g"),
+        (("four.toml", "--heavier", "piston.3=20"), "with a unit"),
+        (("four.toml", "--heavier", "piston.3=20 mm"), "a mass is needed"),
+        (("four.toml", "--lost-weight", "9"), "there is no weight 9"),
+        (("four.toml", "--lost-weight", "balancer.1"), "no shaft balancer"),
+        (("i4", "--heavier", "piston.3=20g", "--speed", "800 rpm"), "no masses or sizes"),
+    ],
+)
+def test_a_fault_that_cannot_be_is_one_sentence(
+    refused: Refused, line: tuple[str, ...], told: str
+) -> None:
+    assert told in " ".join(refused("fault", *line).split())
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("order, up", "ordr, up", 'the column "ordr" is not known; "order" is'),
+        ("phase [deg]", "", 'the column "" is not known'),
+        ("direction, ", "serial, ", 'the column "serial" is not known'),
+        ("\n0.5, ", "\n0, ", 'line 2, column "order": an order must be greater than 0'),
+        ("\n0.5, ", "\nhalf, ", '"half" is no number'),
+        (", up, ", ", sideways, ", "give up, down, right, left or z"),
+        ("[mm/s]", "[V]", "is no displacement, velocity or acceleration"),
+        ("[mm/s], phase", "[mm/s], speed [rpm], phase", "line 2"),
+    ],
+)
+def test_a_mistake_in_a_measurement_is_told_with_its_place(
+    refused: Refused, tmp_path: Path, old: str, new: str, told: str
+) -> None:
+    text = (tmp_path / "lost.csv").read_text(encoding="utf-8").replace(old, new, 1)
+    (tmp_path / "bad.csv").write_text(text, encoding="utf-8")
+    assert told in " ".join(refused("diagnose", "four.toml", "bad.csv").split())
+
+
+def test_a_measurement_before_in_other_places_is_refused(refused: Refused, tmp_path: Path) -> None:
+    text = (tmp_path / "healthy.csv").read_text(encoding="utf-8")
+    place = f"{1e3 * PLACES[0][0]:g}"
+    (tmp_path / "other.csv").write_text(text.replace(f" {place},", " 299,"), encoding="utf-8")
+    said = refused("diagnose", "four.toml", "lost.csv", "--before", "other.csv")
+    assert "line 2 of the measurement has none before it" in " ".join(said.split())
