@@ -27,7 +27,7 @@ MOST = 400_000
 MOST_SPLIT = 40_000_000
 """Points that are looked up where a kind is split in two halves."""
 AT_ONCE = 4096
-BEGINNINGS = 400
+BEGINNINGS = 2000
 """From which exchanges begin where nothing is proved."""
 SAME = 1e-12
 Watch = Callable[[int, int], bool]
@@ -101,7 +101,8 @@ def _count(kind: Kind) -> int:
 
 def _splits(kind: Kind) -> bool:
     half = kind.places // 2
-    return kind.items == kind.places and comb(kind.items, half) * factorial(half + 1) <= MOST_SPLIT
+    points = comb(kind.items, half) * factorial(kind.places - half)
+    return kind.items == kind.places and points <= MOST_SPLIT
 
 
 def _listed(kind: Kind) -> np.ndarray:
