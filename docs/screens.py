@@ -21,7 +21,8 @@ ROOT = Path(__file__).parent.parent
 WIDTH = "80"
 """Columns of a screen, which must fit the column of its page."""
 CONSOLE = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-FILE = re.compile(r'^```(?:toml|csv) title="([\w.-]+)"\n(.*?)^```$', re.MULTILINE | re.DOTALL)
+FILE = re.compile(r'^```toml title="([\w.-]+)"\n(.*?)^```$', re.MULTILINE | re.DOTALL)
+LIST = re.compile(r'^```csv title="([\w.-]+)"\n(.*?)^```$', re.MULTILINE | re.DOTALL)
 
 
 def pages() -> list[Path]:
@@ -41,7 +42,7 @@ def up_to_date(text: str, printed: Printed | None = None) -> str:
     if not CONSOLE.search(text):
         return text
     with tempfile.TemporaryDirectory() as folder:
-        for name, content in FILE.findall(text):
+        for name, content in (*FILE.findall(text), *LIST.findall(text)):
             (Path(folder) / name).write_text(content, encoding="utf-8")
         return CONSOLE.sub(
             lambda found: (

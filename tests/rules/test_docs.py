@@ -312,6 +312,8 @@ NO_TERMS = {
     "exceeded {share} % of the time",
     *("radius of the pivot", "holds back order", "along", "status", "point", "of the file"),
     *("best found", "up, right, along"),
+    *("what goes where", "what is left", "what changes", "what to add", "add at", "at most"),
+    *("line", "direction", "size", "difference", "of that before", "parts", "matched"),
 }
 """Headings that are plain words."""
 

@@ -53,6 +53,8 @@ NEXT_TO_NOTHING = 1e-4
 """The same where it is rounding, whatever its pattern."""
 FEW = 4
 """Readings below which many faults explain them."""
+MOST_IN_PAIRS = 64
+"""Faults of which pairs are tried."""
 MUCH_MORE = 0.5
 """Share of what a single fault leaves that a pair must explain to be told."""
 HEADS = {
@@ -291,6 +293,8 @@ def _pair(
 ) -> Suspect | None:
     """The best pair, where it explains MUCH_MORE of what the best single fault leaves."""
     best: Suspect | None = None
+    if len(faults) > MOST_IN_PAIRS:
+        return None
     for one, other in combinations(range(len(faults)), 2):
         if abs(_cosine(columns[one], columns[other])) >= ALIKE:
             continue

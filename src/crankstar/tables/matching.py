@@ -30,6 +30,13 @@ def matching_document(
     """One engine: its parts, what is left of which orders, beside chance and classes."""
     parts = (_places_table(batch, [found]), _left_table(found, speed))
     lines = [_said(found), *_notes(batch, found)]
+    if found.classes:
+        lines.append(
+            _(
+                "Classes: every listed part lies anywhere in its class, so that all parts of an "
+                "engine are within that width."
+            )
+        )
     return Document(engine.name, (*parts, *remarks(*lines, kind="note")), _facts(found, speed))
 
 
@@ -228,13 +235,6 @@ def _notes(batch: Batch, found: Matched) -> list[str]:
             _(
                 "The file gives no cylinder.parts: only the differences of the weights count, "
                 "about the masses of the file."
-            )
-        )
-    if any(each.most for each in found.classes):
-        lines.append(
-            _(
-                "Classes: every listed part lies anywhere in its class, so that all parts of an "
-                "engine are within that width."
             )
         )
     return lines
