@@ -24,13 +24,20 @@ LINES = [
     "bearings i4",
     "bobweight single",
     "compare single i4",
+    (
+        "correct --unbalance '850 g*mm at 20 deg, 400 g*mm at 110 deg' "
+        "--measuring-planes '0 mm, 400 mm' --correction-planes '60 mm, 340 mm'"
+    ),
     "derive single --orders 1 --quantity force",
+    "diagnose audi-25-tfsi measured.csv",
     "draw single",
     "drill --unbalance '850 g*mm at 20 deg' --at-radius '60 mm' --diameter '12 mm'",
     "errata --source kr250",
     "estimate single --displacement '250 cc'",
     "export single",
+    "fault audi-25-tfsi --cut 2",
     "grade --mass '28 kg' --speed '6000 rpm'",
+    "match audi-25-tfsi weights.csv",
     (
         'mounts audi-25-tfsi --set \'mounts=[{name="a", right="-0.4 m", stiffness="90 N/mm"}, '
         '{name="b", right="0.4 m", stiffness="90 N/mm"}, {name="c", z="-1 m", stiffness="1 N/m"}]\''
@@ -61,6 +68,13 @@ LINES = [
     "vees 4",
     "verdict single",
 ]
+LISTS = {
+    "weights.csv": "piston [g]\n410\n411\n412\n413\n414\n",
+    "measured.csv": (
+        "order,direction,amplitude [mm/s],phase\n1,up,5,0\n1,right,3,90\n2,up,4,30\n2,right,1,9\n"
+    ),
+}
+"""Lists that some of them read."""
 FOLDERS = {"site"}
 """Verbs that write a directory; tests/files/test_site.py."""
 NEVER = ("nc", "docx", "dat", "jpg", "ods", "zip")
@@ -114,6 +128,8 @@ def test_every_verb_that_writes_a_file_is_tried() -> None:
 def test_a_file_holds_what_its_name_promises_or_is_refused(
     run: Run, tmp_path: Path, line: str
 ) -> None:
+    for name, text in LISTS.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
     written = []
     for suffix in [*FITS, *NEVER]:
         if (shlex.split(line)[0], suffix) == ("report", "pdf"):
