@@ -51,7 +51,7 @@ def correct(
     csv: Csv = False,
     output: Annotated[str | None, option("--output", "A picture (.svg) has the vectors.")] = None,
 ) -> None:
-    """Say what to add or to drill in two planes, for unbalance measured in two, or trial runs."""
+    """Say what to add or to drill in two planes of a rotor."""
     form = form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
     both = {"--measuring-planes": measuring_planes, "--correction-planes": correction_planes}
     if (runs is None) == (unbalance is None):

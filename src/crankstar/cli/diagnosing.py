@@ -59,7 +59,7 @@ def fault(
     csv: Csv = False,
     output: Output = None,
 ) -> None:
-    """Tell what a fault would change: a cut cylinder, a heavier part, a lost counterweight."""
+    """Tell what would be felt of a fault."""
     from crankstar.studies.single_faults import shaken
     from crankstar.tables.diagnoses import faults_document
 
@@ -103,7 +103,7 @@ def diagnose(
         str | None, option("--output", "A picture (.svg) has the suspects and vectors.")
     ] = None,
 ) -> None:
-    """Find the likeliest fault by measured vibration: amplitude and phase of orders at points."""
+    """Find the likeliest fault by measured vibration."""
     from crankstar.studies.diagnosis import diagnosed
     from crankstar.tables.diagnoses import diagnosis_document
 

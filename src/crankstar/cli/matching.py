@@ -59,7 +59,7 @@ def match(
     csv: Csv = False,
     output: Output = None,
 ) -> None:
-    """Match weighed pistons, pins and rods to the cylinders so that least unbalance is left."""
+    """Match weighed pistons, pins and rods to the cylinders."""
     from crankstar.search.interrupts import signals_noted
     from crankstar.studies.matched_sets import divided
     from crankstar.studies.matching import matched

@@ -45,7 +45,7 @@ Axis = Literal["up", "right", "z"]
 AXES: tuple[Axis, ...] = ("up", "right", "z")
 ALIKE = 0.995
 """Cosine of the angle between two columns from which two faults cannot be told apart."""
-EXPLAINS = 0.5
+EXPLAINS = 0.7
 """Share that a fault must explain for it to be a cause."""
 NOTHING = 0.02
 """Share of the vibration below which the difference counts as none."""
