@@ -77,6 +77,13 @@ def test_what_no_fault_explains_is_told_in_one_sentence(run: Run, tmp_path: Path
     assert not json.loads(run("diagnose", "four.toml", "odd.csv", "--json").out)["explained"]
 
 
+def test_one_reading_is_told_to_be_too_few(run: Run, tmp_path: Path) -> None:
+    rows = (tmp_path / "lost.csv").read_text(encoding="utf-8").splitlines()
+    (tmp_path / "one.csv").write_text("\n".join([rows[0], rows[10]]), encoding="utf-8")
+    said = " ".join(run("diagnose", "four.toml", "one.csv").out.split())
+    assert "So few readings are explained by many faults" in said
+
+
 def test_the_picture_has_bars_and_vectors(run: Run, tmp_path: Path) -> None:
     run("diagnose", "four.toml", "lost.csv", "-o", "why.svg")
     drawn = (tmp_path / "why.svg").read_text(encoding="utf-8")

@@ -148,6 +148,7 @@ def test_a_heavier_piston_is_found_with_its_mass(number: int) -> None:
     assert one_of([*first.faults], "piston", number)
     assert first.faults[0].size == pytest.approx(0.0184, rel=0.03)
     assert first.explained > 0.99
+    assert abs(first.faults[0].size - 0.0184) < 4 * first.error < 0.002
     assert found.found
     assert not found.healthy
 
@@ -185,6 +186,15 @@ def test_what_would_be_felt_is_what_mounts_says_of_the_changed_file() -> None:
     cut = expected(four(), readings, [Fault("combustion", 3)])
     scale = float(np.abs(cut).max())
     assert cut == pytest.approx(seen(four(), cut_torque(3, 1.0)), abs=1e-6 * scale)
+
+
+def test_the_error_of_a_size_is_its_scatter_over_many_measurements() -> None:
+    clean, healthy = seen(heavy(3, "reciprocating_mass", "710 g")), seen(four())
+    found = [diagnosed(four(), lines(noisy(clean, healthy, seed))) for seed in range(12)]
+    firsts = [each.suspects[0] for each in found]
+    sizes = np.array([first.faults[0].size for first in firsts])
+    expected_error = float(np.mean([first.error for first in firsts]))
+    assert sizes.std() == pytest.approx(expected_error, rel=0.6)
 
 
 def test_a_measurement_before_the_fault_cancels_what_the_model_has_wrong() -> None:

@@ -5,6 +5,7 @@ catalogue adds a column a to the difference d = y - y_0, times its size s, which
 squares with complex rows give
 
     s = Re(a* d)/(a* a),    explained = 1 - |d - s a|^2/|d|^2,
+    standard error of s = |d - s a| / (sqrt(2 n - 1) |a|)  for n rows,
 
 s kept within what there can be: shares from 0 to 1, masses of either sign. Rows are velocities, so
 that orders weigh alike; where the vibration before the fault was measured too, it stands for y_0,
@@ -83,11 +84,15 @@ class Reading(NamedTuple):
 
 
 class Suspect(NamedTuple):
-    """A fault of its likeliest size, the share of the difference it explains, the rows it gives."""
+    """A fault of its likeliest size, the share of the difference it explains, the rows it gives.
+
+    `error` is the standard error of the size of a single fault, as what it leaves says.
+    """
 
     faults: tuple[Fault, ...]
     explained: float
     rows: Complex
+    error: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -285,7 +290,9 @@ def _suspect(difference: Complex, faults: Sequence[Fault], columns: Sequence[Com
     sized = tuple(
         fault._replace(size=float(size)) for fault, size in zip(faults, sizes, strict=True)
     )
-    return Suspect(sized, share, explained)
+    free = max(2 * len(difference) - len(faults), 1)
+    spread = float(np.vdot(left, left).real) / free / (float(np.vdot(rows, rows).real) or 1.0)
+    return Suspect(sized, share, explained, spread**0.5)
 
 
 def _pair(

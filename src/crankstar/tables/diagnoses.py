@@ -10,6 +10,7 @@ import numpy as np
 
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Complex, Real
 from crankstar.studies.diagnosis import AXES, FEW, Diagnosis, Suspect
 from crankstar.studies.single_faults import Fault, Shaken, fault_text
@@ -244,6 +245,8 @@ def _suspects(found: Diagnosis, *, every: bool) -> Table:
         Column("", key="number", machine=True),
         Column("", kind="text", key="shaft", machine=True),
         Column("", key="size", machine=True),
+        Column(_("error of the size"), kind="text"),
+        Column("", key="size_error", machine=True),
         Column(_("explained"), "%", key="explained_percent", digits=4),
         Column(_("left, rms"), "mm/s", key="left_rms", digits=4, fixed=True),
     )
@@ -253,8 +256,16 @@ def _suspects(found: Diagnosis, *, every: bool) -> Table:
         left = found.difference - suspect.rows
         rms = 1e3 * float(np.sqrt((np.abs(left) ** 2).mean() / 2))
         own = (suspect_text(suspect, found), fault.kind, fault.number, fault.shaft, fault.size)
-        rows.append((*own, 100 * suspect.explained, rms))
+        error = f"± {_error(fault, suspect.error)}"
+        rows.append((*own, error, suspect.error, 100 * suspect.explained, rms))
     return Table(_("Suspects"), columns, tuple(rows), key="suspects")
+
+
+def _error(fault: Fault, error: float) -> str:
+    """The standard error of a size in its unit, to two figures."""
+    if fault.kind in ("weight", "combustion"):
+        return f"{number(float(f'{100 * error:.2g}'))} %"
+    return quantity_text(float(f"{error:.2g}"), "kg")
 
 
 def _readings(found: Diagnosis) -> Table:
