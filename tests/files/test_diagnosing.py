@@ -127,6 +127,7 @@ def test_csv_has_every_order(run: Run) -> None:
         (("four.toml", "--heavier", "valve.3=20g"), "as in piston.3=20g"),
         (("four.toml", "--heavier", "piston.3=20"), "with a unit"),
         (("four.toml", "--heavier", "piston.3=20 mm"), "a mass is needed"),
+        (("four.toml", "--heavier", "piston.3=-5kg"), "lighter by 5000 g: that is more than it"),
         (("four.toml", "--lost-weight", "9"), "there is no weight 9"),
         (("four.toml", "--lost-weight", "balancer.1"), "no shaft balancer"),
         (("i4", "--heavier", "piston.3=20g", "--speed", "800 rpm"), "no masses or sizes"),

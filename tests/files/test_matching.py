@@ -98,6 +98,7 @@ def test_a_spreadsheet_of_weights_is_read_as_well(run: Run, tmp_path: Path) -> N
         ("no,pin [g],wrist pin [g]\n1,99,98\n", "mean the same"),
         ("no,piston [g]\n1,412\n1,413\n", "line 2"),
         ("no,piston [g]\n1,412,9\n", "line 2: it has 3 cells under 2 headings"),
+        ("no,piston [kg]\n1,4\n2,3\n3,900\n", "differ by more than the parts weigh"),
         ("no,piston [g]\n1,412\n2,413\n", "the list has 2 of each part"),
     ],
 )

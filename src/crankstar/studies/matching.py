@@ -20,6 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar.engine.engine import Engine
+from crankstar.language.faults import EngineError
 from crankstar.spectra import Real
 from crankstar.studies.assignments import Kind, Watch, least
 from crankstar.studies.matched_orders import ORDERS, LinearUnbalance, Minimised, linear_unbalance
@@ -123,8 +124,15 @@ def matched(
     start = fixed + _sum(each, [listed] * len(each))
     mean = fixed + alike
     scatter = sum(_scatter(law, masses.items) for masses in kinds)
+    try:
+        built = with_parts(engine, _added(batch, before, places))
+    except EngineError:
+        raise MatchingError(
+            "the weights of the list differ by more than the parts weigh in the file; check their "
+            "units"
+        ) from None
     return Matched(
-        engine=with_parts(engine, _added(batch, before, places)),
+        engine=built,
         law=law,
         places=places,
         unbalance=found.length,

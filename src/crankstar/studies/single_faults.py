@@ -26,6 +26,7 @@ from crankstar.dynamics.whirl import body
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.rigid_block import mass_matrix, moved
+from crankstar.language.faults import EngineError
 from crankstar.language.messages import MessageError, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
@@ -151,7 +152,12 @@ def with_fault(engine: Engine, fault: Fault) -> Engine:
     if fault.kind == "combustion":
         return engine
     added = [fault.size if number == fault.number else 0.0 for number in numbers]
-    return with_parts(engine, {fault.kind: added})
+    try:
+        return with_parts(engine, {fault.kind: added})
+    except EngineError:
+        raise DiagnosisError(
+            "{what}: that is more than it weighs in the file", what=fault_text(fault, engine)
+        ) from None
 
 
 def _without_weight(engine: Engine, fault: Fault) -> Engine:
