@@ -29,9 +29,6 @@
 | `assignments` | the assignments whose vectors add up to least, with proof |
 | `matching` | a batch matched to the cylinders of an engine, and what chance and classes leave |
 | `matched_sets` | a batch divided among several engines, each set matched |
-<<<<<<< HEAD
-=======
 | `single_faults` | faults of an engine, and what each changes in what shakes its block |
 | `diagnosis` | the likeliest fault by measured vibration |
->>>>>>> 5b647b18 (studies, cli: tell what faults change, and find them again)
 """

@@ -51,14 +51,11 @@
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `mount_points` | how the named points of a block shake |
 | `mounts` | an engine on its mounts: modes, axes, vibration and forces by speed |
-<<<<<<< HEAD
 | `marine` | external and guide-force moments, and compensators |
 | `engine_family` | a family of engines with their firing orders, as a project guide |
 | `generating_sets` | uneven running of a generating set, and several on one foundation |
-=======
 | `diagnoses` | what faults change, and which fault explains a measurement |
 | `matching` | parts matched to cylinders, and what is left |
->>>>>>> d3811cc7 (studies, cli: match weighed parts to cylinders, with proof)
 | `torsion_chain` | a chain that twists: masses, shafts, modes, Holzer's table |
 | `crank_fatigue` | the safety of a crankshaft against fatigue |
 | `torsion` | critical speeds, torsional vibration over the speeds, stress and heat |
