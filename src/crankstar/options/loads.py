@@ -62,7 +62,11 @@ LOADS = {
         'crankshaft at which they stand, such as "2: 6 m, -6 m"; repeatable.',
         ("--compensator", "--compensators"),
     ),
-    "--engines": Option("whole number", "Engines that are alike, on one foundation.", ("--sets",)),
+    "--engines": Option(
+        "whole number",
+        "How many engines: alike on one foundation, or those among which a batch is divided.",
+        ("--sets", "--how-many-engines"),
+    ),
     "--first-order": Option(
         "text",
         "Weights at the ends of the crankshaft that make the first-order moment vertical, equal "
@@ -76,7 +80,7 @@ LOADS = {
         ("--published",),
     ),
     "--numbers": Option(
-        "text", "Numbers of cylinders, such as 5..12 or 5,6,8.", ("--count", "--counts")
+        "text", "Numbers of cylinders, such as 5..12 or 5,6,8.", ("--counts",)
     ),
     "--node": Option(
         "text",

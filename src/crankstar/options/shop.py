@@ -31,9 +31,6 @@ SHOP = {
         "engines each with its number.",
         ("--write-engine", "--save-engine"),
     ),
-    "--engines": Option(
-        "whole number", "Divide the batch among this number of engines.", ("--how-many-engines",)
-    ),
     "--heavier": Option(
         "several texts",
         "Part that is heavier, as in piston.3=20g or big_end.2=15g; lighter with a minus sign; "
