@@ -109,7 +109,8 @@ def blocks(draw: st.DrawFn) -> Block:
         one, two, three = draw(SIZES), draw(SIZES), draw(SIZES)
         inertia = {"inertia_up": one + two, "inertia_right": two + three, "inertia_z": three + one}
     z = draw(st.none() | PLACES)
-    return Block(mass=draw(SIZES), up=draw(PLACES), right=draw(PLACES), z=z, **inertia)
+    place = {"up": draw(PLACES), "right": draw(PLACES), "z": z}
+    return Block.model_validate({"mass": draw(SIZES), **place, **inertia})
 
 
 @given(blocks())

@@ -2,6 +2,7 @@
 
 from itertools import product
 from math import log, pi, sqrt
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -32,8 +33,11 @@ from crankstar.studies.scatter import ScatterError, scatter
 ORDERS = (1.0, 2.0, 3.0, 4.0, 6.0)
 SPEED = 6000 * pi / 30
 MASSES = {"cylinder.reciprocating_mass": "500 g +- 3 g", "cylinder.stroke": "90 mm"}
-RODS = {"cylinder.reciprocating_mass": "500 g", "cylinder.stroke": "90 mm"}
-RODS["cylinder.rod"] = {"mass": "550 g", "centre": "40 mm", "inertia": "0.0025 kg*m^2"}
+RODS = {
+    "cylinder.reciprocating_mass": "500 g",
+    "cylinder.stroke": "90 mm",
+    "cylinder.rod": {"mass": "550 g", "centre": "40 mm", "inertia": "0.0025 kg*m^2"},
+}
 OPTIONS = {"count": 1000, "orders": ORDERS}
 
 
@@ -55,7 +59,7 @@ def law(name, changes, *, speed=SPEED):
 
 
 @pytest.mark.parametrize("name", ["i4", "i6", "v8-cross-plane", "v2-90", "boxer-6", "v12-60"])
-def test_mass_errors_add_up_whatever_the_layout(name):
+def test_mass_errors_add_up_whatever_the_layout(name) -> None:
     engine, errors, lines, _how = law(name, MASSES)
     assert len(errors) == len(engine.cylinders)
     cylinder = engine.first
@@ -69,7 +73,7 @@ def test_mass_errors_add_up_whatever_the_layout(name):
         assert rms == pytest.approx(expected, rel=1e-9, abs=1e-9), order
 
 
-def test_a_perfect_six_with_a_gram_of_scatter_shakes_with_43_5_newtons():
+def test_a_perfect_six_with_a_gram_of_scatter_shakes_with_43_5_newtons() -> None:
     found = scatter("i6", changes=MASSES, speed=SPEED, count=20_000)
     row = found.of("force", 1)
     assert row.nominal == 0
@@ -78,7 +82,7 @@ def test_a_perfect_six_with_a_gram_of_scatter_shakes_with_43_5_newtons():
     assert row.rms_found == pytest.approx(row.rms, rel=0.01)
 
 
-def test_an_order_that_is_nought_as_drawn_is_rayleigh():
+def test_an_order_that_is_nought_as_drawn_is_rayleigh() -> None:
     # pins at 0, 120 and 240 deg: both parts of the amplitude scatter alike and by themselves
     row = scatter("i6", changes=MASSES, speed=SPEED).of("force", 1)
     assert row.half_of == pytest.approx(row.rms * sqrt(log(2)), rel=0.01)
@@ -86,14 +90,14 @@ def test_an_order_that_is_nought_as_drawn_is_rayleigh():
     assert row.one_in_100 == pytest.approx(row.rms * sqrt(log(100)), rel=0.015)
 
 
-def test_an_order_whose_forces_are_in_phase_is_half_a_bell():
+def test_an_order_whose_forces_are_in_phase_is_half_a_bell() -> None:
     # a flat-plane four: pins at 0 and 180 deg only, so that order 1 is up or down
     row = scatter("i4", changes=MASSES, speed=SPEED).of("force", 1)
     assert row.one_in_20 == pytest.approx(1.959964 * row.rms, rel=0.01)
     assert row.half_of == pytest.approx(0.674490 * row.rms, rel=0.01)
 
 
-def test_uniform_errors_scatter_more_than_normal_ones():
+def test_uniform_errors_scatter_more_than_normal_ones() -> None:
     rows = [
         scatter("i6", changes=MASSES, speed=SPEED, distribution=each).of("force", 1)
         for each in ("normal", "uniform")
@@ -139,7 +143,7 @@ GIVEN = {
 
 
 @pytest.mark.parametrize(("name", "path", "unit", "step"), SHARED)
-def test_the_errors_of_a_value_together_are_a_change_of_the_value(name, path, unit, step):
+def test_the_errors_of_a_value_together_are_a_change_of_the_value(name, path, unit, step) -> None:
     """Read the file again with the value changed: the sum of all its errors is the same change."""
     shown, tree = tree_of("i4" if name == "parts" else name)
     without = ("provenance", "firing_order", "gas", "valves")
@@ -226,7 +230,7 @@ VARIED = {
 
 @pytest.mark.parametrize("name", VARIED)
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
-def test_random_engines_are_those_of_the_batch_machinery(name, rotation):
+def test_random_engines_are_those_of_the_batch_machinery(name, rotation) -> None:
     ways = {"rotation": rotation, "firing_order": [], "gas": None, "torsion": None}
     if name == "i4":
         ways["layout.throws"] = ["0 deg", "180 deg", "180 deg", "0 deg"]
@@ -244,7 +248,7 @@ def test_random_engines_are_those_of_the_batch_machinery(name, rotation):
             assert np.abs(mine - other).max() < 1e-11 * np.abs(other).max(initial=1e-300) + 1e-9
 
 
-def test_lengths_of_the_motion_count_to_first_order_where_they_are_small():
+def test_lengths_of_the_motion_count_to_first_order_where_they_are_small() -> None:
     changes = {"cylinder.rod_length": "150 mm +- 0.3 mm", "cylinder.stroke": "90 mm +- 0.2 mm"}
     engine, errors, lines, how = law("honda-b18c", changes)
     plan = _plan(mechanism(engine), errors, lines, (), how)
@@ -263,7 +267,7 @@ def test_lengths_of_the_motion_count_to_first_order_where_they_are_small():
         assert apart < 5e-3 * amplitudes(Vectors(*off)).max(), quantity
 
 
-def test_a_large_error_of_a_length_is_worked_out_engine_by_engine():
+def test_a_large_error_of_a_length_is_worked_out_engine_by_engine() -> None:
     changes = {"cylinder.rod_length": "150 mm +- 15 mm", "cylinder.stroke": "90 mm"}
     engine, errors, lines, how = law("honda-b18c", changes)
     assert not _plan(mechanism(engine), errors, lines, (), how).first_order
@@ -271,7 +275,7 @@ def test_a_large_error_of_a_length_is_worked_out_engine_by_engine():
     assert found.of("force", 2).rms_found > 0
 
 
-def test_the_worst_case_is_the_worst_of_all_signs():
+def test_the_worst_case_is_the_worst_of_all_signs() -> None:
     random = np.random.default_rng(11)
     for _case in range(20):
         count = int(random.integers(1, 9))
@@ -287,10 +291,9 @@ def test_the_worst_case_is_the_worst_of_all_signs():
         assert worst(Linear(nominal, rates), bounds)[0] == pytest.approx(every.max(), rel=1e-12)
 
 
-def test_no_engine_within_its_tolerances_is_worse_than_the_worst_case():
-    changes = {**MASSES, "cylinder.throw_mass": "0 g +- 4 g", "layout.throws[3]": "90 deg"}
-    changes["layout.throws"] = ["0 deg", "180 deg +- 0.1 deg", "180 deg +- 0.1 deg", "0 deg"]
-    del changes["layout.throws[3]"]
+def test_no_engine_within_its_tolerances_is_worse_than_the_worst_case() -> None:
+    throws = ["0 deg", "180 deg +- 0.1 deg", "180 deg +- 0.1 deg", "0 deg"]
+    changes = {**MASSES, "cylinder.throw_mass": "0 g +- 4 g", "layout.throws": throws}
     found = scatter("i4", changes=changes, speed=SPEED, distribution="uniform")
     for signal in ("force", "couple", "roll", "force.up", "couple.yaw"):
         for row in found.rows:
@@ -299,7 +302,7 @@ def test_no_engine_within_its_tolerances_is_worse_than_the_worst_case():
                 assert greatest <= row.worst * (1 + 1e-4), (signal, row.order)
 
 
-def test_shares_add_up_and_follow_the_square_of_the_tolerance():
+def test_shares_add_up_and_follow_the_square_of_the_tolerance() -> None:
     one = scatter("i6", changes={**MASSES, "cylinder.rotating_mass": "400 g +- 3 g"}, **OPTIONS)
     two = scatter("i6", changes={**MASSES, "cylinder.rotating_mass": "400 g +- 6 g"}, **OPTIONS)
     shares = [each.of("force", 1).shares for each in (one, two)]
@@ -309,7 +312,7 @@ def test_shares_add_up_and_follow_the_square_of_the_tolerance():
     assert ratios == pytest.approx([2, 8])
 
 
-def test_each_pitch_errs_by_itself_about_the_middle_of_its_engine():
+def test_each_pitch_errs_by_itself_about_the_middle_of_its_engine() -> None:
     changes = {"layout.bore_pitch": "100 mm +- 0.1 mm", **MASSES}
     changes["cylinder.reciprocating_mass"] = "500 g"
     engine, errors, lines, _how = law("triple-120", changes)
@@ -322,7 +325,7 @@ def test_each_pitch_errs_by_itself_about_the_middle_of_its_engine():
     assert 2 * abs(lines["couple"].rates.forward[0, 0]) == pytest.approx(abs(first), rel=1e-9)
 
 
-def test_a_wider_pitch_gives_two_equal_forces_no_couple_about_their_own_middle():
+def test_a_wider_pitch_gives_two_equal_forces_no_couple_about_their_own_middle() -> None:
     changes = {"layout.bore_pitch": "100 mm +- 0.1 mm", **MASSES}
     changes["cylinder.reciprocating_mass"] = "500 g"
     _engine, errors, lines, _how = law("i2-360", changes)
@@ -331,7 +334,7 @@ def test_a_wider_pitch_gives_two_equal_forces_no_couple_about_their_own_middle()
     assert np.abs(lines["couple"].rates.forward).max() < 1e-6
 
 
-def test_halves_of_the_pistons_on_a_shared_pin_err_by_themselves():
+def test_halves_of_the_pistons_on_a_shared_pin_err_by_themselves() -> None:
     changes = {"cylinder.rotating_mass": "400 g +- 3 g", **MASSES}
     changes["cylinder.reciprocating_mass"] = "500 g"
     _engine, errors, lines, _how = law("v2-90", changes)
@@ -340,7 +343,7 @@ def test_halves_of_the_pistons_on_a_shared_pin_err_by_themselves():
     assert rms == pytest.approx(sqrt(2) * sqrt(2) * 0.001 * 0.045 * SPEED**2, rel=1e-9)
 
 
-def test_a_cylinder_with_a_value_of_its_own_has_its_own_tolerance():
+def test_a_cylinder_with_a_value_of_its_own_has_its_own_tolerance() -> None:
     tree = changed(tree_of("i4")[1], MASSES)
     tree["cylinders"] = [{"number": 2, "reciprocating_mass": "510 g"}]
     own = sources_of(tree, tolerances_of(tree), engine_of(tree)).errors
@@ -350,7 +353,7 @@ def test_a_cylinder_with_a_value_of_its_own_has_its_own_tolerance():
     assert [error.bound for error in own] == pytest.approx([0.003] * 3 + [0.001])
 
 
-def test_the_two_forms_of_a_file_scatter_alike():
+def test_the_two_forms_of_a_file_scatter_alike() -> None:
     from crankstar.files import explicit
 
     _shown, tree = tree_of("honda-b18c")
@@ -374,7 +377,7 @@ def test_the_two_forms_of_a_file_scatter_alike():
         assert totals[0] == pytest.approx(totals[1], rel=1e-9, abs=1e-12)
 
 
-def test_the_phase_of_a_balance_shaft_turns_all_its_weights():
+def test_the_phase_of_a_balance_shaft_turns_all_its_weights() -> None:
     weights = [
         {"unbalance": "0.01 kg*m", "angle": "180 deg", "z": "100 mm"},
         {"unbalance": "0.01 kg*m", "angle": "180 deg", "z": "-100 mm"},
@@ -394,7 +397,7 @@ def test_the_phase_of_a_balance_shaft_turns_all_its_weights():
     assert [weight.angle for weight in turned.shafts[1].weights] == pytest.approx([-pi / 2] * 2)
 
 
-def test_a_weight_of_nothing_may_be_off_balance_either_way():
+def test_a_weight_of_nothing_may_be_off_balance_either_way() -> None:
     weight = {"unbalance": "0 g*mm +- 300 g*mm", "angle": "0 deg", "throw": 1}
     changes = {**MASSES, "crankshaft": [{"weight": [weight]}]}
     changes["cylinder.reciprocating_mass"] = "500 g"
@@ -405,14 +408,14 @@ def test_a_weight_of_nothing_may_be_off_balance_either_way():
     assert row.half_of == pytest.approx(0.674490 * row.rms, rel=0.02)
 
 
-def test_bare_lengths_stay_bare():
+def test_bare_lengths_stay_bare() -> None:
     changes = {"layout.banks[2].set_back": "0 +- 0.01", "cylinder.rotating_mass": "0.4 +- 0.01"}
     found = scatter("harley-45", changes=changes, **OPTIONS)
     assert found.idle == ()
     assert found.of("couple", 1).shares["layout.banks[2].set_back"] > 0.5
 
 
-def test_the_same_seed_builds_the_same_engines():
+def test_the_same_seed_builds_the_same_engines() -> None:
     each = [
         scatter("i6", changes=MASSES, seed=seed, **OPTIONS).of("force", 1).one_in_20
         for seed in (5, 5, 6)
@@ -420,21 +423,21 @@ def test_the_same_seed_builds_the_same_engines():
     assert each[0] == each[1] != each[2]
 
 
-def test_what_cannot_be_scattered_is_refused():
+def test_what_cannot_be_scattered_is_refused() -> None:
     with pytest.raises(ScatterError, match="has no tolerances"):
         scatter("i4")
     with pytest.raises(ScatterError, match="no force"):
         scatter("i4", changes={"speed": "6000 rpm +- 1 %"})
-    for count in (10, 1e5, True, "many", 10**9):
+    for count in cast("list[Any]", [10, 1e5, True, "many", 10**9]):
         with pytest.raises(ScatterError, match="1000 to 1000000"):
             scatter("i4", changes=MASSES, count=count)
-    for seed in (-1, 1.5, None):
+    for seed in cast("list[Any]", [-1, 1.5, None]):
         with pytest.raises(ScatterError, match="seed is"):
             scatter("i4", changes=MASSES, seed=seed)
     with pytest.raises(ScatterError, match="assume is"):
-        scatter("i4", changes=MASSES, assume="usual")
+        scatter("i4", changes=MASSES, assume=cast("Any", "usual"))
     with pytest.raises(ScatterError, match="has no order 9"):
         scatter("i4", changes=MASSES, **OPTIONS).of("force", 9)
     with pytest.raises(ScatterError, match="normal, uniform"):
-        scatter("i4", changes=MASSES, distribution="triangular")
+        scatter("i4", changes=MASSES, distribution=cast("Any", "triangular"))
     assert load("i4").name  # the engine itself is what it was
