@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from math import ceil
+
 import numpy as np
 
 from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.drawing import BLUE, ORANGE, figure, layered
 from crankstar.charts.gas_curves import ROOM, about, without
 from crankstar.charts.grammar import Chart, field, of_rows, span
+from crankstar.charts.letters import TEXT, text_width
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import order_text, unit_text
@@ -22,6 +25,10 @@ HIGHEST = 16.0
 """The highest order of the bars."""
 VISIBLE = 0.005
 """Share of the greatest bar from which one is drawn."""
+APART = 6.0
+"""px between the names of two orders."""
+SYMBOL = 40.0
+"""px of a square of the legend, and of what is left beside it."""
 
 
 def guide_moment_chart(
@@ -82,7 +89,7 @@ def _bars(guide: GuideMoments, series: list[tuple[str, str, np.ndarray]]) -> dic
                 sort=None,
                 scale={"domain": names},
                 title=_("order"),
-                axis={"labelAngle": 0},
+                axis={"labelAngle": 0, "values": names[:: _step(names)], "labelOverlap": False},
             ),
             xOffset=field("what:N", sort=None, scale={"domain": colours["domain"]}),
             y=field(
@@ -91,7 +98,20 @@ def _bars(guide: GuideMoments, series: list[tuple[str, str, np.ndarray]]) -> dic
                 scale=span(0, ROOM * (greatest * said.factor or 1.0)),
                 axis={"tickCount": 4},
             ),
-            color=field("what:N", scale=colours, legend={"orient": "top", "title": None}),
+            color=field("what:N", scale=colours, legend=_legend(series)),
         )
     )
     return layered([drawn], width=panel_width(), height=curve_height(170))
+
+
+def _step(names: list[str]) -> int:
+    """Every how many bars one is named, so that no name touches the next."""
+    widest = max(text_width(name, TEXT) for name in names)
+    return max(1, ceil((widest + APART) * len(names) / panel_width()))
+
+
+def _legend(series: list[tuple[str, str, np.ndarray]]) -> dict[str, object]:
+    """The names of both in one row, or below each other where they are longer than it."""
+    row = sum(text_width(name, TEXT) + SYMBOL for name, _colour, _values in series)
+    columns = len(series) if row < panel_width() else 1
+    return {"orient": "top", "title": None, "columns": columns, "labelLimit": panel_width()}

@@ -25,8 +25,10 @@ HEIGHT = 96.0
 ROOM = 1.12
 LEAST, GREATEST = 18.0, 150.0
 """px^2: the dots of a mass that is nought beside the others, and of the greatest."""
-LONGEST = 110.0
+LONGEST = 180.0
 """px: of the name of a mass."""
+SLANTED = 0.87
+"""The height of a slanted name over its length."""
 
 
 def mode_shapes(source: Engine | Chain) -> Chart:
@@ -133,7 +135,8 @@ def _across(chain: TorsionChain, *, foot: bool) -> Channel:
     names = mass_names(chain)
     last = len(names) - 1
     slot = panel_width() / (len(names) or 1)
-    level = max(text_width(name, TEXT) for name in names) < 0.9 * slot
+    longest = max(text_width(name, TEXT) for name in names)
+    level = longest < 0.9 * slot
     step = max(1, round(18 / slot))
     axis: dict[str, Any] = {
         "values": list(range(0, last + 1, step)),
@@ -146,5 +149,7 @@ def _across(chain: TorsionChain, *, foot: bool) -> Channel:
     }
     if not level:
         axis |= {"labelAlign": "right", "labelBaseline": "middle"}
+        if foot:  # measured with other letters than those of a reader's screen
+            axis["minExtent"] = SLANTED * min(longest, LONGEST) + 1.5 * TEXT
     room = 0.4
     return field("x:Q", scale={**span(-room, last + room), "zero": False}, title=None, axis=axis)

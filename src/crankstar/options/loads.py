@@ -79,9 +79,7 @@ LOADS = {
         "A firing order to be listed beside the best, as in 1-7-2-5-4-3-6; repeatable.",
         ("--published",),
     ),
-    "--numbers": Option(
-        "text", "Numbers of cylinders, such as 5..12 or 5,6,8.", ("--counts",)
-    ),
+    "--numbers": Option("text", "Numbers of cylinders, such as 5..12 or 5,6,8.", ("--counts",)),
     "--node": Option(
         "text",
         "Place along the crankshaft of a node of the hull, about which moments are told and "
