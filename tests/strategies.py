@@ -31,6 +31,8 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas, OperatingPoint
 from crankstar.engine.layouts import LAYOUTS, Row
 from crankstar.engine.main_bearings import main_bearings, webs
+from crankstar.engine.mounts import Foundation, Mount
+from crankstar.engine.oil import Oil, PlainBearing
 from crankstar.engine.records import (
     Articulation,
     Block,
@@ -43,6 +45,7 @@ from crankstar.engine.records import (
     Valves,
     Weight,
 )
+from crankstar.engine.torsion import Coupling, Disc, Torsion
 from crankstar.language.faults import EngineError
 
 LONG = os.environ.get("HYPOTHESIS_PROFILE") == "long"
@@ -83,6 +86,9 @@ GASES = st.sampled_from(
 )
 DRIVES = st.builds(
     Drive, inertia=number(0.001, 50.0), load_exponent=st.sampled_from([-1.0, 0.0, 2.0])
+)
+OILS = st.sampled_from(
+    [Oil(viscosity=0.008), Oil(main=PlainBearing(diameter=0.06, length=0.02, clearance=25e-6))]
 )
 TEXTS = st.sampled_from(["a book", "工場の図面", 'two\nlines, "quoted" \\ and a tab\there'])
 
@@ -324,8 +330,39 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
     engine = draw(_supported(engine))
     engine = fired(engine, with_angles=draw(st.booleans())) if draw(st.booleans()) else engine
     valves = draw(maybe(timed_valves(engine)))
-    more = {"gas": draw(maybe(GASES)), "drive": draw(maybe(DRIVES))}
-    return engine.model_copy(update={"valves": None if valves == Valves() else valves, **more})
+    more = {"gas": draw(maybe(GASES)), "drive": draw(maybe(DRIVES)), "oil": draw(maybe(OILS))}
+    made = engine.model_copy(update={"valves": None if valves == Valves() else valves, **more})
+    return draw(_twisting(draw(_mounted(made)))) if draw(st.integers(0, 3)) == 0 else made
+
+
+@st.composite
+def _mounted(draw: Draw, engine: Engine) -> Engine:
+    """The same on four mounts, on a raft or on the ground, where masses and lengths are known."""
+    if engine.relative or engine.block is None:
+        return engine
+    stiffness = (draw(number(1e4, 1e7)), draw(number(1e4, 1e7)), draw(number(1e4, 1e7)))
+    corners = [(-0.3, -0.4), (-0.3, 0.4), (0.3, -0.4), (0.3, 0.4)]
+    stood = [
+        Mount(name=f"{n}", right=x, z=z, stiffness=stiffness) for n, (x, z) in enumerate(corners)
+    ]
+    raft = Foundation(mass=500, inertia_up=80, inertia_right=70, inertia_z=60, mounts=tuple(stood))
+    return with_values(engine, mounts=tuple(stood), foundation=draw(maybe(st.just(raft))))
+
+
+@st.composite
+def _twisting(draw: Draw, engine: Engine) -> Engine:
+    """The same with an elastic crankshaft, further ones coupled to it."""
+    cranks = [shaft for shaft in engine.shafts if shaft.throws]
+    if not cranks or cranks[0] is not engine.shafts[0]:
+        return engine
+    several = sum(len(shaft.throws) for shaft in cranks) > len(cranks)
+    torsion = Torsion(
+        inertia=(draw(number(0.001, 5.0)),),
+        stiffness=(draw(number(1e4, 1e7)),) if several else (),
+        couplings=tuple(Coupling(crankshaft=shaft.name, stiffness=1e6) for shaft in cranks[1:]),
+        discs=(Disc(name="flywheel", inertia=1.0, to="rear", stiffness=1e6),),
+    )
+    return with_values(engine, torsion=torsion)
 
 
 @st.composite
