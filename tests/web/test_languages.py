@@ -40,8 +40,8 @@ SHOWN = """() => {
 }"""
 HELD = "() => HANDLE.exhibits.flatMap(({ name, file }) => [name, file.source, file.notes]).flat()"
 TYPED = re.compile(
-    r"`[^`]*`|“[^”]*”|--[a-z-]+|\[\[?[a-z.]+\]?\]|\b[a-z]+(?:[._]\w+)+(?:\[\d\])?|\w+\(MIT\)"
-    r"|\.(?:toml|json|xlsx)\b|[A-Z]_?[A-Za-z0-9]*=[\d.]+|\bneighbours=1\b|\bgearing = \"output\""
+    r"`[^`]*`|“[^”]*”|--[a-z-]+|\[\[?[a-z.]+\]?\]|\b[a-z]+(?:[._]\w+)+(?:\[\d\])?(?: = \"\w+\")?"
+    r"|\w+\(MIT\)|\.(?:toml|json|xlsx)\b|[A-Z]_?[A-Za-z0-9]*=[\d.]+|\bneighbours=1\b"
 )
 """What is typed in any language: commands, options, key paths, limits of a search."""
 WORD = re.compile(r"[A-Za-z]{2,}")
