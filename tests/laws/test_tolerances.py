@@ -441,3 +441,19 @@ def test_what_cannot_be_scattered_is_refused() -> None:
     with pytest.raises(ScatterError, match="normal, uniform"):
         scatter("i4", changes=MASSES, distribution=cast("Any", "triangular"))
     assert load("i4").name  # the engine itself is what it was
+
+
+@pytest.mark.parametrize(
+    "own",
+    [
+        {"cylinder.rod_length": "150 mm +- 60 mm"},
+        {"cylinder.stroke": "90 mm +- 89 mm"},
+        {"cylinder.stroke": "250 mm +- 20 mm", "cylinder.rod_length": "150 mm"},
+    ],
+)
+def test_rods_that_might_not_reach_their_cylinders_are_refused(own: dict[str, Any]) -> None:
+    changes = {"cylinder.reciprocating_mass": "500 g", "cylinder.stroke": "90 mm"} | own
+    if "cylinder.rod_length" in changes:
+        changes["cylinder.rod_ratio"] = None
+    with pytest.raises(ScatterError, match="might not turn"):
+        scatter("i4", changes=changes, count=1000)

@@ -26,9 +26,10 @@ from crankstar.options.vocabulary import OPTIONS
 from crankstar.search.faults import SearchError
 
 COMPLETION = "--install-completion"
-FILES = ("--beside", "--checkpoint", "--engine-file", "--output", "--save")
-FILES = ("--before", "--beside", "--checkpoint", "--engine-file", "--output")
+FILES = ("--before", "--beside", "--checkpoint", "--engine-file", "--output", "--save")
 """Options that take a file."""
+WRITTEN = ("-o", "--output", "--engine-file", "--save")
+"""Options that take a file which is written."""
 LANGUAGE = ("--language", "--lang")
 """The option of the language, and its short name."""
 LEAST_WIDTH = 20
@@ -251,7 +252,7 @@ def _refuse_source(words: Sequence[str]) -> None:
     apart = [re.sub("^-o(?=[^=])", "-o=", word) for word in words]
     parts = [part for word in apart for part in word.split("=", 1) if _may_be_a_file(part)]
     for option, place in pairwise(parts):
-        if option not in ("-o", "--output", "--engine-file") or not is_file(place):
+        if option not in WRITTEN or not (is_file(place) or option in ("--engine-file", "--save")):
             continue
         real = os.path.realpath(place)
         if [os.path.realpath(part) for part in parts].count(real) > 1:

@@ -16,6 +16,8 @@ from crankstar.engine.rigid_block import unrestrained
 from crankstar.language.faults import Fault
 from crankstar.language.quoting import seen
 
+NO_SPREAD = 1e-6
+"""m: mounts that are nearer to each other are at one place."""
 ROUNDED = 1e-3
 """Share by which moments of inertia given to a few figures may miss what they must be."""
 Path = tuple[str | int, ...]
@@ -121,8 +123,8 @@ def _mount_faults(mounts: Sequence[Mount], here: Path) -> Iterator[Fault]:
     yield from found
     if found:
         return
-    places = {(each.up, each.right, each.z) for each in mounts}
-    if len(places) == 1:
+    places = np.array([(each.up, each.right, each.z) for each in mounts])
+    if np.ptp(places, axis=0).max() < NO_SPREAD:
         code = "mounts.one" if len(mounts) == 1 else "mounts.one-place"
         yield Fault(here, code, {"name": seen(mounts[0].name), "count": len(mounts)})
     elif free := unrestrained(mounts):

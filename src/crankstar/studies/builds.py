@@ -28,6 +28,10 @@ DEVIATION: dict[str, float] = {"normal": 1 / 3, "uniform": 3**-0.5}
 """Standard deviation of an error as a share of its bound."""
 LARGE = 0.01
 """Share of the crank radius, or radians, from which errors of the motion are no longer linear."""
+REACH = ("crank_radius", "rod_length", "offset")
+"""The arrays by which a plain rod reaches its cylinder."""
+TWICE, CLEAR = 2.0, 1.05
+"""Bounds to which errors are taken, and how much longer a rod must then be than what it spans."""
 BLOCK = 512
 """Engines worked out at once: so few stay in the cache, and are multiplied by one thread."""
 Tell = Callable[[int, int], None]
@@ -150,3 +154,22 @@ def _added(own: Vectors, plan: _Plan, rest: Real, name: str) -> Vectors:
     rates = plan.lines[name].rates
     pairs = zip(own, rates, strict=True)
     return Vectors(*(part + rest @ rate[plan.first_order] for part, rate in pairs))
+
+
+def out_of_reach(machine: Mechanism, errors: Sequence[ErrorSource]) -> int | None:
+    """The row of a plain rod that hardly reaches its cylinder, or whose stroke vanishes.
+
+    With all errors of the motion at twice their bounds, about the most that is ever drawn.
+    """
+    links = machine.links
+    moved = {name: np.zeros_like(getattr(links, name)) for name in REACH}
+    for error in errors:
+        for name in REACH:
+            change = error.moves.get(f"links.{name}")
+            if change is not None:
+                moved[name] = moved[name] + TWICE * error.bound * np.abs(change)
+    longest = links.crank_radius + moved["crank_radius"] + np.abs(links.offset) + moved["offset"]
+    short = links.rod_length - moved["rod_length"] < CLEAR * longest
+    short = short | (links.crank_radius <= moved["crank_radius"])
+    rows = np.flatnonzero(short & (np.array(links.master) < 0) & (sum(moved.values()) > 0))
+    return int(rows[0]) if rows.size else None

@@ -17,9 +17,10 @@ from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.language.quoting import seen
 from crankstar.mechanics.balance import Units, balance, default_reference, scales
 from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.remains import USUAL_ORDERS, orders_shown, summed
 from crankstar.spectra import ROUNDING, Real, checked
-from crankstar.studies.builds import DEVIATION, Builds, Distribution, Tell, builds
+from crankstar.studies.builds import DEVIATION, Builds, Distribution, Tell, builds, out_of_reach
 from crankstar.studies.error_sources import ErrorSource, sources_of
 from crankstar.studies.fields import Source, source_of
 from crankstar.studies.linear_law import (
@@ -295,6 +296,13 @@ def _check_errors(
             engine=engine.name,
             count=len(errors),
             most=MOST_ERRORS,
+        )
+    row = out_of_reach(mechanism(engine), errors)
+    if row is not None:
+        raise ScatterError(
+            "within these tolerances of rod length, stroke and offset cylinder {number} might not "
+            "turn: its rod hardly reaches, or its stroke vanishes; make them smaller",
+            number=engine.cylinders[row].number,
         )
 
 
