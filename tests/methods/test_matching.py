@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import combinations, permutations, product
 
 import numpy as np
@@ -269,3 +270,85 @@ def test_a_list_may_have_semicolons_decimal_commas_and_units_in_cells() -> None:
     assert found.labels == ("A", "B")
     assert masses["piston"] == pytest.approx([0.412, 0.411])
     assert masses["pin"] == pytest.approx([0.0995, 0.098])
+
+
+TWIN = TRIPLE.replace('["0 deg", "120 deg", "240 deg"]', '["0 deg", "0 deg"]')
+FIVE = np.array([500.0, 500.1, 502.0, 504.2, 506.5]) / 1000
+
+
+def twin() -> Engine:
+    """Two cylinders in line that go up and down together."""
+    from crankstar.files import tree_of
+
+    return engine_of(tree_of(TWIN))
+
+
+def counted_from_the_fitted(engine: Engine, masses: Real, chosen: tuple[int, ...]) -> float:
+    """U of pistons by the engine itself: with them, less with their own mean in its place."""
+    law = linear_unbalance(engine)
+    own = masses[[*chosen]]
+    built = with_parts(engine, {"piston": own - own.mean()})
+    return float(np.linalg.norm(linear_unbalance(built).fixed - law.fixed))
+
+
+@pytest.mark.parametrize("make", [twin, triple])
+def test_of_too_many_pistons_those_are_fitted_that_leave_least(make: Callable[[], Engine]) -> None:
+    """The mean counts of those that are fitted: pistons left over are in no engine."""
+    engine = make()
+    count = len(engine.cylinders)
+    ways = list(permutations(range(5), count))
+    tried = [counted_from_the_fitted(engine, FIVE, way) for way in ways]
+    found = matched(engine, Batch(tuple("abcde"), {"piston": FIVE}))
+    chosen = tuple(place.piston or 0 for place in found.places)
+    assert found.proved
+    assert found.left_over == 5 - count
+    assert found.unbalance == pytest.approx(min(tried), rel=1e-6)
+    assert counted_from_the_fitted(engine, FIVE, chosen) == pytest.approx(min(tried), rel=1e-6)
+    assert found.by_chance == pytest.approx(float(np.sqrt(np.mean(np.square(tried)))), rel=1e-6)
+    assert found.as_listed == pytest.approx(
+        counted_from_the_fitted(engine, FIVE, tuple(range(count))), rel=1e-6
+    )
+    assert found.fixed == 0
+
+
+def test_a_twin_of_a_batch_is_the_same_alone_and_as_the_first_of_several() -> None:
+    parts = Batch(tuple("abcde"), {"piston": FIVE})
+    alone = matched(twin(), parts)
+    (one,) = divided(twin(), parts, engines=1).engines
+    assert {place.piston for place in alone.places} == {0, 1}
+    assert {place.piston for place in one.places} == {0, 1}
+    assert one.unbalance == pytest.approx(alone.unbalance, rel=1e-9)
+    assert one.whole_unbalance == pytest.approx(alone.whole_unbalance, rel=1e-9)
+    assert one.engine.cylinders[0].reciprocating_mass == pytest.approx(
+        alone.engine.cylinders[0].reciprocating_mass, abs=2e-4
+    )
+
+
+@pytest.mark.parametrize("whole", [True, False])
+def test_of_too_many_of_every_part_the_best_are_fitted(whole: bool) -> None:
+    engine, parts = triple(), batch(4)
+    law, (pins, _sums) = linear_unbalance(engine), paired(parts)
+    tried: list[float] = []
+    for pistons, rods in product(permutations(range(4), 3), repeat=2):
+        chosen = {
+            "piston": [*pistons],
+            "pin": [pins[item] for item in pistons],
+            "small_end": [*rods],
+            "big_end": [*rods],
+        }
+        more = {}
+        for name, items in chosen.items():
+            own = parts.masses[name]
+            more[name] = own[items] - (own if whole else own[items]).mean()
+        rows = linear_unbalance(with_parts(engine, more)).fixed - (0 if whole else law.fixed)
+        tried.append(float(np.linalg.norm(rows)))
+    found = matched(engine, parts, whole=whole)
+    assert found.proved
+    assert found.unbalance == pytest.approx(min(tried), rel=1e-6)
+    assert found.by_chance == pytest.approx(float(np.sqrt(np.mean(np.square(tried)))), rel=1e-6)
+    assert left(found.engine, found.law.arm) == pytest.approx(found.whole_unbalance, rel=1e-6)
+
+
+def test_of_more_parts_than_can_be_tried_nothing_is_proved() -> None:
+    engine, parts = engine_of(tree()), batch(14, kinds=("piston",))
+    assert not matched(engine, parts, watch=lambda _done, _of: False).proved

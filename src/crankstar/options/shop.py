@@ -62,8 +62,8 @@ SHOP = {
     "--whole": Option(
         "nothing",
         "Minimise what the whole engine leaves with the counterweights of its file, instead of "
-        "what the parts add to the engine with the mean of the list in every cylinder, for which "
-        "its crankshaft is balanced afterwards.",
+        "what the parts add to the engine with the mean of the fitted parts in every cylinder, for "
+        "which its crankshaft is balanced afterwards.",
         ("--total", "--absolute"),
     ),
 }

@@ -8,13 +8,21 @@ turning) and the 2-column vectors A_c of the cylinders, S the scatter of the m_i
 
     E U^2 = |F(mean)|^2 + n/(n - 1) sum tr(A_c S A_c') - tr(A S A')/(n - 1),    A = sum A_c,
 
-and what classes of w leave, in which every part may lie anywhere, its variance w^2/12.
+and what classes of w leave, in which every part may lie anywhere, its variance w^2/12, counted
+from the middle of the class.
+
+The crankshaft is balanced for the parts that are fitted, so that what they add is counted from
+their own mean, not from that of the list: of p cylinders
+
+    U = |sum A_c (m_i(c) - mean of the fitted m)| = |sum (A_c - A/p) m_i(c)|,
+
+which is a sum of one vector for each part again, whichever parts are left over.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -51,11 +59,11 @@ class ByClass(NamedTuple):
 class Matched:
     """A matched engine: what goes where, U left (kg m), whether it is proved least.
 
-    `whole`: U is that of the whole engine; else of what the parts add to the engine with their mean
-    everywhere. `whole_unbalance` is that of the whole engine either way, `whole_alike` with the
-    mean.
+    `whole`: U is that of the whole engine; else of what the parts add to the engine with the mean
+    of those that are fitted everywhere. `whole_unbalance` is that of the whole engine either way,
+    `whole_alike` with the mean of those fitted, or for the `whole` engine of the list.
     `as_listed` is U with the parts in the order of the list, `by_chance` its rms over all
-    assignments, `fixed` that of the engine with the mean of the parts everywhere.
+    assignments, `fixed` that of the engine with this mean everywhere. `left_over`: of each kind.
     """
 
     engine: Engine
@@ -71,6 +79,7 @@ class Matched:
     whole: bool
     whole_unbalance: float
     whole_alike: float
+    left_over: int = 0
 
 
 class _Masses(NamedTuple):
@@ -92,8 +101,9 @@ def matched(
 ) -> Matched:
     """The assignment of a batch to the cylinders of an engine that leaves least unbalance.
 
-    Of what the parts add to the engine with their mean in every cylinder, for which its crankshaft
-    is balanced afterwards; or of the `whole` engine with the counterweights that it has.
+    Of what the parts add to the engine with the mean of those that are fitted in every cylinder,
+    for which its crankshaft is balanced afterwards; or of the `whole` engine with the
+    counterweights that it has. Parts that are too many are left over, whichever that are best.
 
     Raises MatchingError where there are too few parts, or the engine cannot tell their effect.
 
@@ -114,23 +124,20 @@ def matched(
     law = linear_unbalance(engine, orders=orders, quantities=quantities)
     pins, _sums = paired(batch)
     kinds = _kinds(batch, pins)
-    each = [Kind(_vectors(law, masses.items)) for masses in kinds]
-    alike = np.sum([kind.vectors.mean(axis=0).sum(axis=0) for kind in each], axis=0)
-    bare = law.rows(*_shift(before))
-    fixed = bare if whole else -alike
+    counted = law if whole else _about_fitted(law)
+    each = [Kind(_vectors(counted, masses.items)) for masses in kinds]
+    mean = np.zeros(law.fixed.size)
+    fixed = law.rows(*_shift(before)) if whole else mean
+    if whole:
+        mean = fixed + np.sum([kind.vectors.mean(axis=0).sum(axis=0) for kind in each], axis=0)
     found = least(fixed, each, watch=watch)
-    listed = tuple(range(count))
     places = _places(engine, batch, pins, dict(zip(_names(batch), found.items, strict=True)))
-    start = fixed + _sum(each, [listed] * len(each))
-    mean = fixed + alike
-    scatter = sum(_scatter(law, masses.items) for masses in kinds)
-    try:
-        built = with_parts(engine, _added(batch, before, places))
-    except EngineError:
-        raise MatchingError(
-            "the weights of the list differ by more than the parts weigh in the file; check their "
-            "units"
-        ) from None
+    if not whole:
+        before = base(engine, _fitted(batch, places))
+    start = fixed + _sum(each, [tuple(range(count))] * len(each))
+    scatter = sum(_scatter(counted, masses.items) for masses in kinds)
+    built = _built(engine, _added(batch, before, places))
+    alike = _alike(law, before, batch if whole else _fitted(batch, places))
     return Matched(
         engine=built,
         law=law,
@@ -143,9 +150,56 @@ def matched(
         classes=tuple(_by_class(law, batch, mean, width) for width in classes),
         quantities=tuple(quantities),
         whole=whole,
-        whole_unbalance=float(np.linalg.norm(bare + _sum(each, found.items))),
-        whole_alike=float(np.linalg.norm(bare + alike)),
+        whole_unbalance=float(np.linalg.norm(_of_engine(law, batch, before, places))),
+        whole_alike=float(np.linalg.norm(alike)),
+        left_over=batch.size - count,
     )
+
+
+def _about_fitted(law: LinearUnbalance) -> LinearUnbalance:
+    """The law of what is counted from the mean of all cylinders: A_c less the mean of all A_c."""
+    own = (law.reciprocating, law.rotating)
+    up, around = (arms - arms.mean(axis=1, keepdims=True) for arms in own)
+    return replace(law, fixed=0 * law.fixed, reciprocating=up, rotating=around)
+
+
+def _fitted(batch: Batch, places: Sequence[Place]) -> Batch:
+    """The parts that are in the engine, cylinder by cylinder."""
+    masses = {name: _in_places(batch, name, places) for name in batch.masses}
+    return Batch(tuple(str(place.cylinder) for place in places), masses)
+
+
+def _in_places(batch: Batch, name: str, places: Sequence[Place]) -> Real:
+    """The masses of a part, cylinder by cylinder."""
+    kind = name if name in ("piston", "pin") else "rod"
+    return batch.masses[name][[getattr(place, kind) for place in places]]
+
+
+def _of_engine(
+    law: LinearUnbalance, batch: Batch, before: Mapping[str, Real], places: Sequence[Place]
+) -> Real:
+    """The rows of the whole engine with the parts in it."""
+    return law.rows(
+        *_shift({name: own - _in_places(batch, name, places) for name, own in before.items()})
+    )
+
+
+def _alike(law: LinearUnbalance, before: Mapping[str, Real], batch: Batch) -> Real:
+    """The rows of the whole engine with the mean of a batch in every cylinder."""
+    return law.rows(
+        *_shift({name: own - batch.masses[name].mean() for name, own in before.items()})
+    )
+
+
+def _built(engine: Engine, added: Mapping[str, Sequence[float]]) -> Engine:
+    """The engine with the parts. Raises MatchingError."""
+    try:
+        return with_parts(engine, added)
+    except EngineError:
+        raise MatchingError(
+            "the weights of the list differ by more than the parts weigh in the file; check their "
+            "units"
+        ) from None
 
 
 def _sum(kinds: Sequence[Kind], items: Sequence[Sequence[int]]) -> Real:
@@ -236,11 +290,7 @@ def _added(
     """What each cylinder has more of each part than before, kg."""
     out: dict[str, list[float]] = {}
     for name, own in before.items():
-        kind = name if name in ("piston", "pin") else "rod"
-        items = [getattr(place, kind) for place in places]
-        out[name] = [
-            float(batch.masses[name][item] - mass) for item, mass in zip(items, own, strict=True)
-        ]
+        out[name] = (_in_places(batch, name, places) - own).tolist()
     return out
 
 
