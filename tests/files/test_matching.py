@@ -128,3 +128,40 @@ def test_a_request_that_cannot_be_met_is_one_sentence(
 ) -> None:
     said = refused("match", *line)
     assert told in " ".join(said.split())
+
+
+PISTONS = "no., piston [g]\na, 500.0\nb, 500.1\nc, 502.1\nd, 504.2\ne, 506.5\n"
+
+
+def test_only_what_is_listed_is_spoken_of_with_what_is_left_over(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "p.csv").write_text(PISTONS, encoding="utf-8")
+    said = " ".join(run("match", "triple.toml", "p.csv").out.split())
+    assert "no other assignment of these parts leaves less" in said
+    assert "2 of each part are left over" in said
+    assert "mean of the fitted parts" in said
+    assert "rods" not in said
+    assert "pins" not in said
+    assert "turns, listed" not in said
+    sets = " ".join(run("match", "triple.toml", "p.csv", "--engines", "1").out.split())
+    assert "greatest less least mass of pistons:" in sets
+    both = " ".join(run("match", "triple.toml", "w.csv").out.split())
+    assert "no other assignment of these parts, each piston with its pin, leaves less" in both
+
+
+def test_csv_has_the_weights_as_they_were_listed(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "p.csv").write_text(PISTONS, encoding="utf-8")
+    text = run("match", "triple.toml", "p.csv", "--csv").out
+    (head, *rows) = list(csv.reader(io.StringIO(text)))
+    assert "rotating" not in " ".join(head)
+    listed = {cell.strip() for line in PISTONS.splitlines() for cell in line.split(",")}
+    for row in rows:
+        assert {f"{float(cell)}" for cell in row[2:]} <= listed
+        assert not [cell for cell in row if len(cell) > 6]
+
+
+def test_the_force_names_its_speed_and_that_the_couple_is_in_it(run: Run) -> None:
+    said = " ".join(run("match", "triple.toml", "w.csv").out.split())
+    assert "3000 rpm" in said
+    assert "The force is the rms of force, and of couple over 90 mm, together" in said
+    alone = " ".join(run("match", "triple.toml", "w.csv", "--quantity", "force").out.split())
+    assert "The force is" not in alone

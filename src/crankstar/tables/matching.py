@@ -22,6 +22,15 @@ PARTS = {
     "big_end": N_("rod, big end"),
 }
 """The weighed parts as headings."""
+ADDED = {
+    ("piston",): N_("pistons"),
+    ("pin",): N_("piston pins"),
+    ("piston", "pin"): N_("pistons with their pins"),
+    ("small_end",): N_("small ends of the rods"),
+    ("big_end",): N_("big ends of the rods"),
+    ("small_end", "big_end"): N_("both ends of the rods, added"),
+}
+"""What is added of the parts that are listed."""
 
 
 def matching_document(
@@ -29,12 +38,12 @@ def matching_document(
 ) -> Document:
     """One engine: its parts, what is left of which orders, beside chance and classes."""
     parts = (_places_table(batch, [found]), _left_table(found, speed))
-    lines = [_said(found), *_notes(batch, found)]
+    lines = [_said(batch, found), *_spare(found.left_over), *_notes(batch, found)]
     if found.classes:
         lines.append(
             _(
                 "Classes: every listed part lies anywhere in its class, so that all parts of an "
-                "engine are within that width."
+                "engine are within that width; it is counted from the middle of its class."
             )
         )
     return Document(engine.name, (*parts, *remarks(*lines, kind="note")), _facts(found, speed))
@@ -47,13 +56,14 @@ def division_document(
     first = found.engines[0]
     lines: list[str] = []
     spreads: dict[str, Any] = {}
-    for name, sets, said in (
-        ("pistons", found.pistons, N_("pistons with their pins")),
-        ("rods", found.rods, N_("both ends of the rods, added")),
+    for name, sets, parts in (
+        ("pistons", found.pistons, ("piston", "pin")),
+        ("rods", found.rods, ("small_end", "big_end")),
     ):
         if sets is None:
             continue
         spreads[name] = {"spread": sets.spread, "proved": sets.proved}
+        said = ADDED[tuple(part for part in parts if part in batch.masses)]
         values = {"what": _(said), "spread": quantity_text(sets.spread, "kg")}
         lines.append(
             _("Sum over the sets of greatest less least mass of {what}: {spread}, least.", **values)
@@ -64,16 +74,7 @@ def division_document(
                 **values,
             )
         )
-    spare = batch.size - len(found.engines) * len(engine.cylinders)
-    if spare:
-        lines.append(
-            _n(
-                "{count} of each part is left over.",
-                "{count} of each part are left over.",
-                spare,
-                count=spare,
-            )
-        )
+    lines += _spare(batch.size - len(found.engines) * len(engine.cylinders))
     parts = (_places_table(batch, found.engines), _engines_table(found.engines, speed))
     facts = {**_facts(first, speed), "sets": spreads}
     lines += _notes(batch, first)
@@ -107,21 +108,29 @@ def _places_table(batch: Batch, engines: Sequence[Matched]) -> Table:
     columns += [Column(_("cylinder"), key="cylinder", label=True)]
     columns += [Column(kinds[at][0], kind="text", key=kinds[at][1]) for at in shown]
     columns += [Column(_(PARTS[name]), "g", key=f"mass/{name}", digits=7) for name in batch.masses]
-    columns += [
+    moves = [
         Column(_("goes up and down, listed"), "g", key="reciprocating", digits=7),
         Column(_("turns, listed"), "g", key="rotating", digits=7),
     ]
+    listed = any(name != "big_end" for name in batch.masses), "big_end" in batch.masses
+    columns += [column for column, there in zip(moves, listed, strict=True) if there]
     rows: list[tuple[Value, ...]] = []
     for engine, found in enumerate(engines, 1):
         for place in found.places:
             own = labels(batch, place)
-            masses = {name: 1000 * _mass(batch, place, name) for name in batch.masses}
-            turning = masses.get("big_end")
-            up = [masses[name] for name in masses if name != "big_end"]
+            masses = {name: _grams(_mass(batch, place, name)) for name in batch.masses}
+            turning = masses.get("big_end", 0.0)
+            up = float(f"{sum(masses[name] for name in masses if name != 'big_end'):.12g}")
             row: list[Value] = [engine] if several else []
             row += [place.cylinder, *(own[at] for at in shown), *masses.values()]
-            rows.append((*row, sum(up) if up else None, turning))
+            row += [value for value, there in zip((up, turning), listed, strict=True) if there]
+            rows.append(tuple(row))
     return Table(_("What goes where"), tuple(columns), tuple(rows), key="cylinders")
+
+
+def _grams(mass: float) -> float:
+    """Grams as they were listed, without what a change of units leaves in the last figure."""
+    return float(f"{1000 * mass:.12g}")
 
 
 def _mass(batch: Batch, place: Place, name: str) -> float:
@@ -149,10 +158,28 @@ def _left_table(found: Matched, speed: float | None) -> Table:
         Column(_("parts"), kind="text", label=True),
         Column("", kind="text", key="parts", machine=True),
         Column(_("unbalance left"), "kg*m", key="unbalance", digits=4),
-        *(() if speed is None else (Column(_("force, rms"), "N", key="force", digits=4),)),
+        *_force_column(speed),
         Column(_("at most"), "kg*m", key="most", digits=4),
     )
-    return Table(_("What is left"), columns, tuple(rows), key="left")
+    notes = _force_notes(found, speed)
+    return Table(_("What is left"), columns, tuple(rows), notes, key="left")
+
+
+def _force_column(speed: float | None) -> tuple[Column, ...]:
+    if speed is None:
+        return ()
+    said = _("force, rms, at {rpm} rpm", rpm=number(speed * 30 / pi))
+    return (Column(said, "N", key="force", digits=4),)
+
+
+def _force_notes(found: Matched, speed: float | None) -> tuple[str, ...]:
+    """What the force is of, where it is not of the force alone."""
+    if speed is None or "couple" not in found.quantities:
+        return ()
+    arm = f"{number(1000 * found.law.arm)} mm"
+    if "force" in found.quantities:
+        return (_("The force is the rms of force, and of couple over {arm}, together.", arm=arm),)
+    return (_("The force is the rms of the couple over {arm}.", arm=arm),)
 
 
 def _engines_table(engines: Sequence[Matched], speed: float | None) -> Table:
@@ -160,7 +187,7 @@ def _engines_table(engines: Sequence[Matched], speed: float | None) -> Table:
     columns = (
         Column(_("engine"), key="engine", label=True),
         Column(_("unbalance left"), "kg*m", key="unbalance", digits=4),
-        *(() if speed is None else (Column(_("force, rms"), "N", key="force", digits=4),)),
+        *_force_column(speed),
         Column(_("by chance, rms of all assignments"), "kg*m", key="by_chance", digits=4),
         Column(_("proved least"), kind="text", key="proved_least"),
     )
@@ -174,18 +201,35 @@ def _engines_table(engines: Sequence[Matched], speed: float | None) -> Table:
         )
         for at, each in enumerate(engines, 1)
     )
-    return Table(_("What is left"), columns, rows, key="engines")
+    notes = _force_notes(engines[0], speed)
+    return Table(_("What is left"), columns, rows, notes, key="engines")
 
 
-def _said(found: Matched) -> str:
+def _said(batch: Batch, found: Matched) -> str:
     size = quantity_text(found.unbalance, "kg*m")
-    if found.proved:
+    if not found.proved:
+        return _("{size} is the best that was found; that it is least is not proved.", size=size)
+    if "piston" in batch.masses and "pin" in batch.masses:
         return _(
-            "{size} is proved least: no other assignment of these pistons with their pins, and of "
-            "these rods, leaves less.",
+            "{size} is proved least: no other assignment of these parts, each piston with its pin, "
+            "leaves less.",
             size=size,
         )
-    return _("{size} is the best that was found; that it is least is not proved.", size=size)
+    return _("{size} is proved least: no other assignment of these parts leaves less.", size=size)
+
+
+def _spare(count: int) -> list[str]:
+    """What is said of parts that are too many."""
+    if not count:
+        return []
+    return [
+        _n(
+            "{count} of each part is left over.",
+            "{count} of each part are left over.",
+            count,
+            count=count,
+        )
+    ]
 
 
 def _notes(batch: Batch, found: Matched) -> list[str]:
@@ -221,7 +265,7 @@ def _notes(batch: Batch, found: Matched) -> list[str]:
     else:
         lines.append(
             _(
-                "It is what the parts add to the engine with the mean of the list in every "
+                "It is what the parts add to the engine with the mean of the fitted parts in every "
                 "cylinder, for which the crankshaft is to be balanced. The whole engine has {size} "
                 "with the counterweights of its file, and {alike} with that mean; --whole "
                 "minimises that.",
