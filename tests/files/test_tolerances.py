@@ -412,6 +412,30 @@ def test_published_tolerances_stand_only_for_what_the_file_does_not_give() -> No
     assert rows[0].rms == pytest.approx(rows[1].rms, rel=1e-9)
 
 
+def test_a_published_tolerance_stands_beside_the_mass_that_it_is_of(
+    run: Run, tmp_path: Path
+) -> None:
+    tree = tree_of(PLAIN)
+    parts = {"piston": "500 g", "small_end": "150 g", "big_end": "480 g", "oil": "20 g"}
+    weighed = {key: value for key, value in tree.items() if key != "cylinder"}
+    weighed["cylinder"] = {"stroke": "90 mm", "rod_length": "150 mm", "parts": parts}
+    for own in (tree, weighed):
+        assert typical(own, engine_of(own))["cylinder.rotating_mass"].tolerance.value == (
+            pytest.approx(0.5)
+        )
+    whole = explicit(engine_of(tree))
+    found = [own.tolerance.value for own in typical(whole, engine_of(whole)).values()]
+    assert found == pytest.approx([0.65, 0.5] * 6)
+    (tmp_path / "six.toml").write_text(tree_text(weighed), encoding="utf-8")
+    said = run("tolerance", "six.toml", "--typical", "--builds", "1000").out.split("\n")
+    (line,) = [each for each in said if each.startswith("cylinder.rotating_mass") and "±" in each]
+    assert "500 g" in line
+    assert "0 kg" not in line
+    own = {"cylinder.reciprocating_mass": "650 g", "cylinder.rotating_mass": "400 g"}
+    vee = crankstar.load("v8-cross-plane", changes=own)
+    assert typical(tree, vee)["cylinder.rotating_mass"].tolerance.value == pytest.approx(0.4)
+
+
 def test_standard_input_is_read_once(run: Run, tmp_path: Path) -> None:
     words = ("tolerance", "-", "--builds", "1000", "--reference", "10 mm", "-o", "out.xlsx")
     assert run(*words, stdin=SIX.encode()).code == 0

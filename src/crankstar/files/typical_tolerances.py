@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from crankstar.engine.cylinder_parts import ENDS, RECIPROCATING
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import MASS
+from crankstar.engine.records import Cylinder
 from crankstar.files.forms import is_explicit
 from crankstar.files.mistakes import Path
 from crankstar.files.tolerances import Tolerance
@@ -92,9 +93,25 @@ def _values(
         same = [piston, *((*parts, name) for name in RECIPROCATING if name not in ENDS)]
         yield piston, cylinder.reciprocating_mass, PISTON, same
         rod: Path = (*here, "rotating_mass")
-        value = 0.0
+        value = _turning(engine, cylinder)
         if cylinder.rod is not None:
             rod, value = (*here, "rod", "mass"), cylinder.rod.mass
         elif explicit:  # where what hangs on a pin is said of its throw
             rod = (*here, "big_end_mass")
         yield rod, value, ROD, [rod, (*here, "rod"), *((*parts, name) for name in ENDS)]
+
+
+def _turning(engine: Engine, cylinder: Cylinder) -> float:
+    """The mass that a cylinder hangs on its pin, kg; an even share where the throw has the sum."""
+    if cylinder.articulated is not None or cylinder.rod is not None:
+        return cylinder.big_end_mass
+    if cylinder.parts is not None and cylinder.parts.rotating:
+        return cylinder.parts.rotating
+    same = [
+        each
+        for each in engine.cylinders
+        if (each.shaft, each.throw) == (cylinder.shaft, cylinder.throw)
+        and each.articulated is None
+        and each.rod is None
+    ]
+    return engine.throw(cylinder).rotating_mass / len(same)
