@@ -111,3 +111,62 @@ def test_a_mistake_in_the_runs_is_told_with_its_place(
     (tmp_path / "runs.csv").write_text(RUNS.replace(old, new), encoding="utf-8")
     said = " ".join(refused("correct", "runs.csv").split())
     assert told in said or (told.startswith("a mass") and "line 3" in said), said
+
+
+OPPOSITE = ("--unbalance", "100 g*mm at 0 deg, 100 g*mm at 180 deg")
+
+
+def test_two_unbalances_that_cancel_leave_nothing_without_a_direction(run: Run) -> None:
+    said = json.loads(run("correct", *OPPOSITE, *PLANES, "--json").out)
+    still, twist = said["unbalance"]
+    assert (still["size_g_mm"], still["direction_deg"]) == (0.0, None)
+    assert twist["size_g_mm2"] == pytest.approx(100 * 400)
+    assert "e-1" not in run("correct", *OPPOSITE, *PLANES).out
+
+
+def test_one_unbalance_in_a_correction_plane_leaves_nothing_to_do_in_the_other(run: Run) -> None:
+    line = ("--unbalance", "100 g*mm at 30 deg, 100 g*mm at 30 deg")
+    planes = ("--measuring-planes", "0 mm, 400 mm", "--correction-planes", "200 mm, 340 mm")
+    said = json.loads(run("correct", *line, *planes, "--json").out)
+    assert [row["heavy_spot_deg"] for row in said["planes"]] == [30.0, None]
+    assert [row["plane"] for row in said["added"]] == [1]
+    hole = ("--diameter", "12.7 mm", "--at-radius", "80 mm")
+    drilled = json.loads(run("correct", *line, *planes, *hole, "--json").out)["holes"]
+    assert [row["count"] for row in drilled] == [1, 0]
+
+
+@pytest.mark.parametrize("places", ["0 mm, 400 mm", "400 mm, 0 mm"])
+def test_the_couple_is_said_to_point_where_the_farther_plane_is_heavy(
+    run: Run, places: str
+) -> None:
+    """A pair alone: its heavy spot in the plane at 400 mm is known."""
+    line = (*OPPOSITE, "--measuring-planes", places, *PLANES[2:])
+    farther = 180.0 if places.endswith("400 mm") else 0.0
+    couple = json.loads(run("correct", *line, "--json").out)["unbalance"][1]
+    assert couple["direction_deg"] == farther
+    said = " ".join(run("correct", *line).out.split())
+    assert "Its heavy spot is in this direction in the plane at 400 mm" in said
+
+
+def test_csv_says_what_to_add(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "runs.csv").write_text(RUNS, encoding="utf-8")
+    weights = ("--positions", "12", "--at-radius", "80 mm")
+    for line in (("runs.csv", *weights), (*SHOWN, *PLANES, *weights)):
+        head, *rows = run("correct", *line, "--csv").out.splitlines()
+        assert head.startswith("plane,at_deg [deg],unbalance [kg*m],mass [g],")
+        added = json.loads(run("correct", *line, "--json").out)["added"]
+        told = [[float(cell) for cell in row.split(",")[:4]] for row in rows]
+        assert told == [
+            [each[k] for k in ("plane", "at_deg", "unbalance", "mass")] for each in added
+        ]
+
+
+def test_influence_coefficients_are_told_as_vectors(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "runs.csv").write_text(RUNS, encoding="utf-8")
+    said = run("correct", "runs.csv").out
+    first = (polar(4.1, 75) - polar(5.2, 40)) / 400e-6
+    assert "Influence coefficients" in said
+    (line,) = [each for each in said.splitlines() if each.split()[:2] == ["1", "1"]]
+    size, phase = map(float, line.split()[2:4])
+    assert size == pytest.approx(abs(first), rel=1e-3)
+    assert phase == pytest.approx(np.degrees(np.angle(first)) % 360, abs=0.1)

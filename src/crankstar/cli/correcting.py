@@ -52,6 +52,8 @@ def correct(
     output: Annotated[str | None, option("--output", "A picture (.svg) has the vectors.")] = None,
 ) -> None:
     """Say what to add or to drill in two planes of a rotor."""
+    from crankstar.tables.two_planes import rows_of
+
     form = form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
     both = {"--measuring-planes": measuring_planes, "--correction-planes": correction_planes}
     if (runs is None) == (unbalance is None):
@@ -74,6 +76,8 @@ def correct(
             _draw(found, form, output)
             return
         document = _document(found, drill)
+        if form in ("csv", "parquet"):
+            document = rows_of(document)
     give(document, output, form=form)
 
 

@@ -34,6 +34,9 @@ WORST = 100.0
 LEAST_EFFECT = 0.1
 """Share of the vibration before by which a trial weight should change it, at one bearing."""
 
+ROUNDING = 1e-12
+"""Share of what is added up below which a sum is nought."""
+
 
 class Split(NamedTuple):
     """A weight at an allowed position: its angle [rad] and its unbalance [kg m]."""
@@ -50,7 +53,13 @@ def static_and_couple(unbalance: Complex, *, at: Sequence[float]) -> tuple[compl
     (0j, 0.8)
     """
     first, second = (complex(each) for each in unbalance)
-    return first + second, (at[0] - at[1]) / 2 * (first - second)
+    size = abs(first) + abs(second)
+    still, twist = (_not_rounding(each, size) for each in (first + second, first - second))
+    return still, (at[0] - at[1]) / 2 * twist
+
+
+def _not_rounding(value: complex, size: float) -> complex:
+    return value if abs(value) > ROUNDING * size else 0j
 
 
 def in_planes(unbalance: Complex, *, at: Sequence[float], planes: Sequence[float]) -> Complex:
@@ -66,10 +75,12 @@ def in_planes(unbalance: Complex, *, at: Sequence[float], planes: Sequence[float
             "the two correction planes are at one place, where no couple can be corrected; give "
             "planes apart"
         )
-    return np.linalg.solve(
+    found = np.linalg.solve(
         np.array([[1.0, 1.0], [planes[0], planes[1]]]),
         np.array([unbalance[0] + unbalance[1], at[0] * unbalance[0] + at[1] * unbalance[1]]),
     )
+    size = float(np.abs(unbalance).sum() + np.abs(found).sum())
+    return np.where(np.abs(found) > ROUNDING * size, found, 0)
 
 
 def influence(initial: Complex, trials: Complex, runs: Complex) -> Complex:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import degrees
 from typing import NamedTuple
 
@@ -50,6 +51,7 @@ def corrections_document(found: Corrections, drilled: Document | None = None) ->
     facts = dict(drilled.facts) if drilled else {}
     if found.influence is not None:
         facts["influence"] = [[[v.real, v.imag] for v in row] for row in found.influence.tolist()]
+        parts.append(_influence(found.influence))
     lines = [
         _(
             "Angles are counted as in the input, those of weights and phases in the same "
@@ -75,7 +77,16 @@ def corrections_document(found: Corrections, drilled: Document | None = None) ->
     )
 
 
-def _vector(value: complex) -> tuple[float, float]:
+def rows_of(document: Document) -> Document:
+    """The document with what to add or to drill alone, for a form that holds one table."""
+    wanted = tuple(table for table in document.tables if table.key in ("added", "holes"))
+    return replace(document, parts=wanted)
+
+
+def _vector(value: complex) -> tuple[float, float | None]:
+    """Size and direction; nought has none."""
+    if not value:
+        return 0.0, None
     return abs(value), round(degrees(float(np.angle(value))) % 360, 1) % 360
 
 
@@ -94,8 +105,32 @@ def _measured(unbalance: Complex, at: Sequence[float]) -> Table:
         (_("static"), "static", 1e6 * still, None, where),
         (_("couple"), "couple", None, MM2 * twist, turned),
     )
-    said = _("The couple is taken about the middle of the measuring planes.")
+    said = _(
+        "The couple is taken about the middle of the measuring planes. Its heavy spot is in this "
+        "direction in the plane at {place}, and opposite in the other.",
+        place=f"{number(1000 * max(at))} mm",
+    )
     return Table(_("Static and couple unbalance"), columns, rows, (said,), key="unbalance")
+
+
+def _influence(influence: Complex) -> Table:
+    """How far 1 kg m in a plane moves each bearing; machines have it in `facts`."""
+    columns = (
+        Column(_("bearing"), label=True),
+        Column(_("plane")),
+        Column(_("vibration per kg m"), digits=4),
+        Column(_("phase"), "deg"),
+    )
+    rows = tuple(
+        (bearing, plane, *_vector(complex(each)))
+        for bearing, own in enumerate(influence, 1)
+        for plane, each in enumerate(own, 1)
+    )
+    said = _(
+        "What an unbalance in a plane adds to the vibration of a bearing, in the unit of the list; "
+        "the phase is counted from the direction of the unbalance."
+    )
+    return Table(_("Influence coefficients"), columns, rows, (said,))
 
 
 def _planes(found: Corrections) -> Table:
@@ -116,12 +151,16 @@ def _added(found: Corrections) -> Table:
         Column(_("add at"), "deg", key="at_deg"),
         Column(_("unbalance"), "kg*m", key="unbalance"),
         *((Column(_("mass"), "g", key="mass", digits=4),) if massed else ()),
+        Column("", "kg*m", key="plane_unbalance", machine=True),
+        Column("", "deg", key="heavy_spot_deg", machine=True),
     )
     rows: list[tuple[Value, ...]] = []
     for plane, weights in enumerate(found.added, 1):
         for each in weights:
             mass = (1000 * each.unbalance / found.radius,) if found.radius is not None else ()
-            rows.append((plane, round(degrees(each.angle) % 360, 1) % 360, each.unbalance, *mass))
+            at = round(degrees(each.angle) % 360, 1) % 360
+            whole = _vector(complex(found.unbalance[plane - 1]))
+            rows.append((plane, at, each.unbalance, *mass, *whole))
     return Table(_("What to add"), columns, tuple(rows), key="added")
 
 
