@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,9 +14,10 @@ import pytest
 from tests.commands import Run
 from tests.methods.test_diagnosis import PLACES, SPEED, file, four, lines, seen, without_weight
 
-from crankstar.files import tree_text
+from crankstar.files import engine_of, tree_text
 from crankstar.spectra import Complex
-from crankstar.studies.diagnosis import AXES
+from crankstar.studies.diagnosis import AXES, expected
+from crankstar.studies.single_faults import Fault
 
 Refused = Callable[..., str]
 HEAD = "order, up [mm], right [mm], z [mm], direction, amplitude [mm/s], phase [deg]\n"
@@ -166,3 +168,63 @@ def test_a_measurement_before_in_other_places_is_refused(refused: Refused, tmp_p
     (tmp_path / "other.csv").write_text(text.replace(f" {place},", " 299,"), encoding="utf-8")
     said = refused("diagnose", "four.toml", "lost.csv", "--before", "other.csv")
     assert "line 2 of the measurement has none before it" in " ".join(said.split())
+
+
+def noisy(tmp_path: Path, *, share: float) -> None:
+    """noisy.csv: a heavier big end, with so much of the difference as noise at random."""
+    chance = np.random.default_rng(2)
+    engine = four()
+    heard = expected(engine, lines(seen(engine)), [Fault("big_end", 3, 0.03)])
+    size = float(np.abs(heard - seen(engine)).max())
+    noise = share * size * (chance.normal(size=heard.size) + 1j * chance.normal(size=heard.size))
+    (tmp_path / "noisy.csv").write_text(listed(heard + noise), encoding="utf-8")
+
+
+def test_sizes_are_told_as_far_as_their_error_goes(run: Run, tmp_path: Path) -> None:
+    noisy(tmp_path, share=0.2)
+    found = json.loads(run("diagnose", "four.toml", "noisy.csv", "--json").out)["suspects"]
+    said = run("diagnose", "four.toml", "noisy.csv").out.splitlines()
+    (row,) = [each for each in found if (each["kind"], each["number"]) == ("big_end", 3)]
+    (line,) = [each for each in said if "±" in each and "big end 3 " in each]
+    match = re.search(r"heavier by ([\d.]+) g +± ([\d.]+) g", line)
+    assert match, line
+    told, error = match[1], match[2]
+    assert float(error) == pytest.approx(1000 * row["size_error"], rel=0.05)
+    places = len(error.partition(".")[2])
+    assert len(told.partition(".")[2]) <= places
+    assert float(told) == pytest.approx(1000 * row["size"], abs=0.51 * 10**-places)
+
+
+def test_suspects_without_a_size_are_left_out_of_what_is_read(run: Run, tmp_path: Path) -> None:
+    """Without weights all suspects are shown, and a share cannot be less than nought."""
+    tree = {key: value for key, value in file().items() if key != "crankshaft"}
+    engine = engine_of(tree)
+    (tmp_path / "bare.toml").write_text(tree_text(tree), encoding="utf-8")
+    heard = expected(engine, lines(seen(engine)), [Fault("piston", 3, 0.03)])
+    (tmp_path / "piston.csv").write_text(listed(heard), encoding="utf-8")
+    found = json.loads(run("diagnose", "bare.toml", "piston.csv", "--json").out)["suspects"]
+    assert [each for each in found if not each["size"]]
+    said = run("diagnose", "bare.toml", "piston.csv").out
+    assert "piston 3 heavier by 30 g" in said
+    assert not re.search(r"(by|:) -?0 (%|g|kg)", said)
+    shown = [each for each in said.splitlines() if "±" in each]
+    assert len(shown) == len([each for each in found if each["size"]])
+
+
+def test_csv_has_the_unit_of_each_size(run: Run) -> None:
+    text = run("diagnose", "four.toml", "lost.csv", "--csv").out
+    units = {row["kind"]: row["size_unit"] for row in csv.DictReader(io.StringIO(text))}
+    assert units == {"piston": "kg", "big_end": "kg", "weight": "share", "combustion": "share"}
+
+
+def test_the_point_whose_velocity_is_told_is_named(run: Run) -> None:
+    line = ("fault", "four.toml", "--cut", "3")
+    said = " ".join(run(*line, "--at", "0 mm, 300 mm, 20 mm").out.split())
+    assert "is that of the point 300 mm up, 20 mm to the right, 0 mm along" in said
+    own = json.loads(run(*line, "--json").out)
+    there = ", ".join(f"{own['point_mm'][k]:g} mm" for k in (2, 0, 1))
+    again = json.loads(run(*line, "--at", there, "--json").out)
+    assert [row["now"]["velocity"] for row in own["orders"]] == pytest.approx(
+        [row["now"]["velocity"] for row in again["orders"]]
+    )
+    assert "The velocity is that of the centre of mass:" in " ".join(run(*line).out.split())

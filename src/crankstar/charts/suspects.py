@@ -11,7 +11,7 @@ from crankstar.charts.letters import SMALL, text_width
 from crankstar.charts.vector_diagrams import Diagram, Named, diagram_panels
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
-from crankstar.tables.diagnoses import NAMES, suspect_text
+from crankstar.tables.diagnoses import NAMES, suspect_text, suspects_of
 
 if TYPE_CHECKING:
     from crankstar.studies.diagnosis import Diagnosis
@@ -62,7 +62,7 @@ def suspect_chart(found: Diagnosis) -> Chart:
 
 def _bars(found: Diagnosis) -> Panel:
     """A bar for each of the likeliest faults, its name before it."""
-    some = found.suspects[:BARS]
+    some = suspects_of(found)[:BARS] or found.suspects[:1]
     rows = [
         {
             "fault": f"{place}",

@@ -54,6 +54,8 @@ NEXT_TO_NOTHING = 1e-4
 """The same where it is rounding, whatever its pattern."""
 FEW = 4
 """Readings below which many faults explain them."""
+SOMETHING = 1e-9
+"""Share that a fault explains above which its size is more than rounding."""
 MOST_IN_PAIRS = 64
 """Faults of which pairs are tried."""
 MUCH_MORE = 0.5
@@ -93,6 +95,24 @@ class Suspect(NamedTuple):
     explained: float
     rows: Complex
     error: float = 0.0
+
+    @property
+    def rounded(self) -> tuple[Fault, ...]:
+        """The faults as told to readers: the size of a single one rounded to its error.
+
+        >>> Suspect((Fault("piston", 3, 0.0092968),), 0.8, np.zeros(1), 0.032).rounded[0].size
+        0.009
+        """
+        if len(self.faults) != 1 or not 0 < self.error < np.inf:
+            return self.faults
+        fault = self.faults[0]
+        last = 1 - int(np.floor(np.log10(float(f"{self.error:.2g}"))))
+        return (fault._replace(size=round(fault.size, last)),)
+
+    @property
+    def has_size(self) -> bool:
+        """Whether it is a fault at all: of a size that is more than rounding, and explains some."""
+        return self.explained > SOMETHING and all(fault.size for fault in self.rounded)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.dynamics.whirl import body
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
@@ -21,6 +22,8 @@ ROWS = 12
 """Suspects that are shown to readers; all are in JSON and CSV."""
 VISIBLE = 1e-3
 """Share of the greatest of a column from which a change is told."""
+SHARES = ("weight", "combustion")
+"""Faults whose size is a share of what there is; that of others is a mass."""
 NAMES = {"up": N_("up"), "right": N_("right"), "z": N_("along")}
 
 
@@ -45,6 +48,7 @@ def faults_document(
             )
         )
     notes = [
+        _velocity_of(before, point),
         _(
             "Amplitudes at {rpm} rpm; force and couple are the greatest of the turning vector, "
             "about the centre of mass; roll and torque with gas.",
@@ -64,11 +68,35 @@ def faults_document(
         "format": 1,
         "speed_rpm": float(f"{before.speed * RPM:.12g}"),
         "mounted": before.mounted,
+        "point_mm": [round(1e3 * float(each), 6) for each in _place(before, point)],
         "faults": [_plain(fault) for fault in faults],
         "new_orders": fresh,
     }
     parts: list[Table | Remarks] = [*remarks(*lines), table, *remarks(*notes, kind="note")]
     return Document(engine.name, tuple(parts), facts)
+
+
+def _place(before: Shaken, point: Sequence[float] | None) -> Sequence[float]:
+    """The point whose velocity is told, m (up, right, along): the centre of mass unless given."""
+    return body(before.engine).centre if point is None else point
+
+
+def _velocity_of(before: Shaken, point: Sequence[float] | None) -> str:
+    up, right, along = (number(round(1e3 * each, 6)) for each in _place(before, point))
+    if point is None:
+        return _(
+            "The velocity is that of the centre of mass: {up} mm up, {right} mm to the right, "
+            "{along} mm along. --at names another point.",
+            up=up,
+            right=right,
+            along=along,
+        )
+    return _(
+        "The velocity is that of the point {up} mm up, {right} mm to the right, {along} mm along.",
+        up=up,
+        right=right,
+        along=along,
+    )
 
 
 def _plain(fault: Fault) -> dict[str, Any]:
@@ -136,7 +164,7 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
     """The suspects, what the likeliest leaves unexplained reading by reading."""
     verdict = _verdict(found)
     parts: list[Table | Remarks] = [*remarks(*verdict)]
-    if found.suspects and not found.healthy:
+    if (suspects_of(found) or (every and found.suspects)) and not found.healthy:
         parts += [_suspects(found, every=every), _readings(found)]
     notes = [
         _(
@@ -169,8 +197,13 @@ def _plain_suspect(suspect: Suspect) -> dict[str, Any]:
 
 
 def suspect_text(suspect: Suspect, found: Diagnosis) -> str:
-    """The faults of a suspect with their sizes."""
-    return ", ".join(fault_text(fault, found.engine) for fault in suspect.faults)
+    """The faults of a suspect with their sizes, that of a single one to its error."""
+    return ", ".join(fault_text(fault, found.engine) for fault in suspect.rounded)
+
+
+def suspects_of(found: Diagnosis) -> list[Suspect]:
+    """The suspects that readers are told of, the likeliest first: those that have a size."""
+    return [each for each in found.suspects if each.has_size]
 
 
 def _percent(share: float) -> str:
@@ -203,7 +236,8 @@ def _verdict(found: Diagnosis) -> list[str]:
                 share=_percent(first.explained),
             )
         ]
-        others = [each for each in found.suspects[1:] if each not in found.alike]
+        alike = [id(each) for each in found.alike]
+        others = [each for each in suspects_of(found)[1:] if id(each) not in alike]
         if others:
             lines.append(
                 _(
@@ -247,23 +281,25 @@ def _suspects(found: Diagnosis, *, every: bool) -> Table:
         Column("", key="size", machine=True),
         Column(_("error of the size"), kind="text"),
         Column("", key="size_error", machine=True),
+        Column("", kind="text", key="size_unit", machine=True),
         Column(_("explained"), "%", key="explained_percent", digits=4),
         Column(_("left, rms"), "mm/s", key="left_rms", digits=4, fixed=True),
     )
     rows: list[tuple[Value, ...]] = []
-    for suspect in found.suspects if every else found.suspects[:ROWS]:
+    for suspect in found.suspects if every else suspects_of(found)[:ROWS]:
         (fault,) = suspect.faults
         left = found.difference - suspect.rows
         rms = 1e3 * float(np.sqrt((np.abs(left) ** 2).mean() / 2))
         own = (suspect_text(suspect, found), fault.kind, fault.number, fault.shaft, fault.size)
         error = f"± {_error(fault, suspect.error)}"
-        rows.append((*own, error, suspect.error, 100 * suspect.explained, rms))
+        unit = "share" if fault.kind in SHARES else "kg"
+        rows.append((*own, error, suspect.error, unit, 100 * suspect.explained, rms))
     return Table(_("Suspects"), columns, tuple(rows), key="suspects")
 
 
 def _error(fault: Fault, error: float) -> str:
     """The standard error of a size in its unit, to two figures."""
-    if fault.kind in ("weight", "combustion"):
+    if fault.kind in SHARES:
         return f"{number(float(f'{100 * error:.2g}'))} %"
     return quantity_text(float(f"{error:.2g}"), "kg")
 
