@@ -116,7 +116,7 @@ def _measured(unbalance: Complex, at: Sequence[float]) -> Table:
 def _influence(influence: Complex) -> Table:
     """How far 1 kg m in a plane moves each bearing; machines have it in `facts`."""
     columns = (
-        Column(_("bearing"), label=True),
+        Column(_("at bearing"), label=True),
         Column(_("plane")),
         Column(_("vibration per kg m"), digits=4),
         Column(_("phase"), "deg"),
