@@ -349,6 +349,10 @@ def test_of_too_many_of_every_part_the_best_are_fitted(whole: bool) -> None:
     assert left(found.engine, found.law.arm) == pytest.approx(found.whole_unbalance, rel=1e-6)
 
 
-def test_of_more_parts_than_can_be_tried_nothing_is_proved() -> None:
-    engine, parts = engine_of(tree()), batch(14, kinds=("piston",))
-    assert not matched(engine, parts, watch=lambda _done, _of: False).proved
+def test_of_more_parts_than_can_be_tried_nothing_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    parts = Batch(tuple("abcde"), {"piston": FIVE})
+    listed = matched(triple(), parts)
+    monkeypatch.setattr("crankstar.studies.assignments.MOST", 10)
+    exchanged = matched(triple(), parts)
+    assert (listed.proved, exchanged.proved) == (True, False)
+    assert exchanged.unbalance == pytest.approx(listed.unbalance, rel=1e-6)
