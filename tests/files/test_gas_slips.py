@@ -9,10 +9,12 @@ from typing import Any
 
 import pytest
 from tests.commands import Run
+from tests.marine import marine_engine
 from tests.texts import SHORT, spoilt
 
 import crankstar
 from crankstar.engine.gas import Gas
+from crankstar.engine.valves import timing
 from crankstar.files import EngineFileError, engine_of
 from crankstar.mechanics.doubts import doubts
 from crankstar.mechanics.gas import cycle
@@ -216,6 +218,30 @@ def test_an_assumed_two_stroke_charge_drives_the_exhaust_out() -> None:
         given = engine if not changes else crankstar.load("kr250-racer", changes=changes)
         values = cycle(given, speed=500.0, imep=9e5).values
         assert values["intake_pressure"] == pytest.approx(SCAVENGING * values["exhaust_pressure"])
+
+
+def test_intake_pressure_of_two_strokes_is_that_at_the_later_closing() -> None:
+    """Of the seven, whose exhaust closes last; p V^gamma holds from there and not before."""
+    engine = marine_engine()
+    found = cycle(engine)
+    times = timing(engine.valves, cycle=engine.cycle)
+    assert times.exhaust_closes > times.intake_closes
+    least = found.volumes.swept[0] / (found.values["compression_ratio"] - 1)
+    volume, pressure = found.volumes.above[0] + least, found.pressure[0]
+    exponent = found.values["gamma"]
+    per_degree = pressure.size / 360
+    at = {
+        name: round((180 + degrees(getattr(times, name)) + 0.2) * per_degree)
+        for name in ("intake_closes", "exhaust_closes")
+    }
+    later = at["exhaust_closes"]
+    for place in (later, later + 100):
+        charge = pressure[place] * (volume[place] / volume[later]) ** exponent
+        assert charge == pytest.approx(found.values["intake_pressure"], rel=0.01)
+    assert pressure[at["intake_closes"]] < 0.99 * found.values["intake_pressure"]
+    said = Gas.model_fields["intake_pressure"].description
+    assert said is not None
+    assert "two strokes the later of intake and exhaust" in said
 
 
 def test_a_given_friction_pressure_replaces_the_correlation() -> None:

@@ -44,7 +44,10 @@ class Load(Record):
     )
     intake_pressure: Pressure | None = Field(
         default=None,
-        description="absolute, in the cylinder when compression begins",
+        description=(
+            "absolute, in the cylinder when compression begins: when the intake closes, in two "
+            "strokes the later of intake and exhaust"
+        ),
         examples=["0.98 bar"],
     )
     exhaust_pressure: Pressure | None = Field(
