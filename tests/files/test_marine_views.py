@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -110,6 +111,60 @@ def test_the_csv_has_a_row_for_each_order(run: Run, tmp_path: Path) -> None:
     out = run("marine", written(tmp_path), "--csv").out
     rows = list(csv.DictReader(io.StringIO(out)))
     assert [float(row["order"]) for row in rows] == [1, 2, 4, 6]
+
+
+def told(run: Run, *asked: str) -> tuple[list[float], list[float]]:
+    """The orders of external moments and of guide-force moments that readers get."""
+    out = run("marine", *asked).out
+    parts = re.split(
+        r"^(External moments|Guide-force moments)(?: at .*)?$", out, flags=re.MULTILINE
+    )
+    found = dict(zip(parts[1::2], parts[2::2], strict=True))
+    return tuple(  # pyright: ignore[reportReturnType]
+        list(
+            dict.fromkeys(
+                float(row[1])
+                for row in re.finditer(r"^ +(\d+(?:\.5)?)  +\S", found.get(name, ""), re.MULTILINE)
+            )
+        )
+        for name in ("External moments", "Guide-force moments")
+    )
+
+
+def test_orders_choose_the_rows_of_both_tables(run: Run, tmp_path: Path) -> None:
+    place = written(tmp_path)
+    assert told(run, place, "--orders", "8,12,13") == ([8, 12, 13], [8, 12, 13])
+    out = json.loads(run("marine", place, "--orders", "13,8", "--json").out)
+    assert [row["order"] for row in out["guide"]] == [8, 13]
+    found = marine(marine_engine()).guide
+    assert found is not None
+    eighth = found.orders.tolist().index(8)
+    assert out["guide"][0]["x"]["amplitude"] == pytest.approx(abs(found.x[eighth]))
+    assert told(run, place, "--orders", "0.5") == ([0.5], [0.5])
+
+
+def test_all_orders_are_all_that_do_not_vanish(run: Run, tmp_path: Path) -> None:
+    external, guide = told(run, written(tmp_path), "--orders", "all")
+    assert guide == [float(order) for order in range(1, 25)]
+    assert {1, 2, 4, 6, 8} <= {*external}
+    usual = told(run, written(tmp_path))
+    assert 8 not in usual[0]
+    assert 8 not in usual[1]
+
+
+def test_a_row_that_says_nothing_is_left_out(run: Run) -> None:
+    assert told(run, "man-s90mc-c")[1][0] == 7
+    assert told(run, "man-s90mc-c", "--orders", "all")[0] == [1, 2, 4, 6, 8, 10, 12, 16, 18]
+    assert all(order % 7 == 0 for order in told(run, "man-s90mc-c", "--orders", "all")[1])
+
+
+def test_from_which_share_orders_are_told_is_said(run: Run, tmp_path: Path) -> None:
+    place, said = written(tmp_path), "those of guide-force moments from 1 % of the greatest"
+    assert said in " ".join(run("marine", place).out.split())
+    assert said not in " ".join(run("marine", place, "--orders", "all").out.split())
+    alone = " ".join(run("marine", "i4").out.split())
+    assert "Orders of external moments are told from 0.1 % of the greatest" in alone
+    assert "those of guide-force" not in alone
 
 
 def test_a_workbook_has_a_sheet_for_each_table(run: Run, tmp_path: Path) -> None:

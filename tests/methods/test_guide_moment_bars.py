@@ -11,6 +11,8 @@ import crankstar
 from crankstar import charts
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.guide_moments import guide_moments
+from crankstar.studies.marine import marine
+from crankstar.tables.marine import marine_document
 
 
 def test_the_bars_are_the_moments_of_the_analysis() -> None:
@@ -23,7 +25,7 @@ def test_the_bars_are_the_moments_of_the_analysis() -> None:
         for order, size in own.items():
             [wanted] = np.abs(values)[found.orders == order] / 1e3
             assert size == pytest.approx(wanted, rel=1e-5)
-    assert {float(row["order"]) for row in rows if row["what"].startswith("H")} == {7, 14}
+    assert {float(row["order"]) for row in rows if row["what"].startswith("H")} == {7, 14, 21}
 
 
 def test_without_pitch_there_are_bars_of_h_alone() -> None:
@@ -38,3 +40,12 @@ def test_without_pitch_there_are_bars_of_h_alone() -> None:
 def test_an_engine_without_them_has_a_figure_that_says_why(name: str) -> None:
     drawn = charts.guide_moment_chart(crankstar.load(name))
     assert any(words in str(drawn) for words in ("need", "has several"))
+
+
+@pytest.mark.parametrize("name", ["two-stroke seven", "man-s90mc-c", "audi-25-tfsi"])
+def test_the_bars_are_of_the_orders_of_the_table(name: str) -> None:
+    engine = marine_engine() if name == "two-stroke seven" else crankstar.load(name)
+    drawn = charts.guide_moment_chart(engine).to_dict()
+    bars = {float(row["order"]) for row in rows_of(drawn) if "what" in row}
+    [table] = [one for one in marine_document(marine(engine)).tables if one.key == "guide"]
+    assert bars == {row[0] for row in table.rows}

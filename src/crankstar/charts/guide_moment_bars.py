@@ -21,10 +21,6 @@ from crankstar.mechanics.operating_points import GasError
 
 TITLE = N_("Guide-force moments")
 AXIS = N_("moment ({unit})")
-HIGHEST = 16.0
-"""The highest order of the bars."""
-VISIBLE = 0.005
-"""Share of the greatest bar from which one is drawn."""
 APART = 6.0
 """px between the names of two orders."""
 SYMBOL = 40.0
@@ -59,15 +55,11 @@ def guide_moment_chart(
 
 
 def _bars(guide: GuideMoments, series: list[tuple[str, str, np.ndarray]]) -> dict:
-    """The bars of both moments beside each other, order by order."""
-    kept = [place for place, order in enumerate(guide.orders.tolist()) if order <= HIGHEST]
+    """The bars of both moments beside each other, order by order: the orders of the table."""
+    kept = guide.noted()
     greatest = max(float(values[kept].max(initial=0.0)) for _name, _colour, values in series)
     said = shown("N*m", greatest)
-    names = [
-        order_text(guide.orders[place])
-        for place in kept
-        if any(values[place] > VISIBLE * greatest for _name, _colour, values in series)
-    ] or ["1"]
+    names = [order_text(guide.orders[place]) for place in kept] or ["1"]
     rows = [
         {
             "order": order_text(guide.orders[place]),
@@ -77,7 +69,7 @@ def _bars(guide: GuideMoments, series: list[tuple[str, str, np.ndarray]]) -> dic
         }
         for name, _colour, values in series
         for place in kept
-        if values[place] > VISIBLE * greatest
+        if values[place] > 0
     ]
     colours = {"domain": [each[0] for each in series], "range": [each[1] for each in series]}
     drawn = (

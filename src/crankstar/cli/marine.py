@@ -49,7 +49,7 @@ def marine(
     node: Annotated[str | None, option("--node")] = None,
     bracing: Annotated[str | None, option("--bracing")] = None,
     orders: Annotated[
-        str | None, option("--orders", "Default: 1, 2, 4 and others of note.")
+        str | None, option("--orders", "Of both tables. Default: those of note.")
     ] = None,
     save: Annotated[str | None, option("--save")] = None,
     settings: Settings = None,
@@ -69,7 +69,7 @@ def marine(
         partial(engine_over_ranges, engine, settings, estimate=estimate),
         partial(request.speed, speed),
         partial(speeds_of, speeds),
-        partial(gas_orders, None if orders and orders.strip() == "all" else orders),
+        partial(gas_orders, orders),
         partial(asked.horizontal_share, first_order),
         partial(asked.power, rated_power),
         partial(asked.phase_error, phase_error),
@@ -99,7 +99,7 @@ def marine(
             compensate=places,
             node=hull,
             phase_error=late,
-            orders=wanted,
+            orders="all" if orders and orders.strip() == "all" else wanted,
         )
 
     def sheet(each: Engine) -> Document:

@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -31,10 +32,16 @@ from crankstar.mechanics.balance import Units, balance, default_reference, total
 from crankstar.mechanics.excitation import Reference
 from crankstar.spectra import Complex, Real
 
+Wanted = Sequence[float] | Literal["all"] | None
+"""Orders that are asked for: these, all that occur, or those of note."""
 USUAL = (1.0, 2.0, 4.0)
 """Orders that project guides print: M_1V, M_1H, M_2V, M_4V."""
 NOTED = 1e-3
 """Share of the greatest moment, or of the greatest force of a part, from which an order is told."""
+LEAST = 1e-9
+"""The same where all orders are asked for: less is rounding."""
+HIGHEST = 24.0
+"""The highest order that is told unless it is asked for."""
 FREE = 1e-6
 """Share of the greatest force of a part below which a sum of forces is none."""
 UNBALANCE_CLASSES: tuple[tuple[float, str], ...] = (
@@ -86,16 +93,12 @@ class ExternalMoments:
 
 
 def external_moments(
-    engine: Engine,
-    *,
-    speed: float | None = None,
-    about: float | None = None,
-    orders: Sequence[float] | None = None,
+    engine: Engine, *, speed: float | None = None, about: float | None = None, orders: Wanted = None
 ) -> ExternalMoments:
     """The external moments at a speed (rad/s), `about` the place z, else the middle of cylinders.
 
-    `orders` are those wanted: by default 1, 2, 4 and all others of note up to 24. Without speed or
-    masses they are in units of m r w^2.
+    `orders` are those wanted: by default 1, 2, 4 and all others of note up to 24, with "all" those
+    that are more than rounding. Without speed or masses they are in units of m r w^2.
 
     >>> from crankstar.files.catalog import load
     >>> five = load("audi-25-tfsi", changes={"cylinder.reciprocating_mass": "0.6 kg"})
@@ -104,7 +107,8 @@ def external_moments(
     (4.0, 4.0)
     """
     place = default_reference(engine).z if about is None else about
-    result = balance(engine, speed=speed, reference=Reference(place), orders=orders)
+    given = None if isinstance(orders, str) else orders
+    result = balance(engine, speed=speed, reference=Reference(place), orders=given)
     sums = total(result)
     force, couple = sums.force, sums.couple
     values = {
@@ -116,12 +120,15 @@ def external_moments(
     kept = np.arange(force.orders.size)
     each = np.abs(result.force.forward) + np.abs(result.force.backward)
     of_a_part = float(each.max(initial=0.0))
-    if orders is None:
+    if given is None:
+        share = NOTED if orders is None else LEAST
         size = np.maximum(np.abs(values["vertical"]), np.abs(values["horizontal"]))
         push = np.maximum(np.abs(values["force_vertical"]), np.abs(values["force_horizontal"]))
-        noted = (size > NOTED * size.max(initial=0.0)) | (push > NOTED * of_a_part)
+        if push.max(initial=0.0) <= FREE * of_a_part:
+            push = np.zeros_like(push)
+        noted = (size > share * size.max(initial=0.0)) | (push > share * of_a_part)
         usual = np.isclose(force.orders[:, None], USUAL, rtol=0, atol=1e-9).any(axis=1)
-        kept = np.flatnonzero((noted | usual) & (force.orders <= 24 + 1e-9))
+        kept = np.flatnonzero((noted | usual) & (force.orders <= HIGHEST + 1e-9))
     return ExternalMoments(
         place,
         result.speed,

@@ -86,9 +86,14 @@ class GuideMoments:
         return self.bimoment / self.length
 
     def noted(self, share: float = NOTED) -> list[int]:
-        """The places of orders in which H or X is more than a share of the greatest."""
+        """The places of orders in which H or, where it is known, X exceeds a share of its greatest.
+
+        With the share 0 they are all those that do not vanish.
+        """
         h, x = np.abs(self.h), np.abs(self.x)
-        kept = (h > share * h.max(initial=0.0)) | (x > share * x.max(initial=0.0))
+        kept = h > share * h.max(initial=0.0)
+        if self.pitch_known:
+            kept |= x > share * x.max(initial=0.0)
         return np.flatnonzero(kept).tolist()
 
 

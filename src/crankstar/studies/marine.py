@@ -16,7 +16,7 @@ import numpy as np
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
-from crankstar.mechanics.external_moments import ExternalMoments, external_moments
+from crankstar.mechanics.external_moments import ExternalMoments, Wanted, external_moments
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.mechanics.operating_points import GasError
@@ -33,7 +33,8 @@ class MarineAnalysis:
     """External moments before and after what is added, guide-force moments, power (W).
 
     `engine` is the engine with weights and compensators. `at_node` are the moments about the node,
-    before and after. `guide` is None where gas is not known; `without_guide` says why.
+    before and after. `guide` is None where gas is not known; `without_guide` says why. `orders` are
+    those wanted, "all", or None: those of note.
 
     >>> from crankstar import marine
     >>> found = marine("audi-25-tfsi", node=-2.0)
@@ -53,6 +54,7 @@ class MarineAnalysis:
     without_guide: str
     power: float | None
     speeds: Real
+    orders: Wanted = None
 
     def unbalance(self, moment: float) -> float | None:
         """The power-related unbalance of a moment (N m), N m/kW; None without power or masses."""
@@ -71,7 +73,7 @@ def marine(
     compensate: Mapping[int, Sequence[float]] = NOTHING,
     node: float | None = None,
     phase_error: float = 0.0,
-    orders: Sequence[float] | None = None,
+    orders: Wanted = None,
 ) -> MarineAnalysis:
     """The external and guide-force moments of an engine at an operating point and speed (rad/s).
 
@@ -79,7 +81,8 @@ def marine(
     make this share of the first-order moment horizontal; `compensate` has the orders whose vertical
     moment is to be compensated, with the one place z or two at which that is done, about `node` (z)
     where there is one; `phase_error` (rad) is by how much the compensators are late. `power` (W)
-    stands before that of the operating point. Raises RemedyError, and GasError for a point that the
+    stands before that of the operating point. `orders` are those wanted of both kinds of moments,
+    "all", or None: those of note. Raises RemedyError, and GasError for a point that the
     engine has not.
 
     >>> from crankstar.files.catalog import load
@@ -129,6 +132,7 @@ def marine(
         without_guide=why,
         power=_power(found) if power is None else power,
         speeds=over,
+        orders=orders if orders is None or isinstance(orders, str) else tuple(orders),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import degrees, pi
 from typing import Any
 
@@ -10,8 +11,15 @@ import numpy as np
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
+from crankstar.mechanics import guide_moments as guides
 from crankstar.mechanics.balance import scales, unit_unbalance
-from crankstar.mechanics.external_moments import USUAL, ExternalMoments, unbalance_class
+from crankstar.mechanics.external_moments import (
+    NOTED,
+    USUAL,
+    ExternalMoments,
+    Wanted,
+    unbalance_class,
+)
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.studies.marine import MarineAnalysis
@@ -38,7 +46,8 @@ def marine_document(
     if found.compensators:
         parts.append(_compensator_table(found))
     if found.guide is not None:
-        parts.append(guide_table(found.guide, bracing, every=machine))
+        places = _guide_places(found.guide, found.orders, every=machine)
+        parts.append(guide_table(found.guide, bracing, places=places))
     if found.speeds.size and found.after.speed is not None:
         parts.append(_speed_table(found))
     if not machine:
@@ -156,9 +165,15 @@ def _compensator_table(found: MarineAnalysis) -> Table:
 
 
 def guide_table(
-    guide: GuideMoments, bracing: tuple[float, float] | None = None, *, every: bool = False
+    guide: GuideMoments,
+    bracing: tuple[float, float] | None = None,
+    *,
+    places: Mapping[float, int | None] | None = None,
 ) -> Table:
-    """H and X of each order of note, or `every`, and what they push the top bracings with."""
+    """H and X of each order of note, and what they push the top bracings with.
+
+    `places`: orders instead, and where they are; None: such an order has no moments.
+    """
     columns = [
         Column(_("order"), key="order", label=True),
         Column(_("H-moment"), "N*m", "wave", key="h"),
@@ -171,10 +186,11 @@ def guide_table(
         if guide.pitch_known:
             columns.append(Column(_("each end, X"), "N", key="bracing_x"))
     rows: list[tuple[Value, ...]] = []
-    places = range(guide.orders.size) if every else guide.noted()
-    for place in places:
-        h, bimoment = complex(guide.h[place]), complex(guide.bimoment[place])
-        row: list[Value] = [float(guide.orders[place]), h]
+    for order, place in (_guide_places(guide) if places is None else places).items():
+        h, bimoment = 0j, 0j
+        if place is not None:
+            h, bimoment = complex(guide.h[place]), complex(guide.bimoment[place])
+        row: list[Value] = [order, h]
         if guide.pitch_known:
             row += [bimoment / guide.length, bimoment]
         if bracing is not None:
@@ -183,6 +199,24 @@ def guide_table(
                 row.append(abs(bimoment) / (bracing[0] * bracing[1]))
         rows.append(tuple(row))
     return Table(_("Guide-force moments"), tuple(columns), tuple(rows), key="guide")
+
+
+def _guide_places(
+    guide: GuideMoments, orders: Wanted = None, *, every: bool = False
+) -> dict[float, int | None]:
+    """The orders that are told and their places, None of one that does not occur.
+
+    Those that were asked for, else those of note; `every`: all that the record has.
+    """
+    if orders is not None and not isinstance(orders, str):
+        near = {order: np.flatnonzero(np.abs(guide.orders - order) < 1e-9) for order in orders}
+        return {order: int(at[0]) if at.size else None for order, at in sorted(near.items())}
+    chosen = guide.noted() if orders is None else guide.noted(0.0)
+    return (
+        {float(guide.orders[place]): place for place in chosen}
+        if not every
+        else {float(order): place for place, order in enumerate(guide.orders)}
+    )
 
 
 def large_engine_table(engine: Engine, cycle: Cycle) -> Table | None:
@@ -265,10 +299,29 @@ def _notes(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[s
                 length=number(round(found.guide.length, 6)),
             )
         )
+    if found.orders is None:
+        lines += _shares(found.guide)
     lines.append(_("Axial vibration, and what the propeller does, are left out."))
     return lines
 
 
+def _shares(guide: GuideMoments | None) -> list[str]:
+    """From which share orders are told, where none were asked for."""
+    external = number(100 * NOTED)
+    if guide is None:
+        return [_(TOLD, external=external)]
+    return [_(TOLD_OF_BOTH, external=external, guide=number(100 * guides.NOTED))]
+
+
+TOLD = N_(
+    "Orders of external moments are told from {external} % of the greatest, and 1, 2 and 4 always; "
+    "--orders asks for others, or all."
+)
+TOLD_OF_BOTH = N_(
+    "Orders of external moments are told from {external} % of the greatest, and 1, 2 and 4 always, "
+    "those of guide-force moments from {guide} % of the greatest H or X; --orders asks for others, "
+    "or all."
+)
 COMPENSATED = N_(
     "Each compensator is two equal masses that turn against each other at so many times the crank "
     "speed, by chain, gear or motor."
