@@ -167,6 +167,22 @@ def test_from_which_share_orders_are_told_is_said(run: Run, tmp_path: Path) -> N
     assert "those of guide-force" not in alone
 
 
+@pytest.mark.parametrize("verb", ["marine", "guide"])
+def test_the_unbalance_is_in_the_units_that_are_chosen(run: Run, tmp_path: Path, verb: str) -> None:
+    asked = (verb, written(tmp_path), *(() if verb == "marine" else ("--numbers", "7")))
+    key = "moments" if verb == "marine" else "members"
+    plain = json.loads(run(*asked, "--json").out)[key][-1]
+    chosen = json.loads(run("--units", "us", *asked, "--json").out)[key][-1]
+    horsepower = 550 * 12 * 0.0254 * 0.45359237 * 9.80665
+    feet = 12 * 0.0254 * 0.45359237 * 9.80665
+    assert plain["unbalance"] * 1e-3 * horsepower / feet == pytest.approx(chosen["unbalance"])
+    assert plain["compensator"] == chosen["compensator"]
+    out = run("--units", "us", *asked).out
+    assert "[lbf ft/hp]" in out
+    assert "kW" not in out
+    assert "[N m/kW]" in run(*asked).out
+
+
 def test_a_workbook_has_a_sheet_for_each_table(run: Run, tmp_path: Path) -> None:
     book = tmp_path / "seven.xlsx"
     run("marine", written(tmp_path), "--speeds", "60..110 rpm by 10", "-o", str(book))

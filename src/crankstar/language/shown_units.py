@@ -265,6 +265,20 @@ def shown(unit: str, largest: float, *, prefixed: bool = True) -> Shown:
     return Shown(f"{wanted}{end}", 1.0 if same else _ratio(own, wanted))
 
 
+def shown_quotient(over: str, under: str) -> Shown:
+    """The unit of one dimension per another, each as it is chosen, else as it is; no prefix.
+
+    >>> with shown_in(SYSTEMS["us"]):
+    ...     unit, factor = shown_quotient("N*m", "kW")
+    >>> unit, round(factor * 1000, 3)  # N m of 0.737562 lbf ft, kW of 1.341022 hp
+    ('lbf*ft/hp', 550.0)
+    >>> shown_quotient("N*m", "kW")
+    Shown(unit='N*m/kW', factor=1.0)
+    """
+    above, below = (shown(unit, 0.0, prefixed=False) for unit in (over, under))
+    return Shown(f"{above.unit}/{below.unit}", above.factor / below.factor)
+
+
 def _prefixed(unit: str, largest: float, units: tuple[str, ...]) -> str:
     size = abs(largest) * measured(unit).factor
     fitting = (each for each in units[:0:-1] if size >= LARGER * measured(each).factor * (1 - 1e-9))

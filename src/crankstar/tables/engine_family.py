@@ -9,6 +9,7 @@ from typing import Any
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
+from crankstar.language.shown_units import shown_quotient
 from crankstar.mechanics.external_moments import unbalance_class
 from crankstar.studies.engine_family import ChainDrive, Member
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
@@ -63,6 +64,7 @@ def _table(members: Sequence[Member]) -> Table:
     """A row for each member; guide-force moments where gas is known."""
     known = [member.found for member in members if member.found is not None]
     unit = known[0].after.units.couple if known else "N*m"
+    per = shown_quotient("N*m", "kW")
     powered = any(found.power is not None and unit == "N*m" for found in known)
     guided = any(member.h for member in members)
     twisted = any(member.x for member in members)
@@ -78,7 +80,7 @@ def _table(members: Sequence[Member]) -> Table:
     if powered:
         columns += [
             Column(_("power"), "W", key="power"),
-            Column(_("M_2V over the power"), "N*m/kW", key="unbalance", fixed=True, digits=3),
+            Column(_("M_2V over the power"), per.unit, key="unbalance", fixed=True, digits=3),
             Column(_("compensator"), kind="text", key="compensator", optional=2),
         ]
     if guided:
@@ -110,7 +112,11 @@ def _row(member: Member, *, powered: bool, guided: bool, twisted: bool) -> tuple
     row += [after.moment(1), after.moment(1, "H"), after.moment(2), after.moment(4)]
     if powered:
         value = found.unbalance(after.moment(2))
-        row += [found.power, value, "" if value is None else _(unbalance_class(value))]
+        if value is None:
+            row += [found.power, None, ""]
+        else:
+            shown = value * shown_quotient("N*m", "kW").factor
+            row += [found.power, shown, _(unbalance_class(value))]
     if guided:
         row += [member.h[1], member.h[0]] if member.h else [None, None]
     if twisted:

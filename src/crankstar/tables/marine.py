@@ -10,7 +10,8 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, unit_text
+from crankstar.language.shown_units import shown, shown_quotient
 from crankstar.mechanics import guide_moments as guides
 from crankstar.mechanics.balance import scales, unit_unbalance
 from crankstar.mechanics.external_moments import (
@@ -90,14 +91,14 @@ def _moment_table(found: MarineAnalysis) -> Table:
         Column(_("M_V, vertical"), units.couple, "wave", key="vertical"),
         Column(_("M_H, horizontal"), units.couple, "wave", key="horizontal"),
     ]
-    with_force = not after.free
+    with_force, per = not after.free, shown_quotient("N*m", "kW")
     if with_force:
         columns.append(Column(_("force, vertical"), units.force, key="force_vertical"))
         columns.append(Column(_("force, horizontal"), units.force, key="force_horizontal"))
     if found.at_node is not None:
         columns.append(Column(_("M_V about the node"), units.couple, "wave", key="at_node"))
     if found.power is not None and units.couple == "N*m":
-        columns.append(Column(_("over the power"), "N*m/kW", key="unbalance", fixed=True, digits=3))
+        columns.append(Column(_("over the power"), per.unit, key="unbalance", fixed=True, digits=3))
         columns.append(Column(_("compensator"), kind="text", key="compensator"))
     rows: list[tuple[Value, ...]] = []
     for order in after.orders.tolist():
@@ -114,7 +115,7 @@ def _moment_table(found: MarineAnalysis) -> Table:
             row.append(_wave(found.at_node[1], found.at_node[1].vertical, order))
         if found.power is not None and units.couple == "N*m":
             value = found.unbalance(_greater(found, order)) or 0.0
-            row += [value, _(unbalance_class(value)) if order in CLASSED else ""]
+            row += [value * per.factor, _(unbalance_class(value)) if order in CLASSED else ""]
         rows.append(tuple(row))
     title = _("External moments")
     if after.speed is not None:
@@ -285,7 +286,7 @@ def _notes(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[s
             )
         )
     if found.power is not None and found.after.units.couple == "N*m":
-        lines.append(_(OVER_POWER, power=number(float(f"{found.power / 1e3:.5g}"))))
+        lines.append(_(OVER_POWER, power=_power_text(found.power)))
     if found.guide is not None:
         lines.append(
             _(
@@ -328,8 +329,14 @@ COMPENSATED = N_(
 )
 OVER_POWER = N_(
     "Over the power: the greater of M_V and M_H, about the node if there is one, set against "
-    "{power} kW; the need of a compensator is that of MAN B&W's table for orders 1 and 2."
+    "{power}; the need of a compensator is that of MAN B&W's table for orders 1 and 2."
 )
+
+
+def _power_text(power: float) -> str:
+    """A power (W) in kW, or in the unit that is chosen."""
+    said = shown("kW", 0.0, prefixed=False)
+    return f"{number(float(f'{power / 1e3 * said.factor:.5g}'))} {unit_text(said.unit)}"
 
 
 def _doubts(found: MarineAnalysis) -> list[str]:
