@@ -7,10 +7,11 @@ import io
 import json
 from math import degrees
 from pathlib import Path
+from typing import Any
 
 import pytest
 from tests.commands import Run
-from tests.marine import marine_engine
+from tests.marine import SEVEN, marine_engine
 
 from crankstar.files import toml
 from crankstar.studies.generating_sets import generating_set
@@ -53,7 +54,11 @@ def test_readers_are_told_what_is_counted_and_missing(run: Run, tmp_path: Path) 
         assert said in out
     out = " ".join(run("genset", "i4").out.split())
     assert "Without uneven running: the engine file has no table [gas]." in out
-    assert "Without forces on the foundation: masses, sizes or a speed are not known." in out
+    assert (
+        "Without forces on the foundation: not known: masses (cylinder.reciprocating_mass), the "
+        "stroke (cylinder.stroke), the distance of the cylinders (layout.bore_pitch), a speed (see "
+        "--speed)." in out
+    )
     out = " ".join(run("genset", "audi-25-tfsi").out.split())
     assert "see --flywheel" in out
 
@@ -81,3 +86,39 @@ def test_what_cannot_be_is_one_sentence(
     refused = run("genset", written(tmp_path), *options)
     assert refused.code == 2
     assert said in " ".join(refused.err.split())
+
+
+def test_the_sums_are_at_the_speed_that_they_name(run: Run, tmp_path: Path) -> None:
+    """Of an operating point slower than the engine, and without what even running needs."""
+    point = [{"name": "idle", "speed": "52 rpm", "bmep": "4 bar"}]
+    path = tmp_path / "idle.toml"
+    path.write_text(toml(marine_engine(gas={"ignition": "compression", "point": point})))
+    out = json.loads(run("genset", str(path), "--json").out)
+    assert out["speed_rpm"] == pytest.approx(52)
+    fast = json.loads(run("genset", written(tmp_path), "--json").out)
+    assert [row["one"] * 4 for row in out["sums"]] == pytest.approx(
+        [row["one"] for row in fast["sums"]]
+    )
+    assert "On the foundation at 52 rpm" in run("genset", str(path)).out
+    assert "3 engines on one foundation at 52 rpm" in run("genset", str(path), "--engines", "3").out
+
+
+@pytest.mark.parametrize(
+    ("changes", "missing"),
+    [
+        ({}, "inertia of crankshaft, flywheel and rotor (see --flywheel)"),
+        ({"drive": {"inertia": "90000 kg*m^2"}, "speed": None}, "a speed (see --speed)"),
+    ],
+)
+def test_what_uneven_running_lacks_is_named(
+    run: Run, tmp_path: Path, changes: dict[str, Any], missing: str
+) -> None:
+    path = tmp_path / "seven.toml"
+    kept = {key: value for key, value in SEVEN["gas"].items() if key != "bmep"}
+    gas = kept | {"imep": "15 bar", "friction": "none"}
+    path.write_text(toml(marine_engine(gas=gas, **changes)))
+    out = " ".join(run("genset", str(path)).out.split())
+    assert f"Without uneven running: not known: {missing}." in out
+    bare = " ".join(run("genset", "man-s90mc-c", "--flywheel", "1 t*m^2").out.split())
+    assert "Without uneven running: not known: masses (cylinder.reciprocating_mass)." in bare
+    assert bare.count("a speed (see --speed)") == 0

@@ -6,6 +6,7 @@ the foundation are the inertia force, the external moments, and the moment about
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,13 +15,19 @@ from crankstar import spectra
 from crankstar.dynamics.generator_angle import GeneratorAngle, generator_angle
 from crankstar.dynamics.uneven import Running, driven, flywheel_for
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.excitation import Totals
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.operating_points import GasError
 from crankstar.mechanics.phase_sums import exceeded, typical_sum, worst_sum
 
+SIZES = {
+    "mass": N_("masses (cylinder.reciprocating_mass)"),
+    "radius": N_("the stroke (cylinder.stroke)"),
+    "pitch": N_("the distance of the cylinders (layout.bore_pitch)"),
+}
+"""What an engine file may leave out, and the key that gives it."""
 NOTED = 1e-4
 """Share of the greatest of a part from which an order of the sum is told."""
 HIGHEST = 12.0
@@ -50,7 +57,7 @@ class GeneratingSet:
     """A set at its speed: uneven running (None where not known), and sums of several engines.
 
     `wanted` is the inertia (kg m^2) for the degree of irregularity that was asked for;
-    `without_running` and `without_sums` say what is missing.
+    `without_running` and `without_sums` say what is missing; `speed` (rad/s) is that of the sums.
     """
 
     engine: Engine
@@ -63,6 +70,7 @@ class GeneratingSet:
     sums: tuple[OrderSum, ...]
     without_running: str
     without_sums: str
+    speed: float | None
 
     @property
     def frequency(self) -> float | None:
@@ -98,7 +106,7 @@ def generating_set(
     burning, why = _cycle(engine, point, speed)
     running = None if burning is None else driven(engine, burning, flywheel=flywheel)
     if burning is not None and running is None:
-        why = _("masses, a speed, or the inertia of what turns are not known: see --flywheel")
+        why = _without_running(engine, burning.speed, flywheel)
     turning = burning.speed if burning is not None else speed
     turning = engine.speed if turning is None else turning
     wanted = None
@@ -117,6 +125,7 @@ def generating_set(
         sums=sums,
         without_running=why,
         without_sums=lacking,
+        speed=turning,
     )
 
 
@@ -136,7 +145,8 @@ def _sums(engine: Engine, speed: float | None, engines: int) -> tuple[tuple[Orde
     """The orders of force and moment of one engine and of all."""
     result = balance(engine, speed=speed)
     if result.speed is None or result.units.couple != "N*m":
-        return (), _("masses, sizes or a speed are not known")
+        missing = _missing(engine, speed, {"mass", "radius", "pitch"})
+        return (), _("not known: {missing}", missing=", ".join(missing))
     whole = total(result)
     parts = Totals(*(getattr(result, name) for name in Totals._fields))
     alike = tuple(exceeded([1.0] * engines, share) for share in SHARES)
@@ -149,6 +159,20 @@ def _sums(engine: Engine, speed: float | None, engines: int) -> tuple[tuple[Orde
                 beyond = tuple(one * each for each in alike)
                 out.append(OrderSum(name, order, one, worst_sum(every), typical_sum(every), beyond))
     return tuple(out), ""
+
+
+def _without_running(engine: Engine, speed: float | None, flywheel: float | None) -> str:
+    """What keeps the speed over a cycle from being known."""
+    missing = _missing(engine, speed, {"mass", "radius"})
+    if flywheel is None and (engine.drive is None or engine.drive.inertia is None):
+        missing.append(_("inertia of crankshaft, flywheel and rotor (see --flywheel)"))
+    return _("not known: {missing}", missing=", ".join(missing))
+
+
+def _missing(engine: Engine, speed: float | None, needed: Collection[str]) -> list[str]:
+    """The names of what is not known of that, and what gives it."""
+    names = [_(SIZES[size]) for size in SIZES if size in needed and size in engine.relative]
+    return names if speed is not None else [*names, _("a speed (see --speed)")]
 
 
 def _amplitudes(sums: Totals, name: str) -> np.ndarray:

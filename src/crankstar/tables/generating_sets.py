@@ -47,7 +47,7 @@ def _facts(found: GeneratingSet) -> dict[str, Any]:
         "engines": found.engines,
         "pole_pairs": pairs,
         "frequency_hz": found.frequency,
-        "speed_rpm": None if running is None else running.mean_speed * RPM,
+        "speed_rpm": None if found.speed is None else found.speed * RPM,
         "inertia": None if running is None else running.inertia,
         "irregularity": None if running is None else running.irregularity,
         "ahead_deg": None if angle is None else degrees(float(angle.ahead.max())),
@@ -119,8 +119,11 @@ def _sum_table(found: GeneratingSet) -> Table:
         for each in found.sums
     )
     title = _("{count} engines on one foundation", count=found.engines)
-    if found.engines == 1:
-        title = _("On the foundation")
+    if found.speed is not None:
+        rpm = number(round(found.speed * RPM, 6))
+        title = _("{count} engines on one foundation at {rpm} rpm", count=found.engines, rpm=rpm)
+        if found.engines == 1:
+            title = _("On the foundation at {rpm} rpm", rpm=rpm)
     return Table(title, tuple(columns), rows, key="sums")
 
 
