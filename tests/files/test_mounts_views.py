@@ -17,7 +17,8 @@ from tests.texts import SHORT, spoilt
 
 import crankstar
 from crankstar.dynamics.mount_response import peak, rms
-from crankstar.dynamics.mounted_block import MountError
+from crankstar.dynamics.mounted_block import MountError, mounted_block
+from crankstar.engine.rigid_block import moved
 from crankstar.files import engine_of, toml
 
 GAS = {"imep": "4 bar", "compression_ratio": 10, "speed": "900 rpm"}
@@ -58,6 +59,25 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     assert [row["speed_rpm"] for row in out["speeds"]] == pytest.approx(np.linspace(600, 6000, 10))
     assert out["speeds"][0]["transmissibility"] == pytest.approx(over.transmissibility[0])
     assert [row["name"] for row in out["axes"]] == ["torque_roll", "elastic"]
+
+
+def test_the_sign_of_the_advance_is_told_and_holds(run: Run, tmp_path: Path) -> None:
+    """A point on the elastic axis goes to the front with it while the block rolls clockwise."""
+    leaning = [{**each, "bearing": "20 deg", "lean": "15 deg"} for each in THREE[:1]]
+    place = written(tmp_path, mounts=[*leaning, *THREE[1:]])
+    [_roll, elastic] = json.loads(run("mounts", place, "--json").out)["axes"]
+    block = mounted_block(crankstar.load(place))
+    motion = np.linalg.solve(block.stiffness, [0, 0, 0, 0, 0, 1.0])
+    assert motion[5] > 0
+    at = np.array([elastic["up"], elastic["right"], elastic["z"]]) / 1e3 - block.centres[0]
+    shift = moved(at) @ motion
+    turned = np.linalg.norm(motion[3:])
+    assert elastic["direction"][2] > 0
+    assert shift @ elastic["direction"] / turned * 1e3 == pytest.approx(elastic["advance"])
+    assert abs(elastic["advance"]) > 1
+    out = " ".join(run("mounts", place).out.split())
+    assert "along the axis, positive to the front" in out
+    assert "clockwise, seen from the front" in out
 
 
 def test_at_one_speed_the_orders_make_the_whole(run: Run, tmp_path: Path) -> None:

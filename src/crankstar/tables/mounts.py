@@ -166,7 +166,11 @@ def _axis_table(found: MountAnalysis) -> Table:
         row(_("torque-roll axis"), "torque_roll", found.torque_roll),
         row(_("elastic axis"), "elastic", found.elastic),
     )
-    return Table(_("Axes"), columns, rows, key="axes")
+    said = _(
+        "Advance: how far the block moves along the axis, positive to the front, for each radian "
+        "that it turns about it clockwise, seen from the front."
+    )
+    return Table(_("Axes"), columns, rows, (said,), key="axes")
 
 
 def _speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Table:
