@@ -9,10 +9,11 @@ from itertools import pairwise, permutations
 from math import hypot
 from pathlib import Path
 
+import numpy as np
 import openpyxl
 import pytest
 from tests.commands import Run
-from tests.marine import SEVEN, marine_engine
+from tests.marine import SEVEN, WEIGHTED, marine_engine
 
 import crankstar
 from crankstar.engine.engine import Engine
@@ -128,6 +129,39 @@ def test_the_verb_gives_the_page_of_a_guide(run: Run, tmp_path: Path) -> None:
     text = " ".join(run("guide", place, *asked).out.split())
     assert "Best: by M1,M2, of all crank stars with evenly spaced throws, with proof" in text
     assert "Torsion sum: of the order of X" in text
+
+
+def turning(engine: Engine, order: int) -> float:
+    """The greatest moment of an order over a turn, whichever way it points."""
+    found = external_moments(engine, orders=[order])
+    angles = np.linspace(0, 2 * np.pi, 721)[:, None] * order
+    sides = [
+        np.real(each[None] * np.exp(1j * angles))[:, 0]
+        for each in (found.vertical, found.horizontal)
+    ]
+    return float(np.hypot(*sides).max())
+
+
+def test_the_best_is_by_squares_of_moments_with_all_that_rotates(run: Run, tmp_path: Path) -> None:
+    """Brute force over all orders of five cylinders, with big ends that nothing balances."""
+    engine = marine_engine(**WEIGHTED)
+    [member, *_rest] = engine_family(engine, numbers=[5])
+    sums: dict[tuple[int, ...], float] = {
+        order: hypot(*(turning(with_cylinders(engine, order), each) for each in (1, 2)))
+        for order in ((1, *rest) for rest in permutations(range(2, 6)))
+    }
+    assert sums[member.order] == pytest.approx(min(sums.values()), rel=1e-4)
+    assert max(sums.values()) > 1.05 * min(sums.values())
+    place = tmp_path / "weighted.toml"
+    place.write_text(toml(engine))
+    text = " ".join(run("guide", str(place), "--numbers", "5").out.split())
+    assert "the root of the sum of their squares counts" in text
+    assert "moments in N m." in text
+    assert "M1 holds rotating masses and those of throws" in text
+    assert "--first-order changes the moments only, once the order is chosen" in text
+    second = " ".join(run("guide", str(place), "--numbers", "5", "--minimise", "M2").out.split())
+    assert "M1 holds" not in second
+    assert "root of the sum" not in second
 
 
 def test_without_masses_and_pitch_the_page_is_in_their_units(run: Run) -> None:

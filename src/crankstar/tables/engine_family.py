@@ -8,7 +8,7 @@ from typing import Any
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import shown_quotient
 from crankstar.mechanics.external_moments import unbalance_class
 from crankstar.studies.engine_family import ChainDrive, Member
@@ -135,6 +135,7 @@ def _notes(
             goals=goals,
         )
     ]
+    lines += _choice(members, goals)
     if horizontal_share is not None:
         share = number(round(100 * horizontal_share, 6))
         lines.append(
@@ -173,3 +174,34 @@ def _notes(
         )
     )
     return lines
+
+
+def _choice(members: Sequence[Member], goals: str) -> list[str]:
+    """By what number an order is better than another, and what that leaves out."""
+    lines: list[str] = []
+    minimised = [name.strip() for name in goals.split(";")[0].split(",")]
+    if len(minimised) > 1:
+        found = next((member.found for member in members if member.found is not None), None)
+        unit = unit_text(found.after.units.couple if found else "N*m")
+        words = ALONE if NEIGHBOURS not in minimised else BESIDE
+        lines.append(_(words, unit=unit))
+    if any(name.rpartition("*")[2] == "M1" for name in minimised):
+        lines.append(_(HELD))
+    return lines
+
+
+NEIGHBOURS = "neighbours"
+ALONE = N_(
+    "Of values that are minimised together the root of the sum of their squares counts, each "
+    "times its weight if it has one: the greatest value over a turn, moments in {unit}."
+)
+BESIDE = N_(
+    "Of values that are minimised together the root of the sum of their squares counts, each "
+    "times its weight if it has one: the greatest value over a turn, moments in {unit}. The number "
+    "of neighbours is added to it."
+)
+HELD = N_(
+    "M1 holds rotating masses and those of throws, since counterweights of the engine are left "
+    "out: the choice hangs on what weights would remove. --minimise M2 or --limit chooses "
+    "otherwise; --first-order changes the moments only, once the order is chosen."
+)
