@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
+from os.path import realpath
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Annotated
 
@@ -76,6 +78,8 @@ def match(
         partial(request.within, "--engines", engines, most=MOST_ENGINES),
         partial(_engine_file, engine_file),
     )
+    for at in range(1, (count or 0) + 1):
+        _keep_apart(engine_file, at, (engine, weights))
     own = turning or loaded.speed
     rest = {"orders": wanted, "quantities": of, "classes": widths, "whole": whole}
     with (
@@ -163,3 +167,12 @@ def _engine_file(place: str | None) -> None:
 def _with_number(place: str, number: int) -> str:
     path = PurePath(place)
     return str(path.with_name(f"{path.stem}-{number}{path.suffix}"))
+
+
+def _keep_apart(engine_file: str | None, number: int, sources: Sequence[str]) -> None:
+    """Refuse to write an engine on a file that is read. Raises RequestError."""
+    place = "" if engine_file is None else _with_number(engine_file, number)
+    if place and any(realpath(place) == realpath(source) for source in sources):
+        raise refusal(
+            "--engine-file", place, "it is read by this command and would be lost; name another"
+        )

@@ -122,6 +122,12 @@ def matched(
             count=count,
         )
     law = linear_unbalance(engine, orders=orders, quantities=quantities)
+    if not (law.reciprocating.any() or law.rotating.any()):
+        raise MatchingError(
+            "no part of this engine makes an order {orders}; choose among those of its forces, 1, "
+            "2, 4 ...",
+            orders=", ".join(f"{order:g}" for order in orders),
+        )
     pins, _sums = paired(batch)
     kinds = _kinds(batch, pins)
     counted = law if whole else _about_fitted(law)

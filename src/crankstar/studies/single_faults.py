@@ -203,6 +203,7 @@ def shaken(
     """
     engine = known(engine)
     built = engine
+    _check_shares(engine, faults)
     for fault in faults:
         built = with_fault(built, fault)
     wanted = np.array(sorted({*map(float, orders or usual_orders(engine))}))
@@ -215,6 +216,21 @@ def shaken(
     gas = gas_orders(engine, faults, speed=speed, point=point, orders=wanted)
     push[:, 5] -= sums.force.sense * gas
     return Shaken(engine, speed, wanted, push, torque + gas)
+
+
+def _check_shares(engine: Engine, faults: Sequence[Fault]) -> None:
+    """Refuse more combustion, or more of a weight, than there is to lose."""
+    lost: dict[tuple[str, int, str], float] = {}
+    for fault in faults:
+        if fault.kind not in ("combustion", "weight"):
+            continue
+        key = (fault.kind, fault.number, fault.shaft or engine.shafts[0].name)
+        lost[key] = lost.get(key, 0.0) + fault.size
+        if lost[key] > 1 + 1e-9:
+            raise DiagnosisError(
+                "{what}: together more than all of it; give each once, up to 100 %",
+                what=fault_text(fault, engine),
+            )
 
 
 def gas_orders(
