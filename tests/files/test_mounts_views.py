@@ -99,6 +99,63 @@ def test_the_csv_has_a_row_for_each_speed(run: Run, tmp_path: Path) -> None:
     assert float(rows[0]["speed_rpm [rpm]"]) == pytest.approx(600)
 
 
+def cells(text: str, title: str) -> list[list[str]]:
+    """The rows of a table that is printed, without its headings."""
+    lines = text.partition(f"\n{title}\n")[2].partition("\n\n")[0].splitlines()
+    rule = next(place for place, line in enumerate(lines) if line.startswith("──"))
+    return [line.split() for line in lines[rule + 1 :]]
+
+
+def test_the_worst_mounts_are_named_by_force_and_by_transmissibility(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "170")
+    hard = [{**each, "stiffness": "2 kN/mm"} for each in THREE[:1]] + THREE[1:]
+    place = written(tmp_path, mounts=hard)
+    found = crankstar.mounts(crankstar.load(place), speeds=np.linspace(20, 200, 10) * np.pi).over
+    assert found is not None
+    names = [each.name for each in found.block.mounts]
+    force = np.column_stack([rms(found.mount_force[:, :, at]) for at in range(3)])
+    rows = cells(run("mounts", place, "--speeds", SPEEDS).out, "Vibration over the speeds")
+    differ = 0
+    for at, row in enumerate(rows[:10]):
+        through = found.transmissibility[at]
+        assert [row[-3], row[-1]] == [names[force[at].argmax()], names[through.argmax()]]
+        assert float(row[-2]) == pytest.approx(through.max(), rel=1e-2)
+        differ += row[-3] != row[-1]
+    assert differ
+
+
+def test_each_mount_has_columns_of_its_name_in_csv(run: Run, tmp_path: Path) -> None:
+    place = written(tmp_path)
+    out = run("mounts", place, "--speeds", SPEEDS, "--csv").out
+    rows = list(csv.DictReader(io.StringIO(out)))
+    found = crankstar.mounts(crankstar.load(place), speeds=np.linspace(20, 200, 10) * np.pi).over
+    assert found is not None
+    for at, name in enumerate(("left", "right", "rear")):
+        force = [float(row[f"mount_force_rms_{name} [N]"]) for row in rows]
+        assert force == pytest.approx(rms(found.mount_force[:, :, at]))
+        through = [float(row[f"transmissibility_{name}"]) for row in rows]
+        assert through == pytest.approx(found.transmissibility[:, at])
+
+
+def test_orders_that_are_asked_for_are_all_shown(run: Run, tmp_path: Path) -> None:
+    asked = ("--speed", "900 rpm", "--orders", "1,10.5,12")
+    out = run("mounts", written(tmp_path), *asked).out
+    assert [row[0] for row in cells(out, "By order at 900 rpm")] == ["1", "10.5", "12"]
+
+
+def test_the_shares_of_every_mode_with_those_of_the_foundation_make_100(
+    run: Run, tmp_path: Path
+) -> None:
+    out = run("mounts", written(tmp_path, foundation=GROUND)).out
+    rows = cells(out, "Natural modes")[:12]
+    assert [row[0] for row in rows] == [str(mode) for mode in range(1, 13)]
+    for row in rows:
+        assert len(row[4:]) == 7
+        assert sum(map(float, row[4:])) == pytest.approx(100, abs=0.4)
+
+
 def test_a_workbook_has_a_sheet_for_each_table(run: Run, tmp_path: Path) -> None:
     book = tmp_path / "mounts.xlsx"
     run("mounts", written(tmp_path), "--speeds", "600..6000 rpm/90", "-o", str(book))

@@ -65,5 +65,7 @@ def mounts(
             at=request.block_point(at, loaded),
         )
         machine = form not in ("txt", "xlsx")
-        document = mounts_document(loaded, found, machine=machine, every=form != "txt")
+        document = mounts_document(
+            loaded, found, machine=machine, every=form != "txt", every_order=wanted is not None
+        )
     give(document, output, form=form)

@@ -50,6 +50,7 @@
 | `meshes` | gears between crankshafts: what each mesh passes on |
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `mount_points` | how the named points of a block shake |
+| `mount_speeds` | an engine on its mounts speed by speed, with the worst of its mounts |
 | `mounts` | an engine on its mounts: modes, axes, vibration and forces by speed |
 | `marine` | external and guide-force moments, and compensators |
 | `engine_family` | a family of engines with their firing orders, as a project guide |

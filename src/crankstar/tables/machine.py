@@ -84,7 +84,8 @@ def columns(table: Table) -> tuple[list[str], list[list[Any]]]:
     """Heads with units and rows of plain values, for CSV, spreadsheets and data frames.
 
     A vector takes two columns, up and right; a wave its amplitude and phase; a signal its real and
-    imaginary part; a row of numbers stands in one cell. Numbers are in the units that the context
+    imaginary part; a row of numbers stands in one cell, or in a column for each of their names.
+    Numbers are in the units that the context
     chooses, else in those of the table, so that programs find the same unit in every file.
     """
     table = in_units(table, prefixed=False)
@@ -103,7 +104,7 @@ PARTS = {"vector": ("up", "right"), "wave": ("amplitude", "phase"), "signal": ("
 def _heads(column: Column) -> Iterator[str]:
     name = column.key.replace("/", "_")
     unit = "" if column.unit in ("", ROW_UNIT) else f" [{column.unit}]"
-    for part in PARTS.get(column.kind, ("",)):
+    for part in column.names or PARTS.get(column.kind, ("",)):
         yield f"{name}_{part} [deg]" if part == "phase" else f"{name}{part and '_'}{part}{unit}"
     if column.estimated:
         yield from (f"{name}_low{unit}", f"{name}_high{unit}", f"{name}_estimated")
@@ -131,6 +132,8 @@ def _single(column: Column, value: Value) -> list[Any]:
         if column.kind == "wave":
             return [abs(number), _phase(number)]
         return [number.real + 0.0, number.imag + 0.0]
+    if column.names:
+        return list(value) if isinstance(value, tuple) else [value] * len(column.names)
     if isinstance(value, tuple):
         return [("-" if column.kind == "order" else " ").join(_short(item) for item in value)]
     return [_safe(value) if isinstance(value, str) else value]

@@ -9,23 +9,22 @@ import numpy as np
 
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_modes import Axis
-from crankstar.dynamics.mount_response import MountResponse, peak, rms
+from crankstar.dynamics.mount_response import MountResponse
 from crankstar.dynamics.mounted_block import SIX
 from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.rigid_block import FREEDOMS
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
-from crankstar.spectra import Complex, Real
+from crankstar.spectra import Complex
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.headings import heading
 from crankstar.tables.mount_points import point_tables
+from crankstar.tables.mount_speeds import known, of_mounts, speed_table
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
 MM, UM = 1e3, 1e6
-ROWS = 13
-"""Speeds that are shown to readers; all are in JSON and CSV."""
 NAMES = {
     "up": N_("up"),
     "right": N_("right"),
@@ -38,20 +37,28 @@ NAMES = {
 
 
 def mounts_document(
-    engine: Engine, found: MountAnalysis, *, machine: bool = False, every: bool = False
+    engine: Engine,
+    found: MountAnalysis,
+    *,
+    machine: bool = False,
+    every: bool = False,
+    every_order: bool = False,
 ) -> Document:
-    """All of an analysis; `every` speed also for readers, else a few of many."""
+    """All of an analysis; `every` speed also for readers, else a few of many.
+
+    `every_order`: also those of which next to nothing is left, because they are asked for.
+    """
     parts: list[Table | Remarks] = [] if machine else [heading(engine)]
     modes = _mode_table(found, machine=machine)
     standing = _mount_table(found)
-    over = [] if found.over is None else [_speed_table(found, found.over, every=every or machine)]
+    over = [] if found.over is None else [speed_table(found, found.over, every=every or machine)]
     if machine:  # the first is that of CSV
         parts += [*over, modes, standing, _axis_table(found)]
     else:
         parts += [standing, modes, _axis_table(found), *over]
     parts += point_tables(engine, found)
     if found.at is not None:
-        parts += [_order_table(found, found.at), _force_table(found.at)]
+        parts += [_order_table(found, found.at, every=every_order), _force_table(found.at)]
     if not machine:
         parts += [*remarks(*_notes(found), kind="note"), *remarks(*_doubts(found), kind="doubt")]
         parts += typical_remarks(engine)
@@ -116,6 +123,7 @@ def _mount_table(found: MountAnalysis) -> Table:
 
 def _mode_table(found: MountAnalysis, *, machine: bool) -> Table:
     """Natural frequencies, with the share of each freedom in the kinetic energy."""
+    based = found.block.freedoms > SIX
     shown = [Column(_(NAMES[name]), "%", digits=3, fixed=True) for name in FREEDOMS if not machine]
     columns = (
         Column(_("mode"), key="mode", label=True),
@@ -123,12 +131,14 @@ def _mode_table(found: MountAnalysis, *, machine: bool) -> Table:
         Column(_("per minute"), "1/min", fixed=True),
         Column(_("damping ratio"), key="damping_ratio", digits=3),
         *shown,
+        *([Column(_("foundation"), "%", digits=3, fixed=True)] if based and not machine else []),
         Column("", kind="list", key="shape", machine=True),
         Column("", kind="list", key="energy", machine=True),
     )
     rows: list[tuple[Value, ...]] = []
     for index, mode in enumerate(found.modes):
-        shares = tuple(round(100 * float(share), 1) + 0.0 for share in mode.energy[:SIX])
+        energy = [*mode.energy[:SIX], *([sum(mode.energy[SIX:])] if based else [])]
+        shares = tuple(round(100 * float(share), 1) + 0.0 for share in energy)
         rows.append(
             (
                 index + 1,
@@ -141,6 +151,11 @@ def _mode_table(found: MountAnalysis, *, machine: bool) -> Table:
             )
         )
     said = _("Shares of the freedoms of the block in the kinetic energy of each mode.")
+    if based:
+        said = _(
+            "Shares of the freedoms of the block, and of the foundation, in the kinetic energy of "
+            "each mode."
+        )
     return Table(_("Natural modes"), columns, tuple(rows), (said,), key="modes")
 
 
@@ -173,89 +188,7 @@ def _axis_table(found: MountAnalysis) -> Table:
     return Table(_("Axes"), columns, rows, (said,), key="axes")
 
 
-def _speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Table:
-    """Vibration of the point, force on the ground and in the mounts, speed by speed."""
-    columns = (
-        Column(_("speed"), "rpm", key="speed_rpm", label=True),
-        Column(_("displacement, rms"), "um", key="displacement_rms", fixed=True),
-        Column(_("peak"), "um", key="displacement_peak", fixed=True),
-        Column(_("velocity, rms"), "mm/s", key="velocity_rms", fixed=True),
-        Column(_("peak"), "mm/s", key="velocity_peak", fixed=True, optional=2),
-        Column(_("force on the ground, rms"), "N", key="force_rms"),
-        Column(_("peak"), "N", key="force_peak", optional=2),
-        Column(_("moment, rms"), "N*m", key="moment_rms"),
-        Column(_("worst mount, rms"), "N", optional=1),
-        Column(_("its transmissibility"), optional=1, digits=3),
-        Column("", "N", kind="list", key="mount_force_rms", machine=True, fixed=True),
-        Column("", "N", kind="list", key="mount_force_peak", machine=True, fixed=True),
-        Column("", kind="list", key="transmissibility", machine=True),
-    )
-    displacement, velocity = own.displacement(found.point), own.velocity(found.point)
-    force, moment = own.ground_force[..., :3], own.ground_force[..., 3:]
-    each_rms, each_peak = _of_mounts(own)
-    cells = np.column_stack(
-        [
-            own.speeds * RPM,
-            UM * rms(displacement),
-            UM * peak(displacement, orders=own.orders),
-            MM * rms(velocity),
-            MM * peak(velocity, orders=own.orders),
-            rms(force),
-            peak(force, orders=own.orders),
-            rms(moment),
-        ]
-    )
-    through = own.transmissibility
-    chosen = range(own.speeds.size)
-    if not every and own.speeds.size > 2 * ROWS:
-        chosen = np.unique(np.linspace(0, own.speeds.size - 1, ROWS).round().astype(int)).tolist()
-    rows: list[tuple[Value, ...]] = []
-    for place in chosen:
-        worst = int(np.argmax(each_rms[place]))
-        rows.append(
-            (
-                *map(float, cells[place]),
-                float(each_rms[place, worst]),
-                _known(through[place])[worst],
-                tuple(each_rms[place].tolist()),
-                tuple(each_peak[place].tolist()),
-                _known(through[place]),
-            )
-        )
-    said = _worst_notes(cells) if len(rows) > 1 else ()
-    return Table(_("Vibration over the speeds"), columns, tuple(rows), said, key="speeds")
-
-
-def _worst_notes(cells: Real) -> tuple[str, ...]:
-    """At the slowest speed, and where the point shakes most."""
-    top = int(np.argmax(cells[:, 3]))
-    return (
-        _(
-            "At the slowest speed, {rpm} rpm, the point moves by {size} um rms; it shakes most at "
-            "{worst} rpm: {velocity} mm/s rms.",
-            rpm=number(float(cells[0, 0])),
-            size=number(float(f"{cells[0, 1]:.4g}")),
-            worst=number(float(round(cells[top, 0]))),
-            velocity=number(float(f"{cells[top, 3]:.4g}")),
-        ),
-    )
-
-
-def _of_mounts(own: MountResponse) -> tuple[Real, Real]:
-    """The force in each mount of the block, rms and peak, N [speed, mount]."""
-    mounts = range(own.block.of_block)
-    each = [own.mount_force[:, :, index] for index in mounts]
-    return (
-        np.column_stack([rms(force) for force in each]),
-        np.column_stack([peak(force, orders=own.orders) for force in each]),
-    )
-
-
-def _known(values: Real) -> tuple[float | None, ...]:
-    return tuple(None if np.isnan(each) else float(each) for each in values)
-
-
-def _order_table(found: MountAnalysis, own: MountResponse) -> Table:
+def _order_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Table:
     """Motion of the point and force on the ground at one speed, order by order."""
     columns = (
         Column(_("order"), key="order", label=True),
@@ -273,7 +206,7 @@ def _order_table(found: MountAnalysis, own: MountResponse) -> Table:
     rows: list[tuple[Value, ...]] = [
         (float(order), *map(complex, moved[place]), complex(roll[place]), float(force[place]))
         for place, order in enumerate(own.orders)
-        if size[place] > least
+        if every or size[place] > least
     ]
     title = _("By order at {rpm} rpm", rpm=number(float(own.speeds[0] * RPM)))
     return Table(title, columns, tuple(rows), key="orders")
@@ -290,8 +223,8 @@ def _force_table(own: MountResponse) -> Table:
         Column(_("heat"), "W", key="heat", fixed=True),
     )
     along = np.sqrt((np.abs(own.mount_force[0]) ** 2).sum(axis=0) / 2)
-    each_rms, each_peak = _of_mounts(own)
-    through, heat = _known(own.transmissibility[0]), own.heat[0]
+    each_rms, each_peak = of_mounts(own)
+    through, heat = known(own.transmissibility[0]), own.heat[0]
     rows = tuple(
         (
             own.block.mounts[index].name,

@@ -50,6 +50,7 @@ class Column:
     columns are left out where a table is too wide, 1 before 2; `wraps`: text that may
     take several lines; `label`: repeated where a table is split; `machine`: not for
     readers; `estimated`: some of its values rest on estimates, which its heading says.
+    `names`: what the numbers of a list are of; CSV has a column for each.
     """
 
     heading: str
@@ -63,6 +64,7 @@ class Column:
     machine: bool = False
     fixed: bool = False
     estimated: bool = False
+    names: tuple[str, ...] = ()
 
     @property
     def left(self) -> bool:

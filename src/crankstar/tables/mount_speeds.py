@@ -1,0 +1,119 @@
+"""An engine on its mounts speed by speed: a point of it, the ground, the worst of its mounts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+import numpy as np
+
+from crankstar.dynamics.mount_analysis import MountAnalysis
+from crankstar.dynamics.mount_response import MountResponse, peak, rms
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
+from crankstar.spectra import Real
+from crankstar.tables.table import Column, Table, Value
+
+RPM = 30 / pi
+MM, UM = 1e3, 1e6
+ROWS = 13
+"""Speeds that are shown to readers; all are in JSON and CSV."""
+
+
+def speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Table:
+    """Vibration of the point, force on the ground and in the mounts, speed by speed."""
+    names = tuple(own.block.mounts[index].name for index in range(own.block.of_block))
+    columns = (
+        Column(_("speed"), "rpm", key="speed_rpm", label=True),
+        Column(_("displacement, rms"), "um", key="displacement_rms", fixed=True),
+        Column(_("peak"), "um", key="displacement_peak", fixed=True),
+        Column(_("velocity, rms"), "mm/s", key="velocity_rms", fixed=True),
+        Column(_("peak"), "mm/s", key="velocity_peak", fixed=True, optional=1),
+        Column(_("force on the ground, rms"), "N", key="force_rms"),
+        Column(_("peak"), "N", key="force_peak", optional=1),
+        Column(_("moment, rms"), "N*m", key="moment_rms"),
+        Column(_("most force in a mount, rms"), "N", optional=2),
+        Column(_("mount"), kind="text", optional=2),
+        Column(_("greatest transmissibility"), optional=3, digits=3),
+        Column(_("mount"), kind="text", optional=3),
+        Column("", "N", kind="list", key="mount_force_rms", machine=True, names=names),
+        Column("", "N", kind="list", key="mount_force_peak", machine=True, names=names),
+        Column("", kind="list", key="transmissibility", machine=True, names=names),
+    )
+    displacement, velocity = own.displacement(found.point), own.velocity(found.point)
+    force, moment = own.ground_force[..., :3], own.ground_force[..., 3:]
+    each_rms, each_peak = of_mounts(own)
+    cells = np.column_stack(
+        [
+            own.speeds * RPM,
+            UM * rms(displacement),
+            UM * peak(displacement, orders=own.orders),
+            MM * rms(velocity),
+            MM * peak(velocity, orders=own.orders),
+            rms(force),
+            peak(force, orders=own.orders),
+            rms(moment),
+        ]
+    )
+    chosen = range(own.speeds.size)
+    if not every and own.speeds.size > 2 * ROWS:
+        chosen = np.unique(np.linspace(0, own.speeds.size - 1, ROWS).round().astype(int)).tolist()
+    rows: list[tuple[Value, ...]] = []
+    for place in chosen:
+        most = int(np.argmax(each_rms[place]))
+        through = known(own.transmissibility[place])
+        rows.append(
+            (
+                *map(float, cells[place]),
+                float(each_rms[place, most]),
+                names[most],
+                *_greatest(through, names),
+                tuple(each_rms[place].tolist()),
+                tuple(each_peak[place].tolist()),
+                through,
+            )
+        )
+    said = _worst_notes(cells) if len(rows) > 1 else ()
+    return Table(_("Vibration over the speeds"), columns, tuple(rows), said, key="speeds")
+
+
+def _greatest(
+    through: Sequence[float | None], names: Sequence[str]
+) -> tuple[float | None, str | None]:
+    """The greatest transmissibility and its mount; a mount may pass on most and have little force.
+
+    >>> _greatest((0.4, None, 2.2), ("left", "right", "rear"))
+    (2.2, 'rear')
+    """
+    told = [(size, name) for size, name in zip(through, names, strict=True) if size is not None]
+    return max(told, default=(None, None), key=lambda each: each[0] or 0.0)
+
+
+def _worst_notes(cells: Real) -> tuple[str, ...]:
+    """At the slowest speed, and where the point shakes most."""
+    top = int(np.argmax(cells[:, 3]))
+    return (
+        _(
+            "At the slowest speed, {rpm} rpm, the point moves by {size} um rms; it shakes most at "
+            "{worst} rpm: {velocity} mm/s rms.",
+            rpm=number(float(cells[0, 0])),
+            size=number(float(f"{cells[0, 1]:.4g}")),
+            worst=number(float(round(cells[top, 0]))),
+            velocity=number(float(f"{cells[top, 3]:.4g}")),
+        ),
+    )
+
+
+def of_mounts(own: MountResponse) -> tuple[Real, Real]:
+    """The force in each mount of the block, rms and peak, N [speed, mount]."""
+    mounts = range(own.block.of_block)
+    each = [own.mount_force[:, :, index] for index in mounts]
+    return (
+        np.column_stack([rms(force) for force in each]),
+        np.column_stack([peak(force, orders=own.orders) for force in each]),
+    )
+
+
+def known(values: Real) -> tuple[float | None, ...]:
+    """Transmissibilities, None where nothing shakes."""
+    return tuple(None if np.isnan(each) else float(each) for each in values)
