@@ -195,3 +195,24 @@ def test_without_mounts_or_point_there_is_a_sentence(run: Run, tmp_path: Path) -
         run("mounts", place, "--at", "1 mm, 2 mm").err.split()
     )
     assert "idle" in run("mounts", place, "--point", "idle").err
+
+
+RAIL = {**GROUND, "points": [{"name": "rail", "up": "-400 mm"}]}
+SUMP = {**BLOCK, "points": [{"name": "sump", "up": "-150 mm"}, {"name": "cover", "up": "400 mm"}]}
+
+
+@pytest.mark.parametrize(
+    ("tables", "at", "said"),
+    [
+        ({"block": SUMP}, "sumpp", 'no point of the block has this name; there are: "sump", "cove'),
+        ({"block": SUMP, "foundation": RAIL}, "rail", "--at rail: this is a point of the found"),
+        ({"foundation": RAIL}, "foundation: rail", "this is a point of the foundation, whose vib"),
+        ({}, "sump", "--at sump: the engine file names no point in [[block.points]]; give z, or"),
+    ],
+)
+def test_a_point_that_cannot_be_told_is_refused_with_those_that_can(
+    run: Run, tmp_path: Path, tables: dict[str, Any], at: str, said: str
+) -> None:
+    ran = run("mounts", written(tmp_path, **tables), "--at", at)
+    assert ran.code != 0
+    assert said in " ".join(ran.err.split())

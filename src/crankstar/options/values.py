@@ -294,11 +294,40 @@ def reference(text: str | None, engine: Engine, *, option: str = "--reference") 
 
 def block_point(text: str | None, engine: Engine) -> tuple[float, float, float] | None:
     """The point of --at as up, right, z; one of [[block.points]] by its name."""
-    for named in () if engine.block is None else engine.block.points:
-        if text is not None and text.strip() == named.name:
-            return named.place
+    points = () if engine.block is None else engine.block.points
+    for own in points:
+        if text is not None and text.strip() == own.name:
+            return own.place
+    if text is not None and text.strip()[:1].isalpha():
+        raise _no_point(text, [own.name for own in points], engine)
     place = reference(text, engine, option="--at")
     return None if place is None else (place.up, place.right, place.z)
+
+
+def _no_point(text: str, names: list[str], engine: Engine) -> RequestError:
+    """The refusal of a name that no point of the block has."""
+    below = () if engine.foundation is None else engine.foundation.points
+    asked = (text.strip(), text.strip().partition(": ")[2])  # as tables have it: "foundation: rail"
+    if any(own.name in asked for own in below):
+        return refusal(
+            "--at",
+            text,
+            "this is a point of the foundation, whose vibration is in the tables of points; --at "
+            "takes a point of the block",
+        )
+    if not names:
+        return refusal(
+            "--at",
+            text,
+            'the engine file names no point in [[block.points]]; give z, or z, up and right, as in '
+            '"300 mm, 200 mm, 0 mm"',
+        )
+    return refusal(
+        "--at",
+        text,
+        "no point of the block has this name; there are: {names}",
+        names=", ".join(map(seen, names)),
+    )
 
 
 def planes(option: str, text: str, engine: Engine) -> list[float]:

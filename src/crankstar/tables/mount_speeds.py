@@ -16,6 +16,7 @@ from crankstar.tables.table import Column, Table, Value
 
 RPM = 30 / pi
 MM, UM = 1e3, 1e6
+ROUNDING = 1e-9
 ROWS = 13
 """Speeds that are shown to readers; all are in JSON and CSV."""
 
@@ -60,7 +61,7 @@ def speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Tab
         chosen = np.unique(np.linspace(0, own.speeds.size - 1, ROWS).round().astype(int)).tolist()
     rows: list[tuple[Value, ...]] = []
     for place in chosen:
-        most = int(np.argmax(each_rms[place]))
+        most = _first_greatest(each_rms[place])
         through = known(own.transmissibility[place])
         rows.append(
             (
@@ -84,9 +85,17 @@ def _greatest(
 
     >>> _greatest((0.4, None, 2.2), ("left", "right", "rear"))
     (2.2, 'rear')
+    >>> _greatest((2.2, 2.2 + 1e-15), ("left", "right"))
+    (2.2, 'left')
     """
-    told = [(size, name) for size, name in zip(through, names, strict=True) if size is not None]
-    return max(told, default=(None, None), key=lambda each: each[0] or 0.0)
+    sizes = np.array([-1.0 if size is None else size for size in through])
+    place = _first_greatest(sizes)
+    return (None, None) if sizes[place] < 0 else (float(sizes[place]), names[place])
+
+
+def _first_greatest(sizes: Real) -> int:
+    """The first of those that are the greatest but for rounding."""
+    return int(np.argmax(sizes >= sizes.max() * (1 - ROUNDING)))
 
 
 def _worst_notes(cells: Real) -> tuple[str, ...]:
