@@ -142,3 +142,41 @@ def test_an_engine_without_masses_has_no_mounts() -> None:
     del tree["cylinder"]["reciprocating_mass"], tree["cylinder"]["rotating_mass"]
     with pytest.raises(EngineFileError, match=r"give cylinder\.reciprocating_mass"):
         engine_of(tree)
+
+
+ONE: dict[str, Any] = {
+    "name": "a single",
+    "cycle": "four-stroke",
+    "firing_order": [1],
+    "cylinder": {
+        "stroke": "80 mm",
+        "rod_length": "140 mm",
+        "reciprocating_mass": "400 g",
+        "rotating_mass": "300 g",
+    },
+    "layout": {"type": "inline", "throws": ["0 deg"]},
+    "mounts": THREE,
+}
+STAR = {"type": "radial", "rows": [{"throw": "0 deg", "cylinders": [1, 2, 3]}]}
+
+
+@pytest.mark.parametrize("layout", [ONE["layout"], STAR, {"type": "inline"}])
+def test_cylinders_at_one_place_need_no_bore_pitch(layout: dict[str, Any]) -> None:
+    tree = {**ONE, "layout": layout, "block": {**BLOCK, "z": "-40 mm"}}
+    if layout == STAR:
+        tree["firing_order"] = [1, 3, 2]
+    engine = engine_of(tree)
+    assert engine.relative == ()
+    assert [each.z for each in engine.mounts] == pytest.approx([0.1, 0.1, -0.35])
+    pitched = engine_of({**tree, "layout": {**layout, PITCHES[str(layout["type"])]: "90 mm"}})
+    assert [each.z for each in pitched.mounts] == [each.z for each in engine.mounts]
+    assert engine_of(tree_of(toml(engine))).mounts == engine.mounts
+
+
+PITCHES = {"inline": "bore_pitch", "radial": "row_pitch"}
+
+
+def test_cylinders_at_several_places_still_need_a_bore_pitch() -> None:
+    tree = {**ONE, "firing_order": [1, 2], "layout": {"type": "inline", "throws": ["0 deg"] * 2}}
+    with pytest.raises(EngineFileError, match="bore_pitch"):
+        engine_of(tree)

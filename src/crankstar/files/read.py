@@ -190,9 +190,20 @@ def unknown_scales(tree: Tree) -> frozenset[str]:
     unknown = {
         "mass": not (_tells(cylinder, "reciprocating_mass") or tells_mass(cylinder)),
         "radius": not _tells(cylinder, "stroke"),
-        "pitch": not along,
+        "pitch": not along and not (_tells(cylinder, "stroke") and _in_one_plane(tree, layout)),
     }
     return _relative(tree) | {name for name, missing in unknown.items() if missing}
+
+
+def _in_one_plane(tree: Tree, layout: Tree) -> bool:
+    """Whether all cylinders stand at one place of the shaft, so that no bore pitch is needed."""
+    if "rows" in layout:
+        return len(_listed(layout["rows"])) == 1
+    banks = [bank for bank in _listed(layout.get("banks")) if isinstance(bank, dict)]
+    if layout.get("bank_offset") or any(bank.get("set_back") for bank in banks):
+        return False
+    throws = layout.get("throws", tree.get("firing_order"))
+    return "cranks" not in layout and len(_listed(throws)) == 1
 
 
 def _tells(table: Tree, key: str) -> bool:

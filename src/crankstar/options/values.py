@@ -319,7 +319,7 @@ def _no_point(text: str, names: list[str], engine: Engine) -> RequestError:
         return refusal(
             "--at",
             text,
-            'the engine file names no point in [[block.points]]; give z, or z, up and right, as in '
+            "the engine file names no point in [[block.points]]; give z, or z, up and right, as in "
             '"300 mm, 200 mm, 0 mm"',
         )
     return refusal(
