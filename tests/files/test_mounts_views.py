@@ -216,3 +216,31 @@ def test_a_point_that_cannot_be_told_is_refused_with_those_that_can(
     ran = run("mounts", written(tmp_path, **tables), "--at", at)
     assert ran.code != 0
     assert said in " ".join(ran.err.split())
+
+
+def test_one_speed_for_many_points_to_the_option_for_it(run: Run, tmp_path: Path) -> None:
+    ran = run("mounts", written(tmp_path), "--speeds", "750 rpm")
+    assert ran.code != 0
+    assert "--speeds 750 rpm: this is one value, which --speed takes;" in " ".join(ran.err.split())
+    ran = run("isolate", written(tmp_path), "--speeds", "750 rpm")
+    assert "give two or more" not in ran.out
+    assert "--speed takes" not in ran.err
+
+
+def test_show_tells_products_of_inertia_and_the_middle_is_nought(run: Run, tmp_path: Path) -> None:
+    own = {**BLOCK, "product_up_z": "0.45 kg*m^2", "product_right_z": "-0.2 kg*m^2"}
+    five = tmp_path / "five.toml"
+    layout = {"type": "inline", "throws": [f"{72 * n} deg" for n in (0, 2, 3, 1, 4)]}
+    tree = {**spoilt(SHORT, block=own), "firing_order": [1, 2, 4, 5, 3]}
+    tree["layout"] = {**layout, "bore_pitch": "49.3 mm"}
+    tree.pop("cylinders", None)
+    engine = engine_of(tree)
+    exact = toml(engine)
+    five.write_text(exact.replace("throw = 3\n", 'throw = 3\nz = "-6.9389e-15 mm"\n'))
+    text = run("show", str(five)).out
+    said = " ".join(text.split())
+    assert (
+        "Products of inertia: 0 kg m² of up and right, 0.45 kg m² of up and along, -0.2 kg m² of "
+        "right and along." in said
+    )
+    assert "e-1" not in text.partition("Piston of")[0]

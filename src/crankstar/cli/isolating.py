@@ -63,7 +63,7 @@ def isolate(
     ((loaded, _spread), tree), aim, over, count = together(
         partial(engine_over_ranges, engine, settings, estimate=False),
         partial(asked.aim, minimise),
-        partial(speeds_of, speeds),
+        partial(speeds_of, speeds, beside_speed=False),
         partial(request.within, "--starts", starts, most=asked.GREATEST_STARTS),
     )
     how = {"point": point or "", "speeds": over, "at": request.block_point(at, loaded)}

@@ -63,6 +63,8 @@ RELATIVE = {
 }
 """The units of what the file does not give."""
 
+ROUNDING = 1e-9
+"""Metres, or bore pitches: no place."""
 STATUSES = (N_("published"), N_("computed"), N_("unverified"), N_("placeholder"), N_("estimated"))
 """How far values are to be trusted, as files say it."""
 
@@ -102,12 +104,12 @@ def rotors(engine: Engine) -> Table:
         for place, throw in enumerate(shaft.throws, 1):
             cells = (label, _("throw {number}", number=place), _bearing(throw.angle))
             product = throw.turning_mass * throw.radius * unbalance.factor
-            places = (throw.radius * across.factor, throw.z * along.factor)
+            places = (throw.radius * across.factor, _along(throw.z, along))
             rows.append((*cells, *places, throw.turning_mass, product))
         for place, weight in enumerate(shaft.weights, 1):
             cells = (label, _("weight {number}", number=place), _bearing(weight.angle))
             product = weight.unbalance * unbalance.factor
-            rows.append((*cells, None, weight.z * along.factor, None, product))
+            rows.append((*cells, None, _along(weight.z, along), None, product))
     return Table(_("Shafts, throws and weights"), columns, tuple(rows), key="rotors")
 
 
@@ -154,6 +156,11 @@ def _of_records(engine: Engine, moves: Literal["rotating", "reciprocating"]) -> 
     return _(MASSES[moves][rigid])
 
 
+def _along(z: float, along: Scale) -> float:
+    """A place along the shaft in its unit; nought for what rounding left of the middle."""
+    return 0.0 if abs(z) < ROUNDING else z * along.factor
+
+
 def _bearing(angle: float) -> float:
     return round(degrees(angle), 9) + 0.0
 
@@ -186,7 +193,7 @@ def cylinders(engine: Engine) -> Table:
                 banks[cylinder.number],
                 seat,
                 _bearing(cylinder.bearing),
-                cylinder.z * along.factor,
+                _along(cylinder.z, along),
                 cylinder.offset * across.factor,
                 None if cylinder.bore is None else cylinder.bore * across.factor,
                 cylinder.rod_length * across.factor,
@@ -218,7 +225,17 @@ def _block(engine: Engine, block: Block) -> str:
         pitch=pitch,
         roll=roll,
     )
-    return f"{words} {moments}"
+    if not any(block.products):
+        return f"{words} {moments}"
+    across_up, along_up, along_right = (quantity_text(size, unit) for size in block.products)
+    products = _(
+        "Products of inertia: {up_right} of up and right, {up_z} of up and along, {right_z} of "
+        "right and along.",
+        up_right=across_up,
+        up_z=along_up,
+        right_z=along_right,
+    )
+    return f"{words} {moments} {products}"
 
 
 def harmonics(engine: Engine) -> tuple[Table, ...]:
