@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -244,3 +245,32 @@ def test_show_tells_products_of_inertia_and_the_middle_is_nought(run: Run, tmp_p
         "right and along." in said
     )
     assert "e-1" not in text.partition("Piston of")[0]
+
+
+def test_chosen_units_are_those_of_every_number_and_sentence(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "170")
+    place = written(tmp_path, block=SUMP, foundation=RAIL)
+    asked = ("--speed", "900 rpm", "--speeds", SPEEDS, "--units", "us")
+    out = run("mounts", place, *asked).out
+    assert "[lbf/in]" in out
+    assert "[in/s]" in out
+    found = crankstar.mounts(crankstar.load(place))
+    assert f"sits down by {-found.sag[0] / 0.0254:.4f}"[:20] in " ".join(out.split())
+    left = re.findall(r"\b(?:N|mm|um|N/mm|mm/s|mm/rad)\b", out)
+    assert not left
+    rows = cells(out, "Mounts, and those of the foundation")
+    assert float(rows[0][4].rstrip(",")) == pytest.approx(
+        200e3 * 0.0254 / 4.4482216152605, rel=1e-4
+    )
+    plain = json.loads(run("mounts", place, *asked, "--json").out)
+    assert plain["mounts"][0]["stiffness"][0] == pytest.approx(200)
+
+
+def test_the_point_is_told_with_its_name_and_what_each_length_is(run: Run, tmp_path: Path) -> None:
+    out = " ".join(run("mounts", written(tmp_path, block=SUMP)).out.split())
+    assert "the point sump (up -150 mm, right 0 mm, along 0 mm); see --at." in out
+    at = ("--at", "300 mm, 200 mm, 10 mm")
+    out = " ".join(run("mounts", written(tmp_path), *at).out.split())
+    assert "the point up 200 mm, right 10 mm, along 300 mm; see --at." in out

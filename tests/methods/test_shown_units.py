@@ -74,6 +74,19 @@ def test_every_factor_is_that_of_pint(choice: str) -> None:
             assert factor == pytest.approx(si(1.0, unit_text(unit)), rel=1e-14), (unit, largest)
 
 
+@pytest.mark.parametrize("unit", ["N/mm", "N*s/m", "mm/s", "m/s^2", "mm/rad", "um"])
+@pytest.mark.parametrize("choice", ["us", "kgf", "cm", "lbf, ft"])
+def test_what_is_counted_per_length_follows_a_chosen_length(unit: str, choice: str) -> None:
+    with shown_in(read_choice(choice)):
+        said = shown(unit, 3.0)
+    own, now = (
+        REGISTRY.Quantity(1.0, each.replace("in", "inch").replace("lbf", "pound_force"))
+        for each in (unit, said.unit)
+    )
+    assert said.factor == pytest.approx(own.to(now).magnitude, rel=1e-12)
+    assert shown(unit, 3.0) == (unit, 1.0)
+
+
 def test_the_unit_without_a_choice_is_the_largest_of_which_there_are_ten() -> None:
     forces = {9_999.0: "9999 N", 10_000.0: "10 kN", 9.9e6: "9900 kN", 1e7: "10 MN", 0.0: "0 N"}
     assert {force: quantity_text(force, "N") for force in forces} == forces

@@ -21,6 +21,7 @@ from crankstar.dynamics.mounted_block import SIX, MountError
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text, unit_text
+from crankstar.language.shown_units import Shown, shown
 from crankstar.spectra import Complex, Real
 
 MountView = Literal["velocity", "displacement", "acceleration", "hand-arm", "force", "mounts"]
@@ -99,10 +100,12 @@ def mount_response_chart(
         return without(engine, title=title, reason=str(error))
     if found.over is None:
         return without(engine, title=title, reason=_(NO_SPEED))
-    unit = unit_text(UNITS[wanted])
+    said = Shown(UNITS[wanted], 1.0) if wanted == "hand-arm" else shown(UNITS[wanted], 1.0)
+    unit = unit_text(said.unit)
     over = found.over
     by_mount = wanted == "mounts"
     lines = _of_mounts(over) if by_mount else _by_order(over, found.point, wanted, asked)
+    lines = [line._replace(values=line.values * said.factor) for line in lines]
     panel = _panel(over, lines, _(AXES[wanted], unit=unit))
     told = about(engine, found)
     if wanted not in ("force", "mounts"):

@@ -9,7 +9,7 @@ from crankstar.charts.drawing import heading
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
 
 RPM = 30 / pi
 NO_SPEED = N_("Without a speed nothing shakes it: give --speeds, or speed in the file.")
@@ -33,12 +33,10 @@ def about(engine: Engine, found: MountAnalysis, *, shaken: bool = True) -> list[
 
 
 def place_text(point: Sequence[float]) -> str:
-    """A point (up, right, z) in millimetres, in words.
+    """A point (up, right, z), in words.
 
     >>> place_text((0.1, -0.02, 0.3))
     'at 100 mm up, -20 mm to the right, 300 mm along'
     """
-    up, right, along = (number(round(each * 1e3, 1)) for each in point)
-    return _(
-        "at {up} mm up, {right} mm to the right, {along} mm along", up=up, right=right, along=along
-    )
+    up, right, along = (quantity_text(round(each * 1e3, 1) + 0.0, "mm") for each in point)
+    return _("at {up} up, {right} to the right, {along} along", up=up, right=right, along=along)

@@ -238,6 +238,15 @@ def dimension(unit: str) -> tuple[str, str]:
     return (name, relative) if name else ("", "")
 
 
+_QUOTIENTS = {
+    "N/mm": ("N", "", "mm"),
+    "N*s/m": ("N", "*s", "m"),
+    "mm/s": ("mm", "/s", ""),
+    "m/s^2": ("m", "/s^2", ""),
+    "mm/rad": ("mm", "/rad", ""),
+    "um": ("um", "", ""),
+}
+"""Units that follow a chosen force and length outside SI: what is above, the rest, what below."""
 FREQUENCY, STRESS = "Hz", "MPa"
 """A frequency is no speed of rotation; a stress is shown as a pressure only where one is chosen."""
 
@@ -250,7 +259,15 @@ def shown(unit: str, largest: float, *, prefixed: bool = True) -> Shown:
 
     >>> shown("N", 25_000.0), shown("m*r*w^2", 25_000.0)
     (Shown(unit='kN', factor=0.001), Shown(unit='m*r*w^2', factor=1.0))
+
+    What is counted per length or in a small part of one follows a length that is not of SI:
+
+    >>> with shown_in(read_choice("us")):
+    ...     shown("N/mm", 200.0).unit, shown("um", 3.0).unit, shown("m/s^2", 1.0).unit
+    ('lbf/in', 'in', 'in/s^2')
     """
+    if unit in _QUOTIENTS:
+        return _quotient(unit)
     name, relative = dimension(unit)
     chosen = choice().get(name, ())
     if unit == FREQUENCY or (unit == STRESS and not chosen):
@@ -277,6 +294,21 @@ def shown_quotient(over: str, under: str) -> Shown:
     """
     above, below = (shown(unit, 0.0, prefixed=False) for unit in (over, under))
     return Shown(f"{above.unit}/{below.unit}", above.factor / below.factor)
+
+
+def _quotient(unit: str) -> Shown:
+    """The unit for one of _QUOTIENTS."""
+    above, rest, below = _QUOTIENTS[unit]
+    above = _foreign("force" if above == "N" else "length", above)
+    below = _foreign("length", below) if below else ""
+    wanted = f"{above}{rest}/{below}" if below else f"{above}{rest}"
+    return Shown(wanted, 1.0 if wanted == unit else _ratio(unit, wanted))
+
+
+def _foreign(name: str, otherwise: str) -> str:
+    """The chosen unit of a dimension if it is not of SI."""
+    chosen = choice().get(name, ())
+    return chosen[0] if chosen and chosen[0] not in PREFIXED[name] else otherwise
 
 
 def _prefixed(unit: str, largest: float, units: tuple[str, ...]) -> str:

@@ -24,9 +24,9 @@ _MOST = {
     ),
     "--at": Option(
         "text",
-        'Point of the block whose vibration is told: z, or z, up and right, such as "-120 mm" or '
-        '"300 mm, 200 mm, 0 mm", or one of [[block.points]] by its name (default: the first of '
-        "these, or the centre of mass).",
+        "Point of the block whose vibration is told: along (z), or along, up and right in this "
+        'order, such as "-120 mm" or "300 mm, 200 mm, 0 mm", or one of '
+        "[[block.points]] by its name (default: the first of these, or the centre of mass).",
         ("--grip", "--place"),
     ),
     "--at-radius": Option(

@@ -243,8 +243,8 @@ def mount_numbers(engine: Engine) -> MountNumbers | None:
         for kind in ("note", "doubt")
     )
     return MountNumbers(
-        displacement_unit=Unit(label="µm", factor=1e6),
-        velocity_unit=Unit(label=unit_text("mm/s"), factor=1e3),
+        displacement_unit=_small("um", 1e6),
+        velocity_unit=_small("mm/s", 1e3),
         force_unit=_unit(max(forces, default=1.0) or 1.0),
         load_unit=_unit(float(np.abs(found.loads).max())),
         mounts=_table(plain, "mounts"),
@@ -262,6 +262,13 @@ def mount_numbers(engine: Engine) -> MountNumbers | None:
 def _unit(largest: float) -> Unit:
     unit = shown("N", largest)
     return Unit(label=unit_text(unit.unit), factor=unit.factor)
+
+
+def _small(unit: str, count: float) -> Unit:
+    """The unit for one of which there are `count` in SI."""
+    said = shown(unit, 1.0)
+    label = "µm" if said.unit == "um" else unit_text(said.unit)
+    return Unit(label=label, factor=count * said.factor)
 
 
 def _table(document: Document, key: str) -> Table:

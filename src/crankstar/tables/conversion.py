@@ -53,8 +53,8 @@ def scaled(value: Value, factor: float) -> Value:
 def _of(unit: str, largest: Mapping[tuple[str, str], float], prefixed: bool) -> Shown:
     """The unit for a unit, by the greatest numbers (SI) of each dimension."""
     group = dimension(unit)
-    if not group[0]:
-        return Shown(unit, 1.0)
+    if group not in largest:  # of no dimension, or one that goes with others
+        return shown(unit, 0.0, prefixed=prefixed)
     return shown(unit, largest[group] / _factor(unit, group), prefixed=prefixed)
 
 

@@ -150,13 +150,8 @@ def _changes(
         (N_("torque"), "torque", "N*m"),
         (N_("velocity of the point, rms"), "velocity", "mm/s"),
     ):
-        fixed = unit == "mm/s"
-        columns.append(
-            Column(_("{quantity} before", quantity=_(said)), unit, key=f"before/{key}", fixed=fixed)
-        )
-        columns.append(
-            Column(_("{quantity} now", quantity=_(said)), unit, key=f"now/{key}", fixed=fixed)
-        )
+        columns.append(Column(_("{quantity} before", quantity=_(said)), unit, key=f"before/{key}"))
+        columns.append(Column(_("{quantity} now", quantity=_(said)), unit, key=f"now/{key}"))
     return Table(_("What changes"), tuple(columns), tuple(rows), key="orders"), fresh
 
 
@@ -283,7 +278,7 @@ def _suspects(found: Diagnosis, *, every: bool) -> Table:
         Column("", key="size_error", machine=True),
         Column("", kind="text", key="size_unit", machine=True),
         Column(_("explained"), "%", key="explained_percent", digits=4),
-        Column(_("left, rms"), "mm/s", key="left_rms", digits=4, fixed=True),
+        Column(_("left, rms"), "mm/s", key="left_rms", digits=4),
     )
     rows: list[tuple[Value, ...]] = []
     for suspect in found.suspects if every else suspects_of(found)[:ROWS]:
@@ -311,8 +306,8 @@ def _readings(found: Diagnosis) -> Table:
         Column(_("line"), key="line", label=True),
         Column(_("order"), key="order"),
         Column(_("direction"), kind="text", key="direction"),
-        Column(_("difference"), "mm/s", kind="wave", key="difference", fixed=True),
-        Column(_("explained"), "mm/s", kind="wave", key="explained", fixed=True),
+        Column(_("difference"), "mm/s", kind="wave", key="difference"),
+        Column(_("explained"), "mm/s", kind="wave", key="explained"),
     )
     rows = tuple(
         (each.line, each.order, _(NAMES[AXES[each.axis]]), 1e3 * complex(own), 1e3 * complex(said))

@@ -8,9 +8,9 @@ from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_worst import ROLL, roll_mode
 from crankstar.engine.mounts import Mount
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number
 from crankstar.remedy.isolation import KEPT, Isolation, MountLimits
 from crankstar.tables.headings import heading
+from crankstar.tables.mount_points import told_point
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 MM = 1e3
@@ -137,16 +137,8 @@ def _notes(best: Isolation, after: MountAnalysis, limits: MountLimits) -> list[s
     if held:
         lines.append(_("It has come to these limits: {limits}.", limits=", ".join(held)))
     if best.aim.endswith("velocity"):
-        up, right, along = (number(round(each * MM, 6)) for each in after.point)
-        lines.append(
-            _(
-                "Vibration is that of the point {up} mm up, {right} mm to the right, {along} mm "
-                "along; see --at.",
-                up=up,
-                right=right,
-                along=along,
-            )
-        )
+        point = told_point(best.engine, after.point)
+        lines.append(_("Vibration is that of the point {point}; see --at.", point=point))
     return lines
 
 

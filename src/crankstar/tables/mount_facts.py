@@ -13,6 +13,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
+from crankstar.language.shown_units import quantity_text
 from crankstar.tables.table import Column, Table, Value
 
 RPM = 30 / pi
@@ -56,17 +57,17 @@ def mount_sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
     lines.append(
         _(
             "Between {low} and {high} rpm the force on the ground is greatest at {rpm} rpm: {size} "
-            "N rms, most of it of order {order}.",
+            "rms, most of it of order {order}.",
             low=low,
             high=high,
-            **_words("force", told.force, 1.0),
+            **_words("force", told.force, 1.0, "N"),
         )
     )
     lines.append(
         _(
-            "{point} shakes most at {rpm} rpm: {size} mm/s rms, most of it of order {order}.",
+            "{point} shakes most at {rpm} rpm: {size} rms, most of it of order {order}.",
             point=_point(engine),
-            **_words("velocity", told.velocity, MM),
+            **_words("velocity", told.velocity, MM, "mm/s"),
         )
     )
     if over.excitation.without_gas:
@@ -100,11 +101,11 @@ def _hertz(frequency: float) -> str:
     return number(float(f"{frequency:.4g}"))
 
 
-def _words(name: str, own: Worst, factor: float) -> dict[str, str]:
+def _words(name: str, own: Worst, factor: float, unit: str) -> dict[str, str]:
     """Size, speed and order as text; the order is the one that the engine as given decides."""
     return {
         "rpm": number(round(own.speed * RPM)),
-        "size": number(float(f"{own.size * factor:.4g}")),
+        "size": quantity_text(float(f"{own.size * factor:.4g}"), unit),
         "order": order_text(as_given(("worst order on mounts", name), own.order)),
     }
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import pi
 from typing import NamedTuple
 
@@ -13,10 +13,25 @@ from crankstar.dynamics.mount_response import MountResponse, rms
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
 from crankstar.tables.table import Column, Table, Value
 
 RPM = 30 / pi
 MM = 1e3
+
+
+def told_point(engine: Engine, point: Sequence[float]) -> str:
+    """A point of the block (up, right, z; m) in words, by its name where the file gives it one.
+
+    >>> from crankstar.files.catalog import load
+    >>> told_point(load("audi-25-tfsi"), (0.1, -0.02, 0.3))
+    'up 100 mm, right -20 mm, along 300 mm'
+    """
+    named = () if engine.block is None else engine.block.points
+    name = next((own.name for own in named if own.place == tuple(point)), "")
+    up, right, along = (quantity_text(round(each * MM, 6) + 0.0, "mm") for each in point)
+    place = _("up {up}, right {right}, along {along}", up=up, right=right, along=along)
+    return f"{name} ({place})" if name else place
 
 
 def point_tables(engine: Engine, found: MountAnalysis) -> Iterator[Table]:
@@ -52,9 +67,9 @@ def _places(engine: Engine) -> list[_Place]:
 def _over_speeds(places: list[_Place], own: MountResponse) -> Table:
     columns = (
         Column(_("point"), kind="text", key="name", label=True),
-        Column(_("velocity, rms"), "mm/s", key="velocity_rms", fixed=True),
+        Column(_("velocity, rms"), "mm/s", key="velocity_rms"),
         Column(_("at speed"), "rpm", key="velocity_rpm", optional=1, digits=5),
-        Column(_("acceleration, rms"), "m/s^2", key="acceleration_rms", fixed=True),
+        Column(_("acceleration, rms"), "m/s^2", key="acceleration_rms"),
         Column(_("at speed"), "rpm", key="acceleration_rpm", optional=1, digits=5),
         Column(_("weighted for the hand"), "m/s^2", key="hand_arm_rms", fixed=True),
         Column(_("at speed"), "rpm", key="hand_arm_rpm", digits=5),
@@ -73,9 +88,9 @@ def _over_speeds(places: list[_Place], own: MountResponse) -> Table:
 def _at_speed(places: list[_Place], own: MountResponse) -> Table:
     columns = (
         Column(_("point"), kind="text", key="name", label=True),
-        Column(_("displacement, rms"), "um", key="displacement_rms", fixed=True, optional=1),
-        Column(_("velocity, rms"), "mm/s", key="velocity_rms", fixed=True),
-        Column(_("acceleration, rms"), "m/s^2", key="acceleration_rms", fixed=True),
+        Column(_("displacement, rms"), "um", key="displacement_rms", optional=1),
+        Column(_("velocity, rms"), "mm/s", key="velocity_rms"),
+        Column(_("acceleration, rms"), "m/s^2", key="acceleration_rms"),
         Column(_("weighted for the hand"), "m/s^2", key="hand_arm_rms", fixed=True),
     )
     rows = tuple(

@@ -11,6 +11,7 @@ from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_response import MountResponse, peak, rms
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Real
 from crankstar.tables.table import Column, Table, Value
 
@@ -26,10 +27,10 @@ def speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Tab
     names = tuple(own.block.mounts[index].name for index in range(own.block.of_block))
     columns = (
         Column(_("speed"), "rpm", key="speed_rpm", label=True),
-        Column(_("displacement, rms"), "um", key="displacement_rms", fixed=True),
-        Column(_("peak"), "um", key="displacement_peak", fixed=True),
-        Column(_("velocity, rms"), "mm/s", key="velocity_rms", fixed=True),
-        Column(_("peak"), "mm/s", key="velocity_peak", fixed=True, optional=1),
+        Column(_("displacement, rms"), "um", key="displacement_rms"),
+        Column(_("peak"), "um", key="displacement_peak"),
+        Column(_("velocity, rms"), "mm/s", key="velocity_rms"),
+        Column(_("peak"), "mm/s", key="velocity_peak", optional=1),
         Column(_("force on the ground, rms"), "N", key="force_rms"),
         Column(_("peak"), "N", key="force_peak", optional=1),
         Column(_("moment, rms"), "N*m", key="moment_rms"),
@@ -103,12 +104,12 @@ def _worst_notes(cells: Real) -> tuple[str, ...]:
     top = int(np.argmax(cells[:, 3]))
     return (
         _(
-            "At the slowest speed, {rpm} rpm, the point moves by {size} um rms; it shakes most at "
-            "{worst} rpm: {velocity} mm/s rms.",
+            "At the slowest speed, {rpm} rpm, the point moves by {size} rms; it shakes most at "
+            "{worst} rpm: {velocity} rms.",
             rpm=number(float(cells[0, 0])),
-            size=number(float(f"{cells[0, 1]:.4g}")),
+            size=quantity_text(float(f"{cells[0, 1]:.4g}"), "um"),
             worst=number(float(round(cells[top, 0]))),
-            velocity=number(float(f"{cells[top, 3]:.4g}")),
+            velocity=quantity_text(float(f"{cells[top, 3]:.4g}"), "mm/s"),
         ),
     )
 

@@ -16,10 +16,11 @@ from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.rigid_block import FREEDOMS
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Complex
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.headings import heading
-from crankstar.tables.mount_points import point_tables
+from crankstar.tables.mount_points import point_tables, told_point
 from crankstar.tables.mount_speeds import known, of_mounts, speed_table
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
@@ -60,7 +61,8 @@ def mounts_document(
     if found.at is not None:
         parts += [_order_table(found, found.at, every=every_order), _force_table(found.at)]
     if not machine:
-        parts += [*remarks(*_notes(found), kind="note"), *remarks(*_doubts(found), kind="doubt")]
+        parts += remarks(*_notes(engine, found), kind="note")
+        parts += remarks(*_doubts(found), kind="doubt")
         parts += typical_remarks(engine)
     return Document(engine.name, tuple(parts), _facts(engine, found))
 
@@ -101,7 +103,7 @@ def _mount_table(found: MountAnalysis) -> Table:
         Column(_("up"), "mm", key="up"),
         Column(_("right"), "mm", key="right"),
         Column(_("along"), "mm", key="z"),
-        Column(_("stiffness along its axes"), "N/mm", kind="list", key="stiffness", fixed=True),
+        Column(_("stiffness along its axes"), "N/mm", kind="list", key="stiffness"),
         Column(_("loss factor"), key="loss_factor"),
         Column(_("load at rest"), "N", key="load"),
     )
@@ -169,7 +171,7 @@ def _axis_table(found: MountAnalysis) -> Table:
         Column(_("along"), "mm", key="z"),
         Column(_("from the crankshaft"), "deg", key="angle_deg"),
         Column("", kind="list", key="direction", machine=True),
-        Column(_("advance"), "mm/rad", key="advance", fixed=True),
+        Column(_("advance"), "mm/rad", key="advance"),
     )
 
     def row(shown: str, name: str, axis: Axis) -> tuple[Value, ...]:
@@ -192,9 +194,9 @@ def _order_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Ta
     """Motion of the point and force on the ground at one speed, order by order."""
     columns = (
         Column(_("order"), key="order", label=True),
-        Column(_("up"), "um", kind="wave", key="up", fixed=True),
-        Column(_("right"), "um", kind="wave", key="right", fixed=True),
-        Column(_("along"), "um", kind="wave", key="z", fixed=True),
+        Column(_("up"), "um", kind="wave", key="up"),
+        Column(_("right"), "um", kind="wave", key="right"),
+        Column(_("along"), "um", kind="wave", key="z"),
         Column(_("roll"), "deg", kind="wave", key="roll_deg"),
         Column(_("force on the ground, rms"), "N", key="force_rms"),
     )
@@ -216,7 +218,7 @@ def _force_table(own: MountResponse) -> Table:
     """The force in each mount at one speed, along its own axes."""
     columns = (
         Column(_("mount"), kind="text", key="name", label=True),
-        Column(_("along its axes, rms"), "N", kind="list", key="rms_along", fixed=True),
+        Column(_("along its axes, rms"), "N", kind="list", key="rms_along"),
         Column(_("rms"), "N", key="rms"),
         Column(_("peak"), "N", key="peak"),
         Column(_("transmissibility"), key="transmissibility", digits=3),
@@ -240,23 +242,15 @@ def _force_table(own: MountResponse) -> Table:
     return Table(title, columns, rows, key="mounts_at_speed")
 
 
-def _notes(found: MountAnalysis) -> list[str]:
+def _notes(engine: Engine, found: MountAnalysis) -> list[str]:
     """What it rests on, and what is left out."""
-    up, right, along = (number(round(each * MM, 6)) for each in found.point)
-    sag = number(float(f"{-found.sag[0] * MM:.4g}"))
-    lines = [_("Under its weight the block sits down by {sag} mm at its centre of mass.", sag=sag)]
+    sag = quantity_text(float(f"{-found.sag[0] * MM:.4g}"), "mm")
+    lines = [_("Under its weight the block sits down by {sag} at its centre of mass.", sag=sag)]
     if found.over is None and found.at is None:
         lines.append(_("Without a speed nothing shakes it: give --speeds, or speed in the file."))
         return lines
-    lines.append(
-        _(
-            "Vibration is that of the point {up} mm up, {right} mm to the right, {along} mm along; "
-            "see --at.",
-            up=up,
-            right=right,
-            along=along,
-        )
-    )
+    point = told_point(engine, found.point)
+    lines.append(_("Vibration is that of the point {point}; see --at.", point=point))
     if found.range_assumed:
         lines.append(_("The range of speeds is taken about the one that is known; see --speeds."))
     lines.append(

@@ -253,7 +253,7 @@ def _verdict(worth: float, grade: float | None) -> str:
 
 def _permissible(rotor: Rotor, grades: Sequence[float]) -> Table:
     columns = (
-        Column(_("grade G"), "mm/s", key="grade_mm_s", label=True),
+        Column(_("grade G"), "mm/s", key="grade_mm_s", label=True, fixed=True),
         Column(_("whole"), "kg*m", key="unbalance/whole"),
         Column(_("front bearing"), "kg*m", key="unbalance/front"),
         Column(_("rear bearing"), "kg*m", key="unbalance/rear"),
@@ -288,8 +288,8 @@ def _measured(rotor: Rotor, measured: Sequence[float], grade: float | None) -> T
         Column(_("measured"), "kg*m", key="unbalance"),
         Column(heading, "kg*m", key="permissible"),
         Column(_("force"), "N", key="force"),
-        Column(_("grade G"), "mm/s", key="grade_mm_s", digits=3),
-        Column(_("grade G"), "mm/s", key="permissible_grade_mm_s", machine=True),
+        Column(_("grade G"), "mm/s", key="grade_mm_s", digits=3, fixed=True),
+        Column(_("grade G"), "mm/s", key="permissible_grade_mm_s", machine=True, fixed=True),
     )
     names = (_("front bearing"), _("rear bearing")) if both else (_("whole"),)
     parts = rotor.planes if both else (1.0,)
