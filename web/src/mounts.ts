@@ -38,6 +38,8 @@ export interface Shake {
   readonly most: number
   /** Whether it is a mode, which has no size of its own. */
   readonly free: boolean
+  /** The speed at which the engine runs; 0 for a mode. */
+  readonly rpm: number
   readonly times: number
 }
 
@@ -99,6 +101,7 @@ function ofMode(mounts: Mounts, choice: MountChoice, corners: readonly Place[]):
     motion: mode.shape.map(swing),
     forces: mode.forces.map((force) => force.map(swing)),
     free: true,
+    rpm: 0,
   }
 }
 
@@ -118,6 +121,7 @@ function forced(mounts: Mounts, choice: MountChoice): Waves | null {
     motion: vibration.motion.map(signalOf),
     forces: vibration.forces.map((force) => force.map(signalOf)),
     free: false,
+    rpm: vibration.speed_rpm,
   }
 }
 

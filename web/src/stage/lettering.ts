@@ -101,7 +101,9 @@ export function write(to: Pen, exhibit: Exhibit, writing: Writing): void {
       value,
       unit,
       colour: palette.reaction,
-      name: shake.free ? t('Force of a mount at 1 mm') : t('Force of a mount'),
+      name: shake.free
+        ? t('Force of a mount at 1 mm')
+        : t('Force of a mount at {rpm} rpm', { rpm: Math.round(shake.rpm) }),
     }
     // where there is little room, above the engine and below what is written there
     const small = width < WIDE && !sheet

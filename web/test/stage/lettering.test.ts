@@ -1,4 +1,5 @@
 import { afterEach, expect, test } from 'vitest'
+import type { Exhibit } from '../../src/exhibit'
 import { language } from '../../src/language/messages'
 import { HOME, lookOf } from '../../src/stage/cameras'
 import { footOf, type Writing, write } from '../../src/stage/lettering'
@@ -14,7 +15,12 @@ const LETTER = 11
 const LOOKS = { orbit: HOME, azimuth: Math.PI / 4 }
 
 /** What is written on a sheet, and how far up from its baseline, middle or top it reaches, pixels. */
-function written(width: number, height: number, camera: (typeof CAMERAS)[number]) {
+function written(
+  width: number,
+  height: number,
+  camera: (typeof CAMERAS)[number],
+  shake: object | null = null,
+) {
   const texts: { text: string; top: number }[] = []
   const above = { bottom: LETTER, middle: LETTER / 2, top: 0 }
   const sheet: Record<string, unknown> = {
@@ -32,7 +38,8 @@ function written(width: number, height: number, camera: (typeof CAMERAS)[number]
       },
     ],
     slice: null,
-    view: { whirl: { magnification: 0, orders: null } },
+    view: { whirl: { magnification: 0, orders: null }, arrows: { force: true } },
+    mounted: shake && { shake },
     moved: { up: 0, right: 0, tiltUp: 0, tiltRight: 0, turn: 0 },
     load: { force: 1, couple: 1 },
     arrow: 0.28,
@@ -40,7 +47,9 @@ function written(width: number, height: number, camera: (typeof CAMERAS)[number]
     width,
     height,
   } as unknown as Writing
-  write(sheet as unknown as CanvasRenderingContext2D, exhibit(), writing)
+  const numbers = { force_unit: { label: 'N', factor: 1 } }
+  const shown = { ...exhibit(), ...(shake ? { mount_numbers: numbers } : {}) } as Exhibit
+  write(sheet as unknown as CanvasRenderingContext2D, shown, writing)
   return texts
 }
 
@@ -60,4 +69,11 @@ test('a long name does not push the scale of an arrow over the axes', () => {
     written(width, 264, 'isometric').filter(({ text }) => text.includes('Продольный момент'))
   expect(names(320)).toEqual([])
   expect(names(520)).toHaveLength(1)
+})
+
+test('the arrow of the forces of mounts says at which speed they are, or at what movement', () => {
+  const texts = (shake: object) =>
+    written(900, 500, 'isometric', { most: 100, ...shake }).map(({ text }) => text)
+  expect(texts({ free: false, rpm: 749.6 }).join()).toMatch(/ N {2}Force of a mount at 750 rpm/)
+  expect(texts({ free: true, rpm: 0 }).join()).toMatch(/ N {2}Force of a mount at 1 mm/)
 })
