@@ -28,7 +28,7 @@ def speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Tab
     columns = (
         Column(_("speed"), "rpm", key="speed_rpm", label=True),
         Column(_("displacement, rms"), "um", key="displacement_rms"),
-        Column(_("peak"), "um", key="displacement_peak"),
+        Column(_("peak"), "um", key="displacement_peak", optional=1),
         Column(_("velocity, rms"), "mm/s", key="velocity_rms"),
         Column(_("peak"), "mm/s", key="velocity_peak", optional=1),
         Column(_("force on the ground, rms"), "N", key="force_rms"),
