@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given, reject, settings
 from hypothesis import strategies as st
 from tests.catalog import EVERY_ENGINE
 from tests.newton import road
@@ -30,7 +30,7 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import unfit
 from crankstar.engine.records import Shaft, Weight
-from crankstar.files import engine_of
+from crankstar.files import EngineFileError, engine_of
 from crankstar.files.catalog import load, names, tree_of
 from crankstar.mechanics.balance import scales
 from crankstar.mechanics.excitation import Reference
@@ -374,7 +374,12 @@ def test_figures_are_in_the_units_of_the_numbers_beside_them(name: str, unit: st
 @given(st.one_of(*OF_ANY_KIND.values()))
 def test_any_engine_at_all_has_an_exhibit_and_perhaps_a_fitted_one(engine: Engine) -> None:
     assume(not motion.unreachable(engine) and not unfit(engine))  # as for every engine of a file
-    shown = exhibition([engine], relatives=False)
+    try:
+        shown = exhibition([engine], relatives=False)
+    except EngineFileError as error:  # ranges of estimates at whose ends it is no engine
+        if any(not fault.code.startswith("provenance.wide") for fault in error.faults):
+            raise
+        reject()
     again = Exhibition.model_validate_json(shown.model_dump_json())
     assert again == shown
     json.loads(json.dumps(shown.model_dump(mode="json"), allow_nan=False))

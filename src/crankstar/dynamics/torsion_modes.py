@@ -33,6 +33,8 @@ from crankstar.spectra import Real
 
 STILL = 1e-3
 """Share of the greatest amplitude below which the first mass is a node."""
+ROUNDING = 1e-13
+"""Share of the greatest amplitude below which one is rounding error."""
 AT_NODE = 1e-9
 """Share of the greatest amplitude below which a mass stands still."""
 
@@ -86,14 +88,37 @@ def torsion_modes(chain: TorsionChain, *, order: float = 0.0) -> tuple[Mode, ...
     if chain.freedoms == rigid:
         return ()
     if float(np.diag(inertia).min()) > 0:
-        squared, vectors = eigh(stiffness, inertia)
-        squared, vectors = squared[rigid:], vectors[:, rigid:]
+        _values, vectors = eigh(stiffness, inertia)
+        squared, vectors = _refined(chain, np.diag(inertia), vectors[:, rigid:])
     else:
         squared, vectors = _indefinite(inertia, stiffness)
     return tuple(
         _mode(chain, number, float(np.sqrt(value)), vector)
         for number, (value, vector) in enumerate(zip(squared, vectors.T, strict=True), 1)
     )
+
+
+def _refined(chain: TorsionChain, inertia: Real, vectors: Real) -> tuple[Real, Real]:
+    """Squared speeds and shapes, without what rounding has left in them of higher modes.
+
+    The solver is exact to a share of the *highest* speed. Each shape is made orthogonal to the
+    rigid turns and to all higher ones, and its speed is Rayleigh's quotient of its twists.
+    """
+    root = np.sqrt(inertia)[:, None]
+    kept = np.linalg.qr(root * np.column_stack([_rigid_turns(chain), vectors[:, ::-1]]))[0]
+    shapes = (kept[:, -vectors.shape[1] :] / root)[:, ::-1]
+    twisted = twists(chain, (chain.transform @ shapes).T)
+    return twisted**2 @ np.array([each.stiffness for each in chain.sections]), shapes
+
+
+def _rigid_turns(chain: TorsionChain) -> Real:
+    """The turns in which no shaft twists [freedom, turn]: of all, and of each ring in its fluid."""
+    group = list(range(chain.freedoms))
+    for each in chain.sections:
+        if each.stiffness:
+            one, other = (group[chain.freedom[node]] for node in (each.before, each.after))
+            group = [one if own == other else own for own in group]
+    return np.array([[own == turn for turn in dict.fromkeys(group)] for own in group], float)
 
 
 def _indefinite(inertia: Real, stiffness: Real) -> tuple[Real, Real]:
@@ -113,7 +138,7 @@ def _mode(chain: TorsionChain, number: int, speed: float, vector: Real) -> Mode:
     first = next((n for n in range(shape.size) if chain.freedom[n] not in free), 0)
     greatest = int(np.argmax(np.abs(shape)))
     unit = first if abs(shape[first]) >= STILL * abs(shape[greatest]) else greatest
-    shape = np.where(np.abs(shape) > AT_NODE * abs(shape[greatest]), shape / shape[unit], 0.0)
+    shape = np.where(np.abs(shape) > ROUNDING * abs(shape[greatest]), shape / shape[unit], 0.0)
     turns = vector / (chain.transform @ vector)[unit]
     return Mode(number, speed, shape, twists(chain, shape), _nodes(chain, turns))
 
