@@ -228,3 +228,15 @@ def test_the_point_whose_velocity_is_told_is_named(run: Run) -> None:
         [row["now"]["velocity"] for row in again["orders"]]
     )
     assert "The velocity is that of the centre of mass:" in " ".join(run(*line).out.split())
+
+
+@pytest.mark.parametrize(
+    "faults",
+    [
+        ("--weaker", "3=80%", "--weaker", "3=80%"),
+        ("--cut", "3", "--weaker", "3=20%"),
+        ("--lost-weight", "2", "--lost-weight", "2=30%"),
+    ],
+)
+def test_more_than_all_of_a_part_cannot_be_lost(refused: Refused, faults: tuple[str, ...]) -> None:
+    assert "together more than all of it" in refused("fault", "four.toml", *faults)

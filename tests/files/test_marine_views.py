@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -239,3 +240,13 @@ def test_what_cannot_be_is_one_sentence(
     assert said in " ".join(refused.err.split())
     assert "Traceback" not in refused.err
     assert not (tmp_path / "quiet.toml").exists()
+
+
+def test_a_saved_engine_never_replaces_what_is_read(
+    refused: Callable[..., str], tmp_path: Path
+) -> None:
+    own = written(tmp_path)
+    before = Path(own).read_text()
+    asked = ("marine", own, "--first-order", "equal", "--save", own)
+    assert "would be lost" in refused(*asked)
+    assert Path(own).read_text() == before

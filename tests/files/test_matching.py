@@ -165,3 +165,18 @@ def test_the_force_names_its_speed_and_that_the_couple_is_in_it(run: Run) -> Non
     assert "The force is the rms of force, and of couple over 90 mm, together" in said
     alone = " ".join(run("match", "triple.toml", "w.csv", "--quantity", "force").out.split())
     assert "The force is" not in alone
+
+
+def test_orders_that_no_part_makes_are_refused(refused: Refused) -> None:
+    assert "makes an order 0.3" in refused("match", "triple.toml", "w.csv", "--orders", "0.3")
+
+
+def test_engine_files_never_replace_what_is_read(refused: Refused, tmp_path: Path) -> None:
+    before = (tmp_path / "triple.toml").read_text(encoding="utf-8")
+    (tmp_path / "w-1.csv").write_text(LIST, encoding="utf-8")
+    (tmp_path / "e-1.toml").write_text(before, encoding="utf-8")
+    same = ("--engine-file", "triple.toml")
+    assert "would be lost" in refused("match", "triple.toml", "w.csv", *same)
+    several = ("--engines", "1", "--engine-file", "e.toml")
+    assert "would be lost" in refused("match", "e-1.toml", "w.csv", *several)
+    assert (tmp_path / "e-1.toml").read_text(encoding="utf-8") == before
