@@ -926,7 +926,7 @@ def test_help_is_printed_in_any_width(columns: str) -> None:
             timeout=60,
             check=True,
         )
-        assert 20 < len(done.stdout.splitlines()) < 500
+        assert 20 < len(done.stdout.splitlines()) < 700
 
 
 def test_a_length_for_couples_is_told_where_there_are_several_places_or_it_is_a_unit(

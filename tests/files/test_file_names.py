@@ -36,7 +36,10 @@ LINES = [
     "estimate single --displacement '250 cc'",
     "export single",
     "fault audi-25-tfsi --cut 2",
+    "genset audi-25-tfsi --engines 2",
     "grade --mass '28 kg' --speed '6000 rpm'",
+    "guide man-s90mc-c --numbers 5",
+    "marine man-s90mc-c",
     "match audi-25-tfsi weights.csv",
     (
         'mounts audi-25-tfsi --set \'mounts=[{name="a", right="-0.4 m", stiffness="90 N/mm"}, '

@@ -433,7 +433,7 @@ def test_mounts_reads_engines_their_files_and_speeds(tmp_path: Path) -> None:
 
 def test_marine_reads_its_arguments_as_people_give_them() -> None:
     asked: Any = crankstar.marine
-    found = asked(BURNING, power="250 kW", compensate={2: (0.4, -0.4)}, node=None)
+    found = asked(BURNING, rated_power="250 kW", compensate={2: (0.4, -0.4)}, node=None)
     assert found.power == 250e3
     assert len(found.compensators) == 2
     for wrong, words in (
@@ -441,7 +441,7 @@ def test_marine_reads_its_arguments_as_people_give_them() -> None:
         ({"compensate": {2: 0.4}}, "compensate takes orders with places along the shaft"),
         ({"compensate": {2: ["x"]}}, "compensate"),
         ({"node": "far"}, "node"),
-        ({"power": PINS}, "power"),
+        ({"rated_power": PINS}, "rated_power"),
         ({"horizontal_share": "equal"}, "horizontal_share"),
         ({"phase_error": NOTHING}, "phase_error"),
     ):

@@ -94,7 +94,7 @@ def marine(
             point=point or "",
             speed=turning,
             speeds=over,
-            power=watts,
+            rated_power=watts,
             horizontal_share=share,
             compensate=places,
             node=hull,

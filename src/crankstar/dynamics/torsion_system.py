@@ -69,6 +69,7 @@ class TorsionChain:
     crankshaft by crankshaft; `cylinders`: the mass on which each cylinder of the engine works.
     `estimated` and `assumed` are the keys of the file that stand for what it lacks.
 
+    >>> from crankstar.dynamics.torsion_chain import torsion_chain
     >>> from crankstar.engine.torsion import Chain, Disc
     >>> pair = [Disc(name="motor", inertia=2), Disc(name="fan", inertia=3, to="motor", stiffness=6)]
     >>> torsion_chain(Chain(name="fan drive", discs=pair)).matrices()[1].tolist()

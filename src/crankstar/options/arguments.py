@@ -376,7 +376,7 @@ def _check_places(argument: str, given: Any) -> None:
 MEASURED: Mapping[str, Callable[[str, Any], Any]] = {
     **dict.fromkeys(("imep", "bmep", "peak_pressure"), pressure),
     "flywheel": inertia,
-    "power": power,
+    "rated_power": power,
 }
 """The arguments that are quantities, by name: their readers."""
 READERS: Mapping[str, Callable[[Any], Any]] = {

@@ -68,7 +68,7 @@ def marine(
     point: str = "",
     speed: float | None = None,
     speeds: Sequence[float] | Real = (),
-    power: float | None = None,
+    rated_power: float | None = None,
     horizontal_share: float | None = None,
     compensate: Mapping[int, Sequence[float]] = NOTHING,
     node: float | None = None,
@@ -80,9 +80,9 @@ def marine(
     Without a speed it is the greatest of `speeds`. `horizontal_share` has weights at the ends that
     make this share of the first-order moment horizontal; `compensate` has the orders whose vertical
     moment is to be compensated, with the one place z or two at which that is done, about `node` (z)
-    where there is one; `phase_error` (rad) is by how much the compensators are late. `power` (W)
-    stands before that of the operating point. `orders` are those wanted of both kinds of moments,
-    "all", or None: those of note. Raises RemedyError, and GasError for a point that the
+    where there is one; `phase_error` (rad) is by how much the compensators are late. `rated_power`
+    (W) stands before that of the operating point. `orders` are those wanted of both kinds of
+    moments, "all", or None: those of note. Raises RemedyError, and GasError for a point that the
     engine has not.
 
     >>> from crankstar.files.catalog import load
@@ -130,7 +130,7 @@ def marine(
         guide=guide,
         cycle=found,
         without_guide=why,
-        power=_power(found) if power is None else power,
+        power=_power(found) if rated_power is None else rated_power,
         speeds=over,
         orders=orders if orders is None or isinstance(orders, str) else tuple(orders),
     )
