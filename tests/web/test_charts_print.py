@@ -14,12 +14,14 @@ from playwright.sync_api import Page
 from tests.commands import Run
 from tests.files.conftest import refused, run
 from tests.measured import Measured, contrast, measured
+from tests.methods.test_diagnosis import four, heavy, lines, seen
 
 import crankstar
 from crankstar import charts
 from crankstar.charts.themes import THEMES
 from crankstar.engine.engine import Engine
 from crankstar.remedy import with_counterweights
+from crankstar.studies.diagnosis import diagnosed
 
 __all__ = ["refused", "run"]
 
@@ -258,3 +260,15 @@ def test_sizes_that_cannot_be_printed_are_refused(
     place = [] if "-o" in options else ["-o", "x.svg"]
     assert words in refused("plot", "i4", "spectrum", *options, *place)
     assert not [*tmp_path.iterdir()]
+
+
+def test_names_of_faults_and_of_tolerances_are_not_cut(page: Page) -> None:
+    masses = {"cylinder.reciprocating_mass": "500 g +- 3 g", "cylinder.stroke": "90 mm"}
+    found = crankstar.scatter("i6", changes=masses | {"speed": "6000 rpm"}, count=1000)
+    suspects = diagnosed(four(), lines(seen(heavy(3, "reciprocating_mass", "708.4 g"))))
+    drawings = {
+        "suspects": charts.svg(charts.suspect_chart(suspects), ""),
+        "scatter": charts.svg(charts.scatter_chart(found, quantities=("force",)), ""),
+    }
+    for name, picture in zip(drawings, measured(page, [*drawings.values()]), strict=True):
+        assert not picture.cut(), name

@@ -185,7 +185,9 @@ def _shares(row: OrderScatter, *, foot: bool) -> Panel:
     )
     text = rows.mark("text", fontSize=SMALL, color=GREY, align="left")
     words = text.encode(x=constant(2), y=field("words:Q", **down), text=field("text:N"))
-    return layered([bars, words], width=half_width(), height=curve_height(HEIGHT))
+    # a reader's letters may be wider than those measured
+    wide = max((1.25 * text_width(each["text"], SMALL) for each in body), default=0.0)
+    return layered([bars, words], width=max(half_width(), wide), height=curve_height(HEIGHT))
 
 
 def _two_figures(value: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING
 
 from crankstar.charts.canvas import panel_width
@@ -20,6 +21,10 @@ BARS, READINGS = 8, 4
 """Suspects and readings that are drawn: the likeliest, and the greatest."""
 ROW = 22.0
 """px of a bar with its gap."""
+LEAST = 90.0
+"""px of the longest bar at least."""
+ROOM = 1.25
+"""The room of names over their width as it is measured here."""
 
 
 def suspect_chart(found: Diagnosis) -> Chart:
@@ -72,15 +77,21 @@ def _bars(found: Diagnosis) -> Panel:
         }
         for place, each in enumerate(some, 1)
     ]
-    wide = max(text_width(row["name"], SMALL) for row in rows) + 12
-    y = field("fault:N", sort=None, title=None, axis=None)
+    names = [row.pop("name") for row in rows]
+    wide = max(text_width(name, SMALL) for name in names) + 12
+    axis = {
+        "labelExpr": f"{json.dumps(names, ensure_ascii=False)}[datum.value - 1]",
+        "labelLimit": ROOM * wide,
+        "labelFontSize": SMALL,
+        "minExtent": ROOM * wide,
+        "domain": False,
+        "ticks": False,
+    }
+    y = field("fault:N", sort=None, title=None, axis=axis)
     x = field("to:Q", title=_("explained, %"), scale=span(0, 118), axis={"values": [0, 50, 100]})
     bars = of_rows(rows).mark("bar", size=12).encode(x=x, y=y, color=constant(BLUE))
     numbers = of_rows(rows).mark("text", fontSize=SMALL, color=GREY, align="left", dx=4)
-    names = of_rows(rows).mark("text", fontSize=SMALL, color=GREY, align="right", dx=-6)
-    layers = [
-        bars,
-        numbers.encode(x=x, y=y, text=field("text:N")),
-        names.encode(x=constant(0), y=y, text=field("name:N")),
-    ]
-    return layered(layers, width=panel_width() + 60 - wide, height=ROW * len(rows))
+    layers = [bars, numbers.encode(x=x, y=y, text=field("text:N"))]
+    return layered(
+        layers, width=max(panel_width() + 60 - ROOM * wide, LEAST), height=ROW * len(rows)
+    )
