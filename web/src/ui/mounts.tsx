@@ -1,7 +1,6 @@
 import { batch } from '@preact/signals'
 import type { MountNumbers, Mounts, Unit } from '../exhibit'
 import { message, t } from '../language/messages'
-import type { Shake } from '../mounts'
 import { set } from '../state'
 import { sizeText } from './Bars'
 import { pathOf, ticksOf, tickText } from './Curves'
@@ -32,33 +31,6 @@ export function useMounts(): (change: Chosen) => void {
       set(store.choices, next)
     })
   }
-}
-
-/** The slider runs from 1 to a million, in powers of ten. */
-const DECADES = 6
-
-/** How many times its true size the motion of the block is drawn. */
-export function MountMagnification({ shake }: { shake: Shake }) {
-  const choose = useMounts()
-  const text = t('exaggerated × {times}', { times: sizeText(shake.times) })
-  return (
-    <label class="wide times">
-      <span>{t('Magnification')}</span>
-      <input
-        type="range"
-        min="0"
-        max={DECADES}
-        step="0.02"
-        value={Math.log10(shake.times)}
-        aria-valuetext={text}
-        onInput={(event) => {
-          const times = Number((10 ** event.currentTarget.valueAsNumber).toPrecision(2))
-          choose({ times: String(Math.min(999_999, Math.max(1, Math.round(times)))) })
-        }}
-      />
-      <span class="number">{text}</span>
-    </label>
-  )
 }
 
 /** The freedoms in the order in which they are sent. */

@@ -10,8 +10,9 @@ import { Curves } from '../Curves'
 import { useApp, useExhibit, useExhibits } from '../context'
 import { DataTable } from '../DataTable'
 import { Each } from '../Each'
+import { Magnification } from '../Magnification'
 import { MountViews } from '../MountViews'
-import { EnergyBars, LoadBars, MountMagnification, OverSpeed, useMounts } from '../mounts'
+import { EnergyBars, LoadBars, OverSpeed, useMounts } from '../mounts'
 import type { Panel } from '../panel'
 
 export const mounts: Panel = {
@@ -89,7 +90,7 @@ function Choices({ exhibit, mounts: own }: { exhibit: Exhibit; mounts: Mounts })
       </div>
       {seen && (
         <>
-          <MountMagnification shake={seen} />
+          <Magnification times={seen.times} decades={6} chosen={(times) => choose({ times })} />
           <p class="soft small">{meaning(own, chosen.show, chosen.vibration)}</p>
         </>
       )}

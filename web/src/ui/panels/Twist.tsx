@@ -9,8 +9,9 @@ import { useApp, useExhibit, useExhibits } from '../context'
 import { DataTable } from '../DataTable'
 import { Each } from '../Each'
 import { Figure } from '../Figure'
+import { Magnification } from '../Magnification'
 import type { Panel } from '../panel'
-import { HeatLegend, Magnification, useTwist } from '../twists'
+import { HeatLegend, useTwist } from '../twists'
 
 export const twist: Panel = {
   key: 'twist',
@@ -107,7 +108,7 @@ function Choices({ exhibit, torsion }: { exhibit: Exhibit; torsion: Torsion }) {
       </div>
       {seen && (
         <>
-          <Magnification twist={seen} />
+          <Magnification times={seen.times} decades={4} chosen={(times) => choose({ times })} />
           <p class="soft small">{meaning(torsion, show, choice)}</p>
         </>
       )}
