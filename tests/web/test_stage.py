@@ -177,17 +177,33 @@ def test_a_graphics_card_that_goes_away_and_comes_back_leaves_the_same_picture(
     assert seen(page) == before
 
 
+CORNERS = """const clear = WebGL2RenderingContext.prototype.clear
+window.corners = 0
+WebGL2RenderingContext.prototype.clear = function (...what) {
+  window.corners = 0; clear.apply(this, what)
+}
+const drawn = WebGL2RenderingContext.prototype.drawElementsInstanced
+WebGL2RenderingContext.prototype.drawElementsInstanced = function (...what) {
+  window.corners += what[1] * what[4]; drawn.apply(this, what)
+}"""
+"""How many corners of triangles the last drawing of the stage had."""
+
+
 @pytest.mark.long
 def test_without_a_graphics_card_what_moves_is_drawn_coarsely_and_finely_once_it_rests(
     built_page: Build, page: Page
 ) -> None:
+    page.add_init_script(CORNERS)
     opened(page, built_page(ENGINE), f"{QUIET}&camera=front")
     page.wait_for_function(FINELY)
     fine, pistons = seen(page), handle(page, "read().pistons")
+    corners = page.evaluate("corners")
     handle(page, "theta = 41")
     assert stage(page).evaluate("canvas => canvas.width === canvas.clientWidth")
+    assert 0 < page.evaluate("corners") < 0.7 * corners
     handle(page, "theta = 40")
     page.wait_for_function(FINELY)
+    assert page.evaluate("corners") == corners
     assert seen(page) == fine
     assert handle(page, "read().pistons") == pistons
 

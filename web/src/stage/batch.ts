@@ -1,47 +1,89 @@
 import {
+  type BufferGeometry,
   DynamicDrawUsage,
   type Group,
+  type InstancedBufferAttribute,
   InstancedBufferGeometry,
   InstancedMesh,
   LineSegments,
+  type Object3D,
   type ShaderMaterial,
 } from 'three'
-import type { Shape } from './solid'
+import type { Detail } from './mould'
+import type { Solid } from './solid'
+
+/** What a batch is drawn with in one detail. */
+interface Made {
+  readonly faces: BufferGeometry
+  readonly lines: InstancedBufferGeometry | null
+}
+
+/** Which batch a mesh is of. */
+const BATCHES = new WeakMap<Object3D, Batch>()
+
+/** Draws all batches below a thing finely or coarsely. */
+export function detail(root: Object3D, wanted: Detail): void {
+  root.traverse((object) => BATCHES.get(object)?.detail(wanted))
+}
 
 /** Equal parts that are drawn at once, each at a place of its own, with lines along their edges. */
 export class Batch {
   readonly mesh: InstancedMesh
   readonly #lines: LineSegments | null = null
   readonly #array: Float32Array
-  readonly #shape: Shape
-  readonly #lineGeometry: InstancedBufferGeometry | null = null
+  readonly #solid: Solid
+  readonly #count: number
+  readonly #own: [string, InstancedBufferAttribute][] = []
+  readonly #made = new Map<Detail, Made>()
 
   constructor(
     parent: Group,
-    shape: Shape,
+    solid: Solid,
     count: number,
     paint: ShaderMaterial,
     ink: ShaderMaterial | null,
     rank = 0,
   ) {
-    this.#shape = shape
-    this.mesh = new InstancedMesh(shape.faces, paint, count)
+    this.#solid = solid
+    this.#count = count
+    this.mesh = new InstancedMesh(undefined, paint, count)
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage)
     this.#array = this.mesh.instanceMatrix.array as Float32Array
     still(this.mesh, rank)
     parent.add(this.mesh)
+    BATCHES.set(this.mesh, this)
     if (ink === null) return
-    const geometry = new InstancedBufferGeometry()
-    geometry.setAttribute('position', shape.lines.getAttribute('position'))
-    const mark = shape.lines.getAttribute('mark')
-    if (mark) geometry.setAttribute('mark', mark)
-    // The same buffer of places as the faces have, so that it is written and sent only once.
-    geometry.setAttribute('instanceMatrix', this.mesh.instanceMatrix)
-    geometry.instanceCount = count
-    this.#lineGeometry = geometry
-    this.#lines = new LineSegments(geometry, ink)
+    this.#lines = new LineSegments(undefined, ink)
     still(this.#lines, rank + 1)
     parent.add(this.#lines)
+  }
+
+  /** Something else that each item has one of. */
+  attribute(name: string, values: InstancedBufferAttribute): void {
+    this.#own.push([name, values])
+  }
+
+  /** Has it drawn finely or coarsely; to be said before it is drawn at all. */
+  detail(wanted: Detail): void {
+    const { faces, lines } = this.#made.get(wanted) ?? this.#make(wanted)
+    this.mesh.geometry = faces
+    if (this.#lines && lines) this.#lines.geometry = lines
+  }
+
+  #make(wanted: Detail): Made {
+    const { faces, lines: edges } = this.#solid.shape(wanted)
+    for (const [name, values] of this.#own) faces.setAttribute(name, values)
+    const lines = this.#lines && new InstancedBufferGeometry()
+    if (lines) {
+      for (const [name, values] of Object.entries(edges.attributes))
+        lines.setAttribute(name, values)
+      // The same buffer of places as the faces have, so that it is written and sent only once.
+      lines.setAttribute('instanceMatrix', this.mesh.instanceMatrix)
+      lines.instanceCount = this.#count
+    }
+    const made = { faces, lines }
+    this.#made.set(wanted, made)
+    return made
   }
 
   /** Puts an item at x, y, z, its y-axis along [up, right], stretched along its axes. */
@@ -96,9 +138,10 @@ export class Batch {
     this.mesh.removeFromParent()
     this.#lines?.removeFromParent()
     this.mesh.dispose()
-    this.#shape.faces.dispose()
-    this.#shape.lines.dispose()
-    this.#lineGeometry?.dispose()
+    for (const { faces, lines } of this.#made.values()) {
+      faces.dispose()
+      lines?.dispose()
+    }
   }
 }
 

@@ -272,7 +272,7 @@ class EngineStage implements Stage {
   readonly #printing = (density: number | null): void => {
     if (!this.#view) return
     if (density === null) this.resize()
-    else this.#resize(density)
+    else this.#resize(density, false)
     this.#draw(density === null ? this.#view : { ...this.#view, dark: false })
   }
 
@@ -352,7 +352,7 @@ class EngineStage implements Stage {
   shots(density: number, finer: number): Shots {
     const canvas = document.createElement('canvas')
     const { width, height } = this.#size
-    this.#resize(Math.min(density * finer, FINEST / width, FINEST / height))
+    this.#resize(Math.min(density * finer, FINEST / width, FINEST / height), false)
     return {
       take: (view) => {
         this.#draw(view)
@@ -442,14 +442,14 @@ class EngineStage implements Stage {
   resize(): void {
     // a presentation enlarges the stage with its letters
     const enlarged = (this.#element as { currentCSSZoom?: number }).currentCSSZoom ?? 1
-    this.#resize(Math.min(DENSEST, globalThis.devicePixelRatio || 1) * enlarged)
+    this.#resize(Math.min(DENSEST, globalThis.devicePixelRatio || 1) * enlarged, true)
   }
 
-  #resize(density: number): void {
+  #resize(density: number, live: boolean): void {
     const width = Math.max(1, this.#element.clientWidth)
     const height = Math.max(1, this.#element.clientHeight)
     this.#size = { width, height, density }
-    this.#picture.size(width, height, density)
+    this.#picture.size(width, height, density, live)
     this.#drawn = []
     this.#inset.fit(width, height)
     this.#traced = []

@@ -43,7 +43,8 @@ export interface Picture {
   heat(): Float32Array
   /** The boxes of the mounts as they were drawn last, those that `Mounted` has. */
   mounted(): Float64Array
-  size(width: number, height: number, density: number): void
+  /** Size in pixels, and whether it is drawn again and again (`live`), or for good. */
+  size(width: number, height: number, density: number, live: boolean): void
   /** Lets go of what the graphics card has taken back; `show` builds it anew. */
   lose(): void
   dispose(): void

@@ -1,6 +1,6 @@
 import { Matrix4, OrthographicCamera, Scene, Vector3, WebGLRenderer } from 'three'
 import type { Exhibit, StrokeColours } from '../exhibit'
-import type { Batch } from './batch'
+import { type Batch, detail } from './batch'
 import { materials } from './materials'
 import { BOX, BOXES } from './mounts'
 import { LIGHT, type Palette } from './palette'
@@ -35,7 +35,7 @@ interface Machine {
   arrows: ReturnType<typeof arrows> | null
 }
 
-/** Milliseconds of rest before a slow machine draws finely, and how much finer. */
+/** Milliseconds of rest before a slow machine draws finely, and in how many more pixels. */
 const REST_MS = 500
 const FINER = 2
 
@@ -85,6 +85,7 @@ class WebglPicture implements Picture {
   #slice: Slice | null = null
   #size = { width: 1, height: 1 }
   #density = 1
+  #live = true
   #finer = 1
   #resting = 0
 
@@ -157,6 +158,8 @@ class WebglPicture implements Picture {
       this.#finer = finer
       this.#renderer.setPixelRatio(this.#density * finer)
     }
+    const coarse = !this.quick && this.#live && finer === 1
+    detail(this.#scene, coarse ? 'coarse' : 'fine')
     this.#renderer.autoClear = true
     for (const pane of this.#panes) {
       const { x, y, width, height } = pane
@@ -255,9 +258,10 @@ class WebglPicture implements Picture {
     return [point.y, point.x, point.z]
   }
 
-  size(width: number, height: number, density: number): void {
+  size(width: number, height: number, density: number, live: boolean): void {
     this.#size = { width, height }
     this.#density = density
+    this.#live = live
     this.#renderer.setDrawingBufferSize(width, height, density * this.#finer)
   }
 

@@ -7,11 +7,12 @@ import { hull } from '../../src/stage/hull'
 import { quantity, roundValue } from '../../src/stage/lettering'
 import { type Load, Loads, ROLL } from '../../src/stage/load'
 import { materials } from '../../src/stage/materials'
+import type { Detail } from '../../src/stage/mould'
 import { band, circle, gear, type Outline, sector } from '../../src/stage/outlines'
 import { arrows } from '../../src/stage/parts/arrows'
 import { toothBearings } from '../../src/stage/parts/meshing'
 import { journals } from '../../src/stage/parts/shafts'
-import { Solid } from '../../src/stage/solid'
+import { BAR, Solid } from '../../src/stage/solid'
 import type { View } from '../../src/stage/stage'
 import { tint, windowsOf } from '../../src/stage/strokes'
 import { twistChoiceOf } from '../../src/torsion'
@@ -35,23 +36,43 @@ describe('outlines run counter-clockwise', () => {
   })
 })
 
-test('the faces of a solid are closed and look outward: its volume is that of the prism and the turned shape', () => {
-  const volume = (solid: Solid) => {
-    const { faces } = solid.shape()
-    const at = faces.getAttribute('position')
-    const index = faces.getIndex()?.array ?? []
-    let sum = 0
-    for (let step = 0; step < index.length; step += 3) {
-      const corner = (turn: number) => {
-        const point = index[step + turn] as number
-        // Seen from a point that is in the plane of no face, so that each of them counts.
-        return [at.getX(point) + 0.7, at.getY(point) - 0.4, at.getZ(point) + 1.3] as const
-      }
-      const [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = [corner(0), corner(1), corner(2)]
-      sum += (ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx)) / 6
+function volume(solid: Solid, detail: Detail = 'fine'): number {
+  const { faces } = solid.shape(detail)
+  const at = faces.getAttribute('position')
+  const index = faces.getIndex()?.array ?? []
+  let sum = 0
+  for (let step = 0; step < index.length; step += 3) {
+    const corner = (turn: number) => {
+      const point = index[step + turn] as number
+      // Seen from a point that is in the plane of no face, so that each of them counts.
+      return [at.getX(point) + 0.7, at.getY(point) - 0.4, at.getZ(point) + 1.3] as const
     }
-    return sum
+    const [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = [corner(0), corner(1), corner(2)]
+    sum += (ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx)) / 6
   }
+  return sum
+}
+
+test('drawn coarsely, round things have half the corners and nearly the same volume, edges stay', () => {
+  const corners = (solid: Solid, detail: Detail) => solid.shape(detail).faces.getIndex()?.count ?? 0
+  const hexagon = circle(0, 0, 1, 6)
+  const round = new Solid().prism(circle(0, 0, 1, 36), 0, 1)
+  const cheek = new Solid().prism(band(1, 3, 0.7, 1), 0, 1)
+  const bar = new Solid().turned(BAR)
+  for (const solid of [round, cheek, bar]) {
+    const share = corners(solid, 'coarse') / corners(solid, 'fine')
+    expect(share).toBeGreaterThan(0.45)
+    expect(share).toBeLessThan(0.65)
+    expect(volume(solid, 'coarse') / volume(solid)).toBeGreaterThan(0.96)
+  }
+  const sharp = new Solid().prism(hexagon, 0, 1)
+  expect(volume(sharp, 'coarse')).toBe(volume(sharp))
+  const lines = (solid: Solid) => solid.shape('coarse').lines.getAttribute('position').count
+  // two rings of eighteen lines: no corner of a round outline has become an edge
+  expect(lines(round)).toBe(2 * 18 * 2)
+})
+
+test('the faces of a solid are closed and look outward: its volume is that of the prism and the turned shape', () => {
   const square: Outline = [
     [0, 0],
     [2, 0],

@@ -23,8 +23,8 @@ export function arrows(
   load: Load,
   paint: Materials,
 ): { move(length: number): void; dispose(): void } {
-  const shaft = () => new Solid().turned(BAR, 0, 2 * Math.PI, 12).shape()
-  const head = () => new Solid().turned(CONE, 0, 2 * Math.PI, 18).shape()
+  const shaft = () => new Solid().turned(BAR, 0, 2 * Math.PI, 12)
+  const head = () => new Solid().turned(CONE, 0, 2 * Math.PI, 18)
   const kinds = ['part', 'couple', 'force'] as const
   const drawn = kinds.map((kind, rank) => {
     const pulls = load.pulls.filter((pull) => pull.kind === kind)

@@ -16,7 +16,7 @@ export function bores(parent: Group, scene: Scene, paint: Materials): Batch[] {
     [1, 0, 0],
     [1, 1, 0],
   ])
-  const tubes = new Batch(parent, tube.shape(), cylinders.length, paint.glass, paint.glassLines, 4)
+  const tubes = new Batch(parent, tube, cylinders.length, paint.glass, paint.glassLines, 4)
   cylinders.forEach((c, index) => {
     stand(tubes, index, c, scene, c.bore_from, boreEnd(scene, c) - c.bore_from, c.bore / 2)
   })
@@ -24,7 +24,7 @@ export function bores(parent: Group, scene: Scene, paint: Materials): Batch[] {
   const headed = cylinders.filter((c) => !facesAnother(c, cylinders))
   if (headed.length === 0) return [tubes]
   const disc = new Solid().turned(BAR)
-  const heads = new Batch(parent, disc.shape(), headed.length, paint.glass, paint.glassLines, 4)
+  const heads = new Batch(parent, disc, headed.length, paint.glass, paint.glassLines, 4)
   headed.forEach((c, index) => {
     stand(heads, index, c, scene, c.bore_to, HEAD * c.bore, (BRIM * c.bore) / 2)
   })

@@ -20,10 +20,10 @@ export function glow(
   const windows = windowsOf(exhibit, colours)
   const { cylinders } = scene
   const body = new Solid().turned(BAR, 0, 2 * Math.PI, 28)
-  const batch = new Batch(parent, body.shape(), cylinders.length, paint.glow, null, 2)
+  const batch = new Batch(parent, body, cylinders.length, paint.glow, null, 2)
   const hues = new InstancedBufferAttribute(new Float32Array(4 * cylinders.length), 4)
   hues.setUsage(DynamicDrawUsage)
-  batch.mesh.geometry.setAttribute('hue', hues)
+  batch.attribute('hue', hues)
   const ends = cylinders.map((c) => boreEnd(scene, c))
   const axes = cylinders.map((c) => [Math.cos(c.bearing), Math.sin(c.bearing)] as const)
   const part = {

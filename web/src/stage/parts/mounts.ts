@@ -9,19 +9,17 @@ const THICK = 0.06
 
 /** A box of breadth and depth 2, from 0 to 1 along y. */
 const box = (tint: number) =>
-  new Solid()
-    .prism(
-      [
-        [-1, 0],
-        [1, 0],
-        [1, 1],
-        [-1, 1],
-      ],
-      -1,
-      1,
-      tint,
-    )
-    .shape()
+  new Solid().prism(
+    [
+      [-1, 0],
+      [1, 0],
+      [1, 1],
+      [-1, 1],
+    ],
+    -1,
+    1,
+    tint,
+  )
 
 /** The mounts, which stand beside the block and not on it, and what goes through them. */
 export function mounts(scene: Scene, count: number, paint: Materials) {
@@ -32,7 +30,7 @@ export function mounts(scene: Scene, count: number, paint: Materials) {
   const metal = new Batch(parent, box(1), 3 * count, paint.mount, paint.partLines)
   const shafts = new Batch(
     parent,
-    new Solid().turned(BAR, 0, 2 * Math.PI, 12).shape(),
+    new Solid().turned(BAR, 0, 2 * Math.PI, 12),
     count,
     paint.reaction,
     null,
@@ -43,7 +41,7 @@ export function mounts(scene: Scene, count: number, paint: Materials) {
     [1, 0, 0],
     [0, 1, 0],
   ] as const
-  const tips = new Solid().turned(cone, 0, 2 * Math.PI, 18).shape()
+  const tips = new Solid().turned(cone, 0, 2 * Math.PI, 18)
   const heads = new Batch(parent, tips, count, paint.reaction, null, 19)
   const item = new Float64Array(BOX)
   return {

@@ -4,7 +4,7 @@ import type { Places } from '../../motion'
 import { alike, Batch } from '../batch'
 import type { Materials } from '../materials'
 import { circle } from '../outlines'
-import { type Shape, Solid } from '../solid'
+import { Solid } from '../solid'
 import type { Part } from './part'
 
 /** Radius of a piston pin as a share of the bore. */
@@ -62,7 +62,7 @@ export function shank(cylinder: CylinderShown): number {
 }
 
 /** A piston, its pin at the origin, crown up: ring lands, skirts, bosses and pin. */
-function piston(cylinder: CylinderShown): Shape {
+function piston(cylinder: CylinderShown): Solid {
   const { bore, pin_height: crown, skirt } = cylinder
   const radius = 0.492 * bore
   const wall = 0.055 * bore
@@ -102,7 +102,7 @@ function piston(cylinder: CylinderShown): Shape {
     solid.prism(boss(1.75 * pin, under), side * inner, side * BOSSES * bore)
   }
   solid.prism(circle(0, 0, pin, 24), -(BOSSES + 0.012) * bore, (BOSSES + 0.012) * bore, 1)
-  return solid.shape()
+  return solid
 }
 
 /** The outline of a pin boss that hangs from the crown. */

@@ -4,7 +4,7 @@ import type { Places } from '../../motion'
 import { alike, Batch } from '../batch'
 import type { Materials } from '../materials'
 import { band, circle, strip, towards } from '../outlines'
-import { type Shape, Solid } from '../solid'
+import { Solid } from '../solid'
 import type { Part } from './part'
 import { PIN, shank } from './pistons'
 
@@ -91,7 +91,7 @@ function rodsOf(scene: Scene): Rod[] {
 }
 
 /** A rod, big end at the origin, piston pin up: I-section, eyes, fork, master's cheeks. */
-function shapeOf(rod: Rod): Shape {
+function shapeOf(rod: Rod): Solid {
   const { cylinder: c, pin } = rod
   const solid = new Solid()
   const big = (c.rod === 'slave' ? 1.5 : 1.36) * pin
@@ -107,7 +107,7 @@ function shapeOf(rod: Rod): Shape {
   for (const side of [-1, 1]) {
     solid.prism(flange(low, high, wide, narrow, side), -0.42 * depth, 0.42 * depth)
   }
-  return solid.shape()
+  return solid
 }
 
 /** One of the two ribs of an I-section. */

@@ -4,7 +4,7 @@ import { type Places, turned } from '../../motion'
 import { Batch } from '../batch'
 import type { Materials } from '../materials'
 import { band, circle, gear, type Outline, sector, towards } from '../outlines'
-import { type Shape, Solid } from '../solid'
+import { Solid } from '../solid'
 import type { Crank, Mark } from '../twist'
 import { toothBearings } from './meshing'
 import type { Part } from './part'
@@ -56,7 +56,7 @@ export function shafts(
 }
 
 /** A shaft as it stands at theta = 0, its axis at the origin: journals, pins, webs, weights. */
-function shapeOf(shaft: ShaftShown, crank: Crank | null): Shape {
+function shapeOf(shaft: ShaftShown, crank: Crank | null): Solid {
   const solid = new Solid()
   for (const [from, to] of journals(shaft))
     solid
@@ -80,7 +80,7 @@ function shapeOf(shaft: ShaftShown, crank: Crank | null): Shape {
     const outline = sector(inner, outer_radius, angle, half_angle)
     solid.marked(crank?.weight(weight) ?? null).prism(outline, z - thickness / 2, z + thickness / 2)
   }
-  return solid.shape()
+  return solid
 }
 
 /** A pin along z as it is drawn: whole, or of a crank that twists in halves, each with its mark. */
@@ -131,7 +131,7 @@ function gap(pin: ThrowShown, { webs, journal_radius }: ShaftShown): [number, nu
 }
 
 /** A gear wheel with holes where there is room for them, its first tooth up. */
-function wheelOf(wheel: GearShown, shaft: ShaftShown): Shape {
+function wheelOf(wheel: GearShown, shaft: ShaftShown): Solid {
   const hub = 1.5 * shaft.journal_radius
   const rim = 0.8 * wheel.radius
   const room = rim - hub
@@ -146,7 +146,5 @@ function wheelOf(wheel: GearShown, shaft: ShaftShown): Shape {
       : []
   const half = wheel.thickness / 2
   const solid = new Solid().prism(gear(wheel.radius, wheel.teeth), -half, half, 0, holes)
-  return solid
-    .prism(circle(0, 0, 1.25 * shaft.journal_radius, 28), -1.25 * half, 1.25 * half, 1)
-    .shape()
+  return solid.prism(circle(0, 0, 1.25 * shaft.journal_radius, 28), -1.25 * half, 1.25 * half, 1)
 }
