@@ -128,7 +128,7 @@ def test_the_verb_gives_the_page_of_a_guide(run: Run, tmp_path: Path) -> None:
     assert "members" in openpyxl.load_workbook(book).sheetnames
     text = " ".join(run("guide", place, *asked).out.split())
     assert "Best: by M1,M2, of all crank stars with evenly spaced throws, with proof" in text
-    assert "Torsion sum: of the order of X" in text
+    assert "Vector sum by a straight shape: of the order of X, 1 at the end cylinders" in text
 
 
 def turning(engine: Engine, order: int) -> float:

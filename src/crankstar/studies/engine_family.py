@@ -6,8 +6,8 @@ to the number of cylinders. Of all crank stars the search takes the one that is 
 with proof; a given order stands beside it. Engines whose chain or gear drive stands in the middle
 have a wider gap there.
 
-Counterweights, balance shafts, the table [torsion], block and mounts of the engine are its own and
-are left out.
+Counterweights, balance shafts, block and mounts of the engine are its own and are left out; of its
+table [torsion] the chain is that of as many throws (`family_torsion`).
 """
 
 from __future__ import annotations
@@ -22,7 +22,6 @@ import numpy as np
 from crankstar.engine.copies import with_values, wrapped
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Throw
-from crankstar.firing.weighing import vector_sums
 from crankstar.language.messages import _
 from crankstar.mechanics.guide_moments import MarineError
 from crankstar.remedy.counterweights import RemedyError
@@ -31,6 +30,7 @@ from crankstar.search.engine_stars import star_of, stars_of, with_star
 from crankstar.search.options import SearchOptions, search_for
 from crankstar.search.question import Best
 from crankstar.search.stars import Star, Stars
+from crankstar.studies.family_torsion import Twist, not_grown, twist, with_throws
 from crankstar.studies.marine import MarineAnalysis, marine
 
 LEAST, MOST = 2, 14
@@ -51,8 +51,8 @@ class Member:
     """An engine of a family with a firing order: its moments, and why this order.
 
     `none` says that no order keeps the limits; there is no engine then. `h` and `x` are the
-    greatest guide-force moments and their orders; `star` the vector sum of torsion of the order of
-    X with a straight shape, 1 at the end cylinders.
+    greatest guide-force moments and their orders; `twist` is the torsion of the order of X, and
+    `without_chain` says why it is by a straight shape.
     """
 
     cylinders: int
@@ -61,7 +61,8 @@ class Member:
     found: MarineAnalysis | None
     h: tuple[float, float] | None
     x: tuple[float, float] | None
-    star: float | None
+    twist: Twist | None
+    without_chain: str = ""
 
     @property
     def none(self) -> bool:
@@ -101,12 +102,12 @@ def engine_family(
             with_cylinders(engine, order, drive=drive) for order in orders if len(order) == count
         ]
         plain = with_cylinders(engine, range(1, count + 1), drive=drive)
-        best = _best(plain, known, options, speed=speed)
+        best, why = _best(plain, known, options, speed=speed), not_grown(engine, count)
         if best is None:
             members.append(Member(count, "best", (), None, None, None, None))
         else:
-            members.append(_member(best, "best", asked))
-        members += [_member(one, "given", asked) for one in known if one is not best]
+            members.append(_member(best, "best", asked, why))
+        members += [_member(one, "given", asked, why) for one in known if one is not best]
     return tuple(members)
 
 
@@ -161,7 +162,7 @@ def with_cylinders(
         firing_angles=None,
         valves=engine.valves and with_values(engine.valves, manifolds=()),
         block=None,
-        torsion=None,
+        torsion=with_throws(engine, count),
         mounts=(),
         foundation=None,
         oil=None,
@@ -223,31 +224,20 @@ def _from_first(star: Star, stars: Stars) -> Star:
     return tuple((direction - star[0]) % stars.directions for direction in star)
 
 
-def _member(engine: Engine, chosen: Chosen, asked: Mapping[str, object]) -> Member:
+def _member(engine: Engine, chosen: Chosen, asked: Mapping[str, object], why: str) -> Member:
     """A member with its moments."""
     try:
         found = marine(engine, **asked)  # pyright: ignore[reportArgumentType]
     except RemedyError:
         found = marine(engine, **{**asked, "horizontal_share": None})
     guide = found.guide
-    h = x = star = None
+    h = x = order = None
     if guide is not None:
         top = int(np.argmax(np.abs(guide.h)))
         h = float(guide.orders[top]), float(abs(guide.h[top]))
         if guide.pitch_known:
             top = int(np.argmax(np.abs(guide.x)))
-            x = float(guide.orders[top]), float(abs(guide.x[top]))
-            star = _twist(engine, x[0])
-    return Member(len(engine.cylinders), chosen, tuple(engine.firing_order), found, h, x, star)
-
-
-def _twist(engine: Engine, order: float) -> float:
-    """The vector sum of an order with a straight shape, 1 at the end cylinders."""
-    fires = {number: place for place, number in enumerate(engine.firing_order)}
-    turns = 2 if engine.cycle == "four-stroke" else 1
-    angles = [
-        fires[each.number] * turns * 2 * pi / len(engine.cylinders) for each in engine.cylinders
-    ]
-    places = np.array([cylinder.z for cylinder in engine.cylinders])
-    arms = places - (places.max() + places.min()) / 2
-    return float(vector_sums(arms / np.abs(arms).max(), np.array(angles), [order])[0])
+            order, size = float(guide.orders[top]), float(abs(guide.x[top]))
+            x = order, size
+    count, fires = len(engine.cylinders), tuple(engine.firing_order)
+    return Member(count, chosen, fires, found, h, x, twist(engine, order), why)

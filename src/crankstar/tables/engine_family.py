@@ -67,7 +67,8 @@ def _table(members: Sequence[Member]) -> Table:
     per = shown_quotient("N*m", "kW")
     powered = any(found.power is not None and unit == "N*m" for found in known)
     guided = any(member.h for member in members)
-    twisted = any(member.x for member in members)
+    crossed = any(member.x for member in members)
+    grown = any(_frequency(member) for member in members)
     columns = [
         Column(_("cylinders"), key="cylinders", label=True),
         Column(_("firing order"), kind="order", key="firing_order"),
@@ -85,29 +86,35 @@ def _table(members: Sequence[Member]) -> Table:
         ]
     if guided:
         columns += [Column(_("greatest H"), "N*m", key="h"), Column(_("of order"), key="h_order")]
-    if twisted:
-        columns += [
-            Column(_("greatest X"), "N*m", key="x"),
-            Column(_("of order"), key="x_order"),
-            Column(_("torsion sum"), key="torsion_sum", digits=4, optional=1),
-        ]
+    if crossed:
+        columns += [Column(_("greatest X"), "N*m", key="x"), Column(_("of order"), key="x_order")]
+        summed = _("vector sum") if grown else _("vector sum, straight")
+        columns.append(Column(summed, key="torsion_sum", digits=4))
+    columns += [
+        Column(_("torsion shape"), kind="text", key="torsion_shape", machine=not grown),
+        Column(
+            _("natural frequency"), "Hz", key="natural_frequency", fixed=True, machine=not grown
+        ),
+    ]
     rows = tuple(
-        _row(member, powered=powered, guided=guided, twisted=twisted) for member in members
+        _row(member, powered=powered, guided=guided, crossed=crossed) for member in members
     )
     return Table(_("Family"), tuple(columns), rows, key="members")
 
 
-def _row(member: Member, *, powered: bool, guided: bool, twisted: bool) -> tuple[Value, ...]:
+def _frequency(member: Member) -> float | None:
+    """The natural frequency whose shape counts, Hz."""
+    return None if member.twist is None else member.twist.frequency
+
+
+def _row(member: Member, *, powered: bool, guided: bool, crossed: bool) -> tuple[Value, ...]:
     """The cells of a member; empty ones where no order keeps the limits."""
     found = member.found
     chosen = _("none keeps the limits") if found is None else _(CHOSEN[member.chosen])
     row: list[Value] = [member.cylinders, member.order or None, chosen]
     if found is None:
-        count = 4 + 3 * powered + 2 * guided + 3 * twisted
-        empty: list[Value] = [None] * count
-        if powered:
-            empty[6] = ""
-        return (*row, *empty)
+        row += [None] * 4 + [None, None, ""] * powered + [None, None] * guided
+        return (*row, *[None] * 3 * crossed, "", None)
     after = found.after
     row += [after.moment(1), after.moment(1, "H"), after.moment(2), after.moment(4)]
     if powered:
@@ -119,9 +126,11 @@ def _row(member: Member, *, powered: bool, guided: bool, twisted: bool) -> tuple
             row += [found.power, shown, _(unbalance_class(value))]
     if guided:
         row += [member.h[1], member.h[0]] if member.h else [None, None]
-    if twisted:
-        row += [member.x[1], member.x[0], member.star] if member.x else [None, None, None]
-    return tuple(row)
+    if crossed:
+        size = None if member.twist is None else member.twist.size
+        row += [member.x[1], member.x[0], size] if member.x else [None, None, None]
+    own = _frequency(member)
+    return (*row, _("straight") if own is None else _("mode 1"), own)
 
 
 def _notes(
@@ -152,13 +161,7 @@ def _notes(
                 count=drive.cylinders,
             )
         )
-    if any(member.x for member in members):
-        lines.append(
-            _(
-                "Torsion sum: of the order of X, with a straight shape, 1 at the end cylinders; X "
-                "is the same star."
-            )
-        )
+    lines += _torsion_notes(members, drive)
     found = next((member.found for member in members if member.found is not None), None)
     if found is not None and found.after.units.couple != "N*m":
         lines.append(
@@ -168,11 +171,23 @@ def _notes(
             )
         )
     lines.append(
-        _(
-            "Counterweights, torsion, block and mounts of the engine are left out, and so is axial "
-            "vibration."
-        )
+        _("Counterweights, block and mounts of the engine are left out, and so is axial vibration.")
     )
+    return lines
+
+
+def _torsion_notes(members: Sequence[Member], drive: ChainDrive | None) -> list[str]:
+    """By which shape the vector sums are, and why some are by a straight one."""
+    lines: list[str] = []
+    grown = [member for member in members if _frequency(member) is not None]
+    straight = [member for member in members if member.x and _frequency(member) is None]
+    if grown:
+        lines.append(_(BY_MODE))
+    if any(drive and member.cylinders >= drive.cylinders for member in grown):
+        lines.append(_("The wider gap counts as stiff as the others."))
+    if straight:
+        reasons = "; ".join(dict.fromkeys(member.without_chain for member in straight))
+        lines.append(_(STRAIGHT, reason=reasons))
     return lines
 
 
@@ -190,6 +205,14 @@ def _choice(members: Sequence[Member], goals: str) -> list[str]:
     return lines
 
 
+BY_MODE = N_(
+    "Vector sum of torsion: of the order of X, by the shape of mode 1, which is 1 at the first "
+    "mass. The chain is that of the table [torsion] with a throw for each cylinder."
+)
+STRAIGHT = N_(
+    "Vector sum by a straight shape: of the order of X, 1 at the end cylinders, the same star as "
+    "that of X; {reason}."
+)
 NEIGHBOURS = "neighbours"
 ALONE = N_(
     "Of values that are minimised together the root of the sum of their squares counts, each "
