@@ -156,11 +156,14 @@ def test_the_best_is_by_squares_of_moments_with_all_that_rotates(run: Run, tmp_p
     place.write_text(toml(engine))
     text = " ".join(run("guide", str(place), "--numbers", "5").out.split())
     assert "the root of the sum of their squares counts" in text
-    assert "moments in N m." in text
+    assert "the greatest value over a turn. M1 holds" in text
     assert "M1 holds rotating masses and those of throws" in text
     assert "--first-order changes the moments only, once the order is chosen" in text
     second = " ".join(run("guide", str(place), "--numbers", "5", "--minimise", "M2").out.split())
     assert "M1 holds" not in second
+    asked = ("--numbers", "5", "--minimise", "M2,neighbours")
+    mixed = " ".join(run("guide", str(place), *asked).out.split())
+    assert "the greatest value over a turn, moments in N m." in mixed
     assert "root of the sum" not in second
 
 

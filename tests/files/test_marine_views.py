@@ -173,11 +173,14 @@ def test_the_unbalance_is_in_the_units_that_are_chosen(run: Run, tmp_path: Path,
     asked = (verb, written(tmp_path), *(() if verb == "marine" else ("--numbers", "7")))
     key = "moments" if verb == "marine" else "members"
     plain = json.loads(run(*asked, "--json").out)[key][-1]
-    chosen = json.loads(run("--units", "us", *asked, "--json").out)[key][-1]
+    assert json.loads(run("--units", "us", *asked, "--json").out)[key][-1] == plain
+    [*_others, chosen] = csv.DictReader(io.StringIO(run("--units", "us", *asked, "--csv").out))
     horsepower = 550 * 12 * 0.0254 * 0.45359237 * 9.80665
     feet = 12 * 0.0254 * 0.45359237 * 9.80665
-    assert plain["unbalance"] * 1e-3 * horsepower / feet == pytest.approx(chosen["unbalance"])
+    own = next(float(chosen[name]) for name in chosen if name.startswith("unbalance"))
+    assert plain["unbalance"] * 1e-3 * horsepower / feet == pytest.approx(own)
     assert plain["compensator"] == chosen["compensator"]
+    assert "[N m/kW]" in run("--units", "kN m", *asked).out
     out = run("--units", "us", *asked).out
     assert "[lbf ft/hp]" in out
     assert "kW" not in out

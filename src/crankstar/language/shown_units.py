@@ -245,8 +245,11 @@ _QUOTIENTS = {
     "m/s^2": ("m", "/s^2", ""),
     "mm/rad": ("mm", "/rad", ""),
     "um": ("um", "", ""),
+    "N*m/kW": ("N*m", "", "kW"),
 }
-"""Units that follow a chosen force and length outside SI: what is above, the rest, what below."""
+"""Units that follow others chosen outside SI: what is above, the rest, what below."""
+_PARTS = {"N": "force", "N*m": "moment", "kW": "power"}
+"""The dimensions of these parts; all others are lengths."""
 FREQUENCY, STRESS = "Hz", "MPa"
 """A frequency is no speed of rotation; a stress is shown as a pressure only where one is chosen."""
 
@@ -260,11 +263,14 @@ def shown(unit: str, largest: float, *, prefixed: bool = True) -> Shown:
     >>> shown("N", 25_000.0), shown("m*r*w^2", 25_000.0)
     (Shown(unit='kN', factor=0.001), Shown(unit='m*r*w^2', factor=1.0))
 
-    What is counted per length or in a small part of one follows a length that is not of SI:
+    What is counted per another or in a small part of one follows units that are not of SI:
 
     >>> with shown_in(read_choice("us")):
     ...     shown("N/mm", 200.0).unit, shown("um", 3.0).unit, shown("m/s^2", 1.0).unit
+    ...     unit, factor = shown("N*m/kW", 60.0)
     ('lbf/in', 'in', 'in/s^2')
+    >>> unit, round(factor * 1000, 3)  # N m of 0.737562 lbf ft, kW of 1.341022 hp
+    ('lbf*ft/hp', 550.0)
     """
     if unit in _QUOTIENTS:
         return _quotient(unit)
@@ -282,25 +288,11 @@ def shown(unit: str, largest: float, *, prefixed: bool = True) -> Shown:
     return Shown(f"{wanted}{end}", 1.0 if same else _ratio(own, wanted))
 
 
-def shown_quotient(over: str, under: str) -> Shown:
-    """The unit of one dimension per another, each as it is chosen, else as it is; no prefix.
-
-    >>> with shown_in(SYSTEMS["us"]):
-    ...     unit, factor = shown_quotient("N*m", "kW")
-    >>> unit, round(factor * 1000, 3)  # N m of 0.737562 lbf ft, kW of 1.341022 hp
-    ('lbf*ft/hp', 550.0)
-    >>> shown_quotient("N*m", "kW")
-    Shown(unit='N*m/kW', factor=1.0)
-    """
-    above, below = (shown(unit, 0.0, prefixed=False) for unit in (over, under))
-    return Shown(f"{above.unit}/{below.unit}", above.factor / below.factor)
-
-
 def _quotient(unit: str) -> Shown:
     """The unit for one of _QUOTIENTS."""
     above, rest, below = _QUOTIENTS[unit]
-    above = _foreign("force" if above == "N" else "length", above)
-    below = _foreign("length", below) if below else ""
+    above = _foreign(_PARTS.get(above, "length"), above)
+    below = _foreign(_PARTS.get(below, "length"), below) if below else ""
     wanted = f"{above}{rest}/{below}" if below else f"{above}{rest}"
     return Shown(wanted, 1.0 if wanted == unit else _ratio(unit, wanted))
 

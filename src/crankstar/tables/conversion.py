@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from crankstar.language.shown_units import Shown, dimension, shown
+from crankstar.language.shown_units import Shown, choice, dimension, shown, shown_in
 from crankstar.language.units import measured
 from crankstar.tables.table import ROW_UNIT, Column, Ranged, Table, Value
 
@@ -13,13 +13,17 @@ from crankstar.tables.table import ROW_UNIT, Column, Ranged, Table, Value
 def in_units(table: Table, *, prefixed: bool = True) -> Table:
     """The table with each number in the unit that the context chooses for its dimension.
 
-    Without a chosen unit, SI with the prefix that fits the greatest number of the dimension in the
-    table; not `prefixed`: as it is. So one table has one unit of force, and its columns compare.
+    Without a chosen unit, the one that is usual in the table, else SI with the prefix that fits the
+    greatest number of the dimension in it; not `prefixed`: as it is. So one table has one unit of
+    force, and its columns compare.
 
     >>> table = Table("", (Column("force", "N"),), ((25_000.0,), (10.0,)))
     >>> in_units(table).columns[0].unit, in_units(table).rows
     ('kN', ((25.0,), (0.01,)))
     """
+    if prefixed and table.usual:
+        with shown_in({**table.usual, **choice()}):
+            return in_units(replace(table, usual={}))
     largest = _largest(table)
     chosen = [
         Shown(column.unit, 1.0) if column.fixed else _of(column.unit, largest, prefixed)

@@ -9,9 +9,9 @@ from typing import Any
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
-from crankstar.language.shown_units import shown_quotient
 from crankstar.mechanics.external_moments import unbalance_class
 from crankstar.studies.engine_family import ChainDrive, Member
+from crankstar.tables.marine import OF_GUIDES
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
@@ -64,7 +64,6 @@ def _table(members: Sequence[Member]) -> Table:
     """A row for each member; guide-force moments where gas is known."""
     known = [member.found for member in members if member.found is not None]
     unit = known[0].after.units.couple if known else "N*m"
-    per = shown_quotient("N*m", "kW")
     powered = any(found.power is not None and unit == "N*m" for found in known)
     guided = any(member.h for member in members)
     crossed = any(member.x for member in members)
@@ -81,7 +80,7 @@ def _table(members: Sequence[Member]) -> Table:
     if powered:
         columns += [
             Column(_("power"), "W", key="power"),
-            Column(_("M_2V over the power"), per.unit, key="unbalance", fixed=True, digits=3),
+            Column(_("M_2V over the power"), "N*m/kW", key="unbalance", digits=3),
             Column(_("compensator"), kind="text", key="compensator", optional=2),
         ]
     if guided:
@@ -99,7 +98,7 @@ def _table(members: Sequence[Member]) -> Table:
     rows = tuple(
         _row(member, powered=powered, guided=guided, crossed=crossed) for member in members
     )
-    return Table(_("Family"), tuple(columns), rows, key="members")
+    return Table(_("Family"), tuple(columns), rows, key="members", usual=OF_GUIDES)
 
 
 def _frequency(member: Member) -> float | None:
@@ -119,11 +118,7 @@ def _row(member: Member, *, powered: bool, guided: bool, crossed: bool) -> tuple
     row += [after.moment(1), after.moment(1, "H"), after.moment(2), after.moment(4)]
     if powered:
         value = found.unbalance(after.moment(2))
-        if value is None:
-            row += [found.power, None, ""]
-        else:
-            shown = value * shown_quotient("N*m", "kW").factor
-            row += [found.power, shown, _(unbalance_class(value))]
+        row += [found.power, value, "" if value is None else _(unbalance_class(value))]
     if guided:
         row += [member.h[1], member.h[0]] if member.h else [None, None]
     if crossed:
@@ -194,13 +189,12 @@ def _torsion_notes(members: Sequence[Member], drive: ChainDrive | None) -> list[
 def _choice(members: Sequence[Member], goals: str) -> list[str]:
     """By what number an order is better than another, and what that leaves out."""
     lines: list[str] = []
-    minimised = [name.strip() for name in goals.split(";")[0].split(",")]
-    if len(minimised) > 1:
+    names = [name.strip().rpartition("*")[2] for name in goals.split(";")[0].split(",")]
+    if len(names) > 1:
         found = next((member.found for member in members if member.found is not None), None)
         unit = unit_text(found.after.units.couple if found else "N*m")
-        words = ALONE if NEIGHBOURS not in minimised else BESIDE
-        lines.append(_(words, unit=unit))
-    if any(name.rpartition("*")[2] == "M1" for name in minimised):
+        lines.append(_(BESIDE, unit=unit) if NEIGHBOURS in names else _(ALONE))
+    if "M1" in names:
         lines.append(_(HELD))
     return lines
 
@@ -216,7 +210,7 @@ STRAIGHT = N_(
 NEIGHBOURS = "neighbours"
 ALONE = N_(
     "Of values that are minimised together the root of the sum of their squares counts, each "
-    "times its weight if it has one: the greatest value over a turn, moments in {unit}."
+    "times its weight if it has one: the greatest value over a turn."
 )
 BESIDE = N_(
     "Of values that are minimised together the root of the sum of their squares counts, each "

@@ -11,7 +11,7 @@ import numpy as np
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
-from crankstar.language.shown_units import shown, shown_quotient
+from crankstar.language.shown_units import shown
 from crankstar.mechanics import guide_moments as guides
 from crankstar.mechanics.balance import scales, unit_unbalance
 from crankstar.mechanics.external_moments import (
@@ -29,6 +29,8 @@ from crankstar.tables.table import Column, Document, Remarks, Table, Value, rema
 
 RPM = 30 / pi
 MM = 1e3
+OF_GUIDES = {"moment": ("kN*m",), "power": ("kW",)}
+"""The units of project guides, whatever the size of the engine."""
 CLASSED = (1.0, 2.0)
 """Orders for which the makers class the power-related unbalance."""
 LARGE_BORE = 0.2
@@ -84,21 +86,21 @@ def _moment_table(found: MarineAnalysis) -> Table:
     columns = [Column(_("order"), key="order", label=True)]
     if changed:
         columns += [
-            Column(_("M_V without"), units.couple, key="vertical_before"),
-            Column(_("M_H without"), units.couple, key="horizontal_before"),
+            Column(_("M_V before"), units.couple, key="vertical_before"),
+            Column(_("M_H before"), units.couple, key="horizontal_before"),
         ]
     columns += [
         Column(_("M_V, vertical"), units.couple, "wave", key="vertical"),
         Column(_("M_H, horizontal"), units.couple, "wave", key="horizontal"),
     ]
-    with_force, per = not after.free, shown_quotient("N*m", "kW")
+    with_force = not after.free
     if with_force:
         columns.append(Column(_("force, vertical"), units.force, key="force_vertical"))
         columns.append(Column(_("force, horizontal"), units.force, key="force_horizontal"))
     if found.at_node is not None:
         columns.append(Column(_("M_V about the node"), units.couple, "wave", key="at_node"))
     if found.power is not None and units.couple == "N*m":
-        columns.append(Column(_("over the power"), per.unit, key="unbalance", fixed=True, digits=3))
+        columns.append(Column(_("over the power"), "N*m/kW", key="unbalance", digits=3))
         columns.append(Column(_("compensator"), kind="text", key="compensator"))
     rows: list[tuple[Value, ...]] = []
     for order in after.orders.tolist():
@@ -115,12 +117,12 @@ def _moment_table(found: MarineAnalysis) -> Table:
             row.append(_wave(found.at_node[1], found.at_node[1].vertical, order))
         if found.power is not None and units.couple == "N*m":
             value = found.unbalance(_greater(found, order)) or 0.0
-            row += [value * per.factor, _(unbalance_class(value)) if order in CLASSED else ""]
+            row += [value, _(unbalance_class(value)) if order in CLASSED else ""]
         rows.append(tuple(row))
     title = _("External moments")
     if after.speed is not None:
         title = _("External moments at {rpm} rpm", rpm=number(round(after.speed * RPM, 6)))
-    return Table(title, tuple(columns), tuple(rows), key="moments")
+    return Table(title, tuple(columns), tuple(rows), key="moments", usual=OF_GUIDES)
 
 
 def _wave(moments: ExternalMoments, values: np.ndarray, order: float) -> complex:
@@ -199,7 +201,9 @@ def guide_table(
             if guide.pitch_known:
                 row.append(abs(bimoment) / (bracing[0] * bracing[1]))
         rows.append(tuple(row))
-    return Table(_("Guide-force moments"), tuple(columns), tuple(rows), key="guide")
+    return Table(
+        _("Guide-force moments"), tuple(columns), tuple(rows), key="guide", usual=OF_GUIDES
+    )
 
 
 def _guide_places(
@@ -247,7 +251,8 @@ def _speed_table(found: MarineAnalysis) -> Table:
         )
         for speed in found.speeds
     )
-    return Table(_("External moments over the speeds"), tuple(columns), rows, key="speeds")
+    title = _("External moments over the speeds")
+    return Table(title, tuple(columns), rows, key="speeds", usual=OF_GUIDES)
 
 
 def _notes(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[str]:

@@ -10,6 +10,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+from crankstar.language.shown_units import Choice
+
 
 @dataclass(frozen=True)
 class Ranged:
@@ -76,7 +78,8 @@ class Column:
 class Table:
     """Rows of values under headings, with the sentences that belong to them.
 
-    `key` is its name in JSON; `doubtful` are the rows that rest on unverified values.
+    `key` is its name in JSON; `doubtful` are the rows that rest on unverified values; `usual` the
+    units that its readers expect, of each dimension of which none is chosen.
     """
 
     title: str
@@ -85,6 +88,7 @@ class Table:
     notes: tuple[str, ...] = ()
     key: str = ""
     doubtful: frozenset[int] = frozenset()
+    usual: Choice = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Refuse rows that do not fit the columns."""
