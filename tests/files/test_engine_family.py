@@ -8,6 +8,7 @@ import json
 from itertools import pairwise, permutations
 from math import hypot
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import openpyxl
@@ -112,8 +113,8 @@ def test_the_verb_gives_the_page_of_a_guide(run: Run, tmp_path: Path) -> None:
     asked = ("--numbers", "5..7", "--given", "1-3-5-4-2", "--first-order", "equal")
     out = json.loads(run("guide", place, *asked, "--json").out)
     assert out["format"] == 1
-    assert [row["cylinders"] for row in out["members"]] == [5, 5, 6, 7]
-    seven = out["members"][-1]
+    assert [row["cylinders"] for row in out["members"]] == [5, 5, 6, 7, 7]
+    seven = out["members"][-2]
     found = marine(marine_engine(), horizontal_share=0.5)
     assert seven["firing_order"] == SEVEN["firing_order"]
     assert (seven["m1v"], seven["m1h"]) == pytest.approx((found.after.moment(1),) * 2)
@@ -122,7 +123,7 @@ def test_the_verb_gives_the_page_of_a_guide(run: Run, tmp_path: Path) -> None:
     assert (seven["x_order"], seven["x"]) == pytest.approx((4, abs(found.guide.x).max()))
     assert (seven["h_order"], seven["h"]) == pytest.approx((7, abs(found.guide.h).max()))
     rows = list(csv.DictReader(io.StringIO(run("guide", place, *asked, "--csv").out)))
-    assert len(rows) == 4
+    assert len(rows) == 5
     book = tmp_path / "guide.xlsx"
     run("guide", place, *asked, "-o", str(book))
     assert "members" in openpyxl.load_workbook(book).sheetnames
@@ -199,3 +200,40 @@ def test_what_cannot_be_asked_is_one_sentence(
     refused = run("guide", written(tmp_path), *options)
     assert refused.code == 2
     assert said in " ".join(refused.err.split())
+
+
+@pytest.mark.parametrize("changes", [{}, FOUR_STROKE], ids=["two-stroke", "four-stroke"])
+def test_published_orders_are_those_of_the_catalog_with_their_source(
+    run: Run, tmp_path: Path, changes: dict[str, Any]
+) -> None:
+    place = tmp_path / "seven.toml"
+    place.write_text(toml(marine_engine(**changes)))
+    asked = ("guide", str(place), "--numbers", "5..8")
+    rows = json.loads(run(*asked, "--json").out)["members"]
+    text = " ".join(run(*asked).out.split())
+    found = {tuple(row["firing_order"]): row for row in rows if row["published"]}
+    for order, row in found.items():
+        engine = crankstar.load(row["published"])
+        origin = engine.provenance["firing_order"]
+        assert origin.status == "published"
+        assert engine.cycle == changes.get("cycle", "two-stroke")
+        assert order in (engine.firing_order, (1, *reversed(engine.firing_order[1:])))
+        words = "-".join(map(str, order))
+        own = f"{words} is published in {origin.source} ({row['published']} of the catalog)."
+        assert own in text
+        assert (f"The mirror image of {own}" in text) == (order != engine.firing_order)
+    # by hand from the catalog: no order of an unverified file, one of each pair of mirror images
+    two = {(1, 5, 3, 4, 2, 6), (1, 7, 2, 5, 4, 3, 6), (1, 5, 3, 6, 2, 4, 7)}
+    four = {(1, 2, 4, 5, 3), (1, 5, 3, 6, 2, 4), (1, 3, 7, 5, 8, 6, 2, 4), (1, 5, 7, 3, 8, 4, 2, 6)}
+    four |= {(1, 2, 4, 6, 7, 5, 3), (1, 3, 2, 7, 5, 6, 4)}
+    assert {*found} == (four if changes else two)
+
+
+def test_a_published_order_has_the_moments_of_the_same_order_given(
+    run: Run, tmp_path: Path
+) -> None:
+    asked = ("guide", written(tmp_path), "--numbers", "7", "--json")
+    first = json.loads(run(*asked).out)["members"][1]
+    same = json.loads(run(*asked, "--given", "1-5-3-6-2-4-7").out)["members"][1]
+    assert (first.pop("chosen"), same.pop("chosen")) == ("published", "given")
+    assert first == same

@@ -50,6 +50,7 @@ def guide(
     try:
         from crankstar.options import guide as asked
         from crankstar.studies.engine_family import engine_family
+        from crankstar.studies.published_orders import published_orders
     except ImportError as error:
         raise not_compiled(error) from None
     from crankstar.options.marine import horizontal_share
@@ -72,6 +73,7 @@ def guide(
             loaded,
             numbers=counts,
             given=orders,
+            published=published_orders(loaded.cycle, counts),
             options=goals_of(words),
             drive=drive,
             point=point or "",

@@ -12,6 +12,7 @@
 | `mount_results` | modes, force and shake on the mounts of each engine of a sweep |
 | `torsion_results` | torsional frequency, stress and amplitude of each engine of a sweep |
 | `marine` | external and guide-force moments of an engine with weights and compensators |
+| `published_orders` | the firing orders of the catalog that were read in a source |
 | `family_torsion` | the chain of an engine with other numbers of throws, and its vector sums |
 | `engine_family` | the cylinders of an engine in rows of 5 to 12, each with the best order |
 | `generating_sets` | how evenly a generating set runs, and several on one foundation |

@@ -13,7 +13,7 @@ table [torsion] the chain is that of as many throws (`family_torsion`).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
 from typing import Literal
 
@@ -32,10 +32,11 @@ from crankstar.search.question import Best
 from crankstar.search.stars import Star, Stars
 from crankstar.studies.family_torsion import Twist, not_grown, twist, with_throws
 from crankstar.studies.marine import MarineAnalysis, marine
+from crankstar.studies.published_orders import Published, backwards
 
 LEAST, MOST = 2, 14
 """Numbers of cylinders of a family; of more the search takes long."""
-Chosen = Literal["best", "given"]
+Chosen = Literal["best", "given", "published"]
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,8 @@ class Member:
 
     `none` says that no order keeps the limits; there is no engine then. `h` and `x` are the
     greatest guide-force moments and their orders; `twist` is the torsion of the order of X, and
-    `without_chain` says why it is by a straight shape.
+    `without_chain` says why it is by a straight shape; `published` is where this order, or its
+    mirror image, was read.
     """
 
     cylinders: int
@@ -63,6 +65,7 @@ class Member:
     x: tuple[float, float] | None
     twist: Twist | None
     without_chain: str = ""
+    published: Published | None = None
 
     @property
     def none(self) -> bool:
@@ -75,6 +78,7 @@ def engine_family(
     *,
     numbers: Sequence[int],
     given: Sequence[Sequence[int]] = (),
+    published: Sequence[Published] = (),
     options: SearchOptions | None = None,
     drive: ChainDrive | None = None,
     point: str = "",
@@ -83,7 +87,8 @@ def engine_family(
 ) -> tuple[Member, ...]:
     """The members with these numbers of cylinders, the best of each and then other known orders.
 
-    Orders are known that are `given`, and that of the engine. `options` are goals and limits of the
+    Orders are known that are `given`, that of the engine, and those `published`, without mirror
+    images of others. `options` are goals and limits of the
     search, by default least M1 and M2 together.
     Weights at the ends are left out where there is no first-order moment to be shared. Raises
     MarineError for an engine that is not a row of alike cylinders, SearchError for goals that
@@ -97,18 +102,37 @@ def engine_family(
     asked = {"point": point, "speed": speed, "horizontal_share": horizontal_share}
     members: list[Member] = []
     for count in numbers:
-        orders = dict.fromkeys(tuple(order) for order in (*given, engine.firing_order))
-        known = [
-            with_cylinders(engine, order, drive=drive) for order in orders if len(order) == count
-        ]
+        orders = _known([*given, engine.firing_order], published, count)
+        known = [with_cylinders(engine, order, drive=drive) for order in orders]
         plain = with_cylinders(engine, range(1, count + 1), drive=drive)
         best, why = _best(plain, known, options, speed=speed), not_grown(engine, count)
         if best is None:
             members.append(Member(count, "best", (), None, None, None, None))
         else:
             members.append(_member(best, "best", asked, why))
-        members += [_member(one, "given", asked, why) for one in known if one is not best]
-    return tuple(members)
+        members += [
+            _member(one, orders[one.firing_order], asked, why) for one in known if one is not best
+        ]
+    return tuple(replace(each, published=_source(each.order, published)) for each in members)
+
+
+def _known(
+    given: Sequence[Sequence[int]], published: Sequence[Published], count: int
+) -> dict[tuple[int, ...], Chosen]:
+    """The orders of so many cylinders that are known, and by what."""
+    orders: dict[tuple[int, ...], Chosen] = {
+        tuple(order): "given" for order in given if len(order) == count
+    }
+    for each in published:
+        if len(each.order) == count and backwards(each.order) not in orders:
+            orders.setdefault(each.order, "published")
+    return orders
+
+
+def _source(order: tuple[int, ...], published: Sequence[Published]) -> Published | None:
+    """Where an order was read, or else its mirror image."""
+    same = {each.order: each for each in reversed(published)}
+    return same.get(order) or (same.get(backwards(order)) if order else None)
 
 
 def with_cylinders(

@@ -11,11 +11,12 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.mechanics.external_moments import unbalance_class
 from crankstar.studies.engine_family import ChainDrive, Member
+from crankstar.studies.published_orders import Published
 from crankstar.tables.marine import OF_GUIDES
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
-CHOSEN = {"best": N_("best"), "given": N_("given")}
+CHOSEN = {"best": N_("best"), "given": N_("given"), "published": N_("published")}
 
 
 def family_document(
@@ -72,6 +73,7 @@ def _table(members: Sequence[Member]) -> Table:
         Column(_("cylinders"), key="cylinders", label=True),
         Column(_("firing order"), kind="order", key="firing_order"),
         Column(_("chosen"), kind="text", key="chosen"),
+        Column("", kind="text", key="published", machine=True),
         Column("M_1V", unit, key="m1v"),
         Column("M_1H", unit, key="m1h"),
         Column("M_2V", unit, key="m2v"),
@@ -110,7 +112,8 @@ def _row(member: Member, *, powered: bool, guided: bool, crossed: bool) -> tuple
     """The cells of a member; empty ones where no order keeps the limits."""
     found = member.found
     chosen = _("none keeps the limits") if found is None else _(CHOSEN[member.chosen])
-    row: list[Value] = [member.cylinders, member.order or None, chosen]
+    source = member.published and member.published.engine
+    row: list[Value] = [member.cylinders, member.order or None, chosen, source]
     if found is None:
         row += [None] * 4 + [None, None, ""] * powered + [None, None] * guided
         return (*row, *[None] * 3 * crossed, "", None)
@@ -157,6 +160,7 @@ def _notes(
             )
         )
     lines += _torsion_notes(members, drive)
+    lines += [_published(member, member.published) for member in members if member.published]
     found = next((member.found for member in members if member.found is not None), None)
     if found is not None and found.after.units.couple != "N*m":
         lines.append(
@@ -186,6 +190,13 @@ def _torsion_notes(members: Sequence[Member], drive: ChainDrive | None) -> list[
     return lines
 
 
+def _published(member: Member, found: Published) -> str:
+    """Where an order was read, or that of which it is the mirror image."""
+    words = SAME if found.order == member.order else MIRRORED
+    order = "-".join(map(str, member.order))
+    return _(words, order=order, engine=found.engine, source=found.source)
+
+
 def _choice(members: Sequence[Member], goals: str) -> list[str]:
     """By what number an order is better than another, and what that leaves out."""
     lines: list[str] = []
@@ -207,6 +218,8 @@ STRAIGHT = N_(
     "Vector sum by a straight shape: of the order of X, 1 at the end cylinders, the same star as "
     "that of X; {reason}."
 )
+SAME = N_("{order} is published in {source} ({engine} of the catalog).")
+MIRRORED = N_("The mirror image of {order} is published in {source} ({engine} of the catalog).")
 NEIGHBOURS = "neighbours"
 ALONE = N_(
     "Of values that are minimised together the root of the sum of their squares counts, each "
