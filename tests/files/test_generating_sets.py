@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 from tests.commands import Run
 from tests.marine import SEVEN, marine_engine
+from tests.terminal_tables import blocks
 
 from crankstar.files import toml
 from crankstar.studies.generating_sets import generating_set
@@ -38,6 +39,25 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
         assert (row["quantity"], row["order"]) == (one.quantity, one.order)
         assert (row["worst"], row["typical"]) == pytest.approx((one.worst, one.typical))
         assert row["exceeded_5"] == pytest.approx(one.exceeded[0])
+
+
+def test_one_engine_has_no_columns_of_several_for_readers(run: Run, tmp_path: Path) -> None:
+    place = written(tmp_path)
+    for engines, titles in ((1, 0), (3, 4)):
+        out = run("genset", place, "--engines", str(engines))
+        title = next(name for name in blocks(out.out) if "on" in name.lower() and "rpm" in name)
+        [table] = blocks(out.out)[title]
+        found = json.loads(run("genset", place, "--engines", str(engines), "--json").out)["sums"]
+        columns = {each.heading: each.cells for each in table}
+        assert len(columns) == 4 + titles
+        assert [float(cell) * 1e3 for cell in columns["one engine"]] == pytest.approx(
+            [row["one"] for row in found], rel=6e-5
+        )
+        if engines == 3:
+            assert [float(cell) * 1e3 for cell in columns["rms over all phases"]] == pytest.approx(
+                [3**0.5 * row["one"] for row in found], rel=6e-5
+            )
+        assert set(columns["unit"]) == {"kN m"}
 
 
 def test_readers_are_told_what_is_counted_and_missing(run: Run, tmp_path: Path) -> None:

@@ -67,7 +67,10 @@ def test_readers_are_told_what_is_counted_and_left_out(run: Run, tmp_path: Path)
     assert "in units of the first cylinder" in out
     out = " ".join(run("marine", "i4").out.split())
     assert "Without guide-force moments: the engine file has no table [gas]." in out
-    assert "since forces remain, they differ about other points" in out
+    assert "forces of orders 2, 4 remain, so that the moments of these orders differ" in out
+    out = " ".join(run("marine", "man-s50mc-c").out.split())
+    assert "a force of order 6 remains, so that the moment of this order differs" in out
+    assert "X is the bimoment" not in out
 
 
 def test_without_a_speed_the_greatest_of_those_asked_for_counts(run: Run, tmp_path: Path) -> None:

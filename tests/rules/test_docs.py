@@ -308,7 +308,7 @@ NO_TERMS = {
     *("free end", "torque in {shaft}", "sum of amplitudes", "by order at this speed"),
     *("strongest order", "its mode", "pendulums", "pendulum on", "count", "mass of one", "length"),
     *("family", "chosen", "of order", "power", "place along the crankshaft"),
-    *("force, vertical", "force, horizontal", "one engine", "all in phase", "root mean square"),
+    *("force, vertical", "force, horizontal", "one engine", "all in phase", "rms over all phases"),
     "exceeded {share} % of the time",
     *("radius of the pivot", "holds back order", "along", "status", "point", "of the file"),
     *("best found", "up, right, along"),

@@ -5,9 +5,10 @@ The inertia forces of all moving parts leave a force and a moment of each order 
     F_kV = Re(F exp(i k theta)),    M_kV = sum (z - z_0) F_V    N, N m
 
 in the vertical plane (V), and the same in the horizontal one (H). Both grow with the square of the
-speed. Where the forces add up to nought, as in even-firing engines of three cylinders and more, the
-moment is the same about every point; else that about another point z_n, such as a node of the hull,
-is M + (z_0 - z_n) F.
+speed. Of an order whose forces add up to nought the moment is the same about every point; else that
+about another point z_n, such as a node of the hull, is M + (z_0 - z_n) F. Throws in n directions,
+evenly spaced and with as many cylinders each, leave forces of even multiples of n alone: the sixth
+order of a two-stroke six, the second of a four-stroke four.
 
 The power-related unbalance is the moment over the power of the engine, N m/kW. MAN B&W class it by
 the need of a compensator.
@@ -77,10 +78,10 @@ class ExternalMoments:
     of_a_part: float
 
     @property
-    def free(self) -> bool:
-        """Whether the forces add up to nothing, so that the moments are so about every point."""
-        pushed = np.abs([self.force_vertical, self.force_horizontal])
-        return float(pushed.max(initial=0.0)) <= FREE * self.of_a_part
+    def pushing(self) -> list[float]:
+        """The orders that leave a force, so that their moments differ about other points."""
+        pushed = np.maximum(np.abs(self.force_vertical), np.abs(self.force_horizontal))
+        return self.orders[pushed > FREE * self.of_a_part].tolist()
 
     def moment(self, order: float, side: str = "V") -> float:
         """The amplitude of M_kV or M_kH, nought where the order does not occur."""

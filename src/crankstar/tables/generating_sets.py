@@ -87,19 +87,21 @@ def _running_table(found: GeneratingSet, running: Running, angle: GeneratorAngle
 
 
 def _sum_table(found: GeneratingSet) -> Table:
-    """Forces and moments of one engine and of all, order by order."""
+    """Forces and moments of one engine and, where there are several, of all, order by order."""
+    alone = found.engines == 1
     columns = [
         Column(_("quantity"), kind="text", label=True),
         Column("", kind="text", key="quantity", machine=True),
         Column(_("order"), key="order", label=True),
         Column(_("one engine"), ROW_UNIT, key="one"),
-        Column(_("all in phase"), ROW_UNIT, key="worst"),
-        Column(_("root mean square"), ROW_UNIT, key="typical"),
+        Column(_("all in phase"), ROW_UNIT, key="worst", machine=alone),
+        Column(_("rms over all phases"), ROW_UNIT, key="typical", machine=alone),
         *(
             Column(
                 _("exceeded {share} % of the time", share=number(100 * share)),
                 ROW_UNIT,
                 key=f"exceeded_{round(100 * share)}",
+                machine=alone,
             )
             for share in SHARES
         ),
@@ -147,9 +149,10 @@ def _notes(found: GeneratingSet) -> list[str]:
     if found.sums and found.engines > 1:
         lines.append(
             _(
-                "Engines that run at slightly different speeds meet in all phases: in phase, as "
-                "the root of the mean of the square, and what is exceeded in so much of the time. "
-                "The engines are alike and count as at one place."
+                "Engines that run at slightly different speeds meet in all phases: all in phase is "
+                "the worst; the rms of the amplitude over all phases is that of one times the root "
+                "of their number; the rest is exceeded in so much of the time. The engines are "
+                "alike and count as at one place."
             )
         )
     return lines

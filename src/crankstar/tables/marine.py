@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import degrees, pi
 from typing import Any
 
 import numpy as np
 
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.messages import N_, _, _n
+from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics import guide_moments as guides
 from crankstar.mechanics.balance import scales, unit_unbalance
@@ -93,7 +93,7 @@ def _moment_table(found: MarineAnalysis) -> Table:
         Column(_("M_V, vertical"), units.couple, "wave", key="vertical"),
         Column(_("M_H, horizontal"), units.couple, "wave", key="horizontal"),
     ]
-    with_force = not after.free
+    with_force = bool(after.pushing)
     if with_force:
         columns.append(Column(_("force, vertical"), units.force, key="force_vertical"))
         columns.append(Column(_("force, horizontal"), units.force, key="force_horizontal"))
@@ -257,17 +257,7 @@ def _speed_table(found: MarineAnalysis) -> Table:
 
 def _notes(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[str]:
     """What the numbers mean, and what is left out."""
-    lines = [
-        _(
-            "Moments are about the middle of the cylinders; since the forces of the moving parts "
-            "add up to nothing, they are the same about any point."
-        )
-        if found.after.free
-        else _(
-            "Moments are about the middle of the cylinders; since forces remain, they differ "
-            "about other points: see --node."
-        )
-    ]
+    lines = [_about(found.after.pushing)]
     if found.end_weights is not None:
         share = number(round(100 * found.end_weights, 6))
         lines.append(
@@ -292,14 +282,14 @@ def _notes(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[s
         )
     if found.power is not None and found.after.units.couple == "N*m":
         lines.append(_(OVER_POWER, power=_power_text(found.power)))
-    if found.guide is not None:
+    if found.guide is not None and found.guide.pitch_known:
         lines.append(
             _(
                 "X is the bimoment over the rod length, {length} m; forces of X are those of each "
                 "of two planes of top bracing.",
                 length=number(round(found.guide.length, 6)),
             )
-            if bracing is not None and found.guide.pitch_known
+            if bracing is not None
             else _(
                 "X is the bimoment over the rod length, {length} m.",
                 length=number(round(found.guide.length, 6)),
@@ -309,6 +299,23 @@ def _notes(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[s
         lines += _shares(found.guide)
     lines.append(_("Axial vibration, and what the propeller does, are left out."))
     return lines
+
+
+def _about(pushing: Sequence[float]) -> str:
+    """About which point the moments are, and in which orders that matters."""
+    if not pushing:
+        return _(
+            "Moments are about the middle of the cylinders; since the forces of the moving parts "
+            "add up to nothing, they are the same about any point."
+        )
+    return _n(
+        "Moments are about the middle of the cylinders; a force of order {orders} remains, so that "
+        "the moment of this order differs about other points: see --node.",
+        "Moments are about the middle of the cylinders; forces of orders {orders} remain, so that "
+        "the moments of these orders differ about other points: see --node.",
+        len(pushing),
+        orders=", ".join(map(order_text, pushing)),
+    )
 
 
 def _shares(guide: GuideMoments | None) -> list[str]:
