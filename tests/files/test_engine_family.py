@@ -17,12 +17,14 @@ from tests.commands import Run
 from tests.marine import SEVEN, WEIGHTED, marine_engine
 
 import crankstar
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files import toml
 from crankstar.mechanics.external_moments import external_moments
 from crankstar.mechanics.guide_moments import MarineError
 from crankstar.options.search import goals_of
 from crankstar.options.words import SearchWords
+from crankstar.remedy.counterweights import RemedyError
 from crankstar.studies.engine_family import ChainDrive, engine_family, with_cylinders
 from crankstar.studies.marine import marine
 
@@ -89,9 +91,20 @@ def test_a_wider_gap_stands_in_the_middle_from_its_number_up() -> None:
 def test_limits_that_none_keeps_leave_a_row_without_an_engine() -> None:
     goals = goals_of(SearchWords(minimise="M2", limit=["M1=1 N m", "M2=1 N m"], best="1"))
     five, twelve = engine_family(marine_engine(), numbers=[5, 12], options=goals)
-    assert five.none
     assert five.found is None
-    assert not twelve.none
+    assert twelve.found is not None
+
+
+def test_weights_at_the_ends_are_refused_where_cylinders_lean() -> None:
+    """They were left out without a word, and the page said that they were there."""
+    upright = marine_engine()
+    leaning = with_values(
+        upright,
+        cylinders=tuple(with_values(each, bearing=0.3) for each in upright.cylinders),
+        firing_order=(),
+    )
+    with pytest.raises(RemedyError, match="upright cylinders"):
+        engine_family(leaning, numbers=[5], horizontal_share=0.5)
 
 
 def test_only_a_row_of_alike_cylinders_has_a_family() -> None:

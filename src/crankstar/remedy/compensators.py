@@ -68,14 +68,12 @@ def compensators(
     order: int,
     places: Sequence[float],
     node: float | None = None,
-    share: float = 1.0,
     phase_error: float = 0.0,
 ) -> tuple[Compensator, ...]:
     """The compensators at one or two `places` z that cancel the vertical moment of an order.
 
-    About `node`, else the middle of the cylinders. `share` is the part that is cancelled;
-    `phase_error` (rad) by how much they come late. Raises RemedyError where there is nothing to
-    cancel, or a place has no arm.
+    About `node`, else the middle of the cylinders; `phase_error` (rad) is by how much they come
+    late. Raises RemedyError where there is nothing to cancel, or a place has no arm.
 
     >>> from crankstar import load
     >>> [found] = compensators(load("triple-120"), order=2, places=[3.0], node=-5.0)
@@ -98,7 +96,7 @@ def compensators(
             "a compensator has no arm to the point about which it works; give it another place, or "
             "the place of the node"
         )
-    force = -share * moment / (front - rear) * np.exp(-1j * phase_error)
+    force = -moment / (front - rear) * np.exp(-1j * phase_error)
     signs = (1.0, -1.0)[: len(places)]
     return tuple(
         Compensator(order, place, complex(sign * force))

@@ -26,12 +26,16 @@ from crankstar.remedy.counterweights import RemedyError, turned_weights
 from crankstar.remedy.kept import least_weights
 
 
+class NothingToShareError(RemedyError):
+    """An engine has no first-order moment that weights at the ends could share."""
+
+
 def with_end_weights(engine: Engine, *, share: float) -> Engine:
     """The engine with opposite weights on the end webs of its crankshaft, beside those it has.
 
     `share` of the first-order moment of the pistons is then horizontal, the rest vertical. Raises
-    RemedyError where there are several crankshafts or cylinders that do not stand up, where a share
-    is not from 0 to 1, and where no first-order moment is there to be shared.
+    RemedyError where there are several crankshafts or cylinders that do not stand up, and where a
+    share is not from 0 to 1; NothingToShareError where there is no first-order moment.
 
     >>> from crankstar import load
     >>> from crankstar.mechanics.external_moments import external_moments
@@ -58,7 +62,7 @@ def with_end_weights(engine: Engine, *, share: float) -> Engine:
     )
     ahead, against = complex(couple.forward[0]), complex(couple.backward[0])
     if abs(against) <= remains.NEGLIGIBLE * abs(ahead) or not against:
-        raise RemedyError(
+        raise NothingToShareError(
             "{engine} has no first-order moment that weights at the ends could share",
             engine=engine.name,
         )

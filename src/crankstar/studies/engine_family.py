@@ -24,7 +24,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Throw
 from crankstar.language.messages import _
 from crankstar.mechanics.guide_moments import MarineError
-from crankstar.remedy.counterweights import RemedyError
+from crankstar.remedy.end_weights import NothingToShareError
 from crankstar.search.answer import answer_to
 from crankstar.search.engine_stars import star_of, stars_of, with_star
 from crankstar.search.options import SearchOptions, search_for
@@ -51,7 +51,7 @@ class ChainDrive:
 class Member:
     """An engine of a family with a firing order: its moments, and why this order.
 
-    `none` says that no order keeps the limits; there is no engine then. `h` and `x` are the
+    `found` is None where no order keeps the limits: there is no engine then. `h` and `x` are the
     greatest guide-force moments and their orders; `twist` is the torsion of the order of X, and
     `without_chain` says why it is by a straight shape; `published` is where this order, or its
     mirror image, was read.
@@ -66,11 +66,6 @@ class Member:
     twist: Twist | None
     without_chain: str = ""
     published: Published | None = None
-
-    @property
-    def none(self) -> bool:
-        """Whether no firing order keeps the limits."""
-        return self.found is None
 
 
 def engine_family(
@@ -91,8 +86,8 @@ def engine_family(
     images of others. `options` are goals and limits of the
     search, by default least M1 and M2 together.
     Weights at the ends are left out where there is no first-order moment to be shared. Raises
-    MarineError for an engine that is not a row of alike cylinders, SearchError for goals that
-    cannot be.
+    MarineError for an engine that is not a row of alike cylinders, RemedyError for weights at the
+    ends of one that does not stand up, SearchError for goals that cannot be.
 
     >>> from crankstar.files.catalog import load
     >>> five, seven = engine_family(load("man-s90mc-c"), numbers=[5, 7])
@@ -252,7 +247,7 @@ def _member(engine: Engine, chosen: Chosen, asked: Mapping[str, object], why: st
     """A member with its moments."""
     try:
         found = marine(engine, **asked)  # pyright: ignore[reportArgumentType]
-    except RemedyError:
+    except NothingToShareError:
         found = marine(engine, **{**asked, "horizontal_share": None})
     guide = found.guide
     h = x = order = None
