@@ -19,6 +19,7 @@ import numpy as np
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
 from crankstar.engine.volumes import Volumes, volumes
+from crankstar.language.messages import _
 from crankstar.mechanics import heat_release, ideal_cycles, real_gas
 from crankstar.mechanics.friction import friction_pressure
 from crankstar.mechanics.operating_points import GasError, resolved
@@ -116,6 +117,27 @@ def cycle(
         off=tuple(sorted(off)),
         motored=motored,
     )
+
+
+def cycle_or_reason(
+    engine: Engine, *, point: str = "", speed: float | None = None
+) -> tuple[Cycle | None, str]:
+    """The cycle at an operating point, or None and why there is none.
+
+    Raises GasError for a point that is named.
+
+    >>> from crankstar.files.catalog import load
+    >>> cycle_or_reason(load("i4"))
+    (None, 'the engine file has no table [gas]')
+    """
+    if engine.gas is None and not point:
+        return None, _("the engine file has no table [gas]")
+    try:
+        return cycle(engine, point=point, speed=speed), ""
+    except GasError as error:
+        if point:
+            raise
+        return None, str(error)
 
 
 def check_gas(engine: Engine) -> None:

@@ -18,8 +18,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.excitation import Totals
-from crankstar.mechanics.gas import Cycle, cycle
-from crankstar.mechanics.operating_points import GasError
+from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.phase_sums import exceeded, typical_sum, worst_sum
 
 SIZES = {
@@ -103,7 +102,7 @@ def generating_set(
     >>> round(found.frequency, 2), found.sums[0].worst == 4 * found.sums[0].one
     (50.0, True)
     """
-    burning, why = _cycle(engine, point, speed)
+    burning, why = cycle_or_reason(engine, point=point, speed=speed)
     running = None if burning is None else driven(engine, burning, flywheel=flywheel)
     if burning is not None and running is None:
         why = _without_running(engine, burning.speed, flywheel)
@@ -127,18 +126,6 @@ def generating_set(
         without_sums=lacking,
         speed=turning,
     )
-
-
-def _cycle(engine: Engine, point: str, speed: float | None) -> tuple[Cycle | None, str]:
-    """The cycle of an operating point, or why there is none."""
-    if engine.gas is None and not point:
-        return None, _("the engine file has no table [gas]")
-    try:
-        return cycle(engine, point=point, speed=speed), ""
-    except GasError as error:
-        if point:
-            raise
-        return None, str(error)
 
 
 def _sums(engine: Engine, speed: float | None, engines: int) -> tuple[tuple[OrderSum, ...], str]:

@@ -17,9 +17,8 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.mechanics.external_moments import ExternalMoments, Wanted, external_moments
-from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
-from crankstar.mechanics.operating_points import GasError
 from crankstar.remedy.compensators import Compensator, compensators, with_compensators
 from crankstar.remedy.end_weights import with_end_weights
 from crankstar.spectra import Real
@@ -92,7 +91,7 @@ def marine(
     >>> found.before.moment(2) > 7e5, found.after.moment(2) < 1e-3
     (True, True)
     """
-    found, why = _cycle(engine, point, speed)
+    found, why = cycle_or_reason(engine, point=point, speed=speed)
     turning = found.speed if found is not None else speed
     turning = engine.speed if turning is None else turning
     over = np.unique(np.asarray(speeds, float))
@@ -143,18 +142,6 @@ def _name(engine: Engine, share: float | None, compensate: Sequence[int]) -> str
         orders = ", ".join(map(str, compensate))
         added.append(_("compensators of order {orders}", orders=orders))
     return ", ".join((engine.name, *added))
-
-
-def _cycle(engine: Engine, point: str, speed: float | None) -> tuple[Cycle | None, str]:
-    """The cycle of an operating point, or why there is none."""
-    if engine.gas is None and not point:
-        return None, _("the engine file has no table [gas]")
-    try:
-        return cycle(engine, point=point, speed=speed), ""
-    except GasError as error:
-        if point:
-            raise
-        return None, str(error)
 
 
 def _power(found: Cycle | None) -> float | None:
