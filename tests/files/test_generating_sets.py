@@ -86,8 +86,21 @@ def test_readers_are_told_what_is_counted_and_missing(run: Run, tmp_path: Path) 
 def test_the_csv_has_a_row_for_each_order_of_each_quantity(run: Run, tmp_path: Path) -> None:
     out = run("genset", written(tmp_path), "--engines", "2", "--csv").out
     rows = list(csv.DictReader(io.StringIO(out)))
-    orders = [(row["quantity"], float(row["order"])) for row in rows]
+    sums = [row for row in rows if row["table"] == "sums"]
+    orders = [(row["quantity"], float(row["order"])) for row in sums]
     assert orders[:3] == [("pitch", 1), ("pitch", 2), ("pitch", 4)]
+
+
+def test_the_csv_has_uneven_running_too(run: Run, tmp_path: Path) -> None:
+    asked = (written(tmp_path), "--pole-pairs", "20", "--irregularity", "1/100")
+    facts = json.loads(run("genset", *asked, "--json").out)
+    rows = csv.DictReader(io.StringIO(run("genset", *asked, "--csv").out))
+    running = {row["quantity"]: float(row["value"]) for row in rows if row["table"] == "running"}
+    assert running["electrical"] == pytest.approx(facts["electrical_deg"])
+    assert running["frequency"] == pytest.approx(facts["frequency_hz"])
+    assert running["wanted_inertia"] == pytest.approx(facts["wanted_inertia"])
+    assert running["behind"] == pytest.approx(-facts["behind_deg"])
+    assert 1 / running["one_part_in"] == running["irregularity"] == facts["irregularity"]
 
 
 @pytest.mark.parametrize(

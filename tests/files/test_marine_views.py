@@ -114,7 +114,27 @@ def test_the_engine_that_is_saved_has_the_moments_that_were_shown(run: Run, tmp_
 def test_the_csv_has_a_row_for_each_order(run: Run, tmp_path: Path) -> None:
     out = run("marine", written(tmp_path), "--csv").out
     rows = list(csv.DictReader(io.StringIO(out)))
-    assert [float(row["order"]) for row in rows] == [1, 2, 4, 6]
+    moments = [row for row in rows if row["table"] == "moments"]
+    assert [float(row["order"]) for row in moments] == [1, 2, 4, 6]
+
+
+def test_the_csv_has_every_table_that_is_printed(run: Run, tmp_path: Path) -> None:
+    asked = ("--speeds", "60 rpm, 90 rpm", "--bracing", "5 m, 8 m", "--compensate", "2: 4 m")
+    place = written(tmp_path)
+    told = json.loads(run("marine", place, *asked, "--json").out)
+    rows = list(csv.DictReader(io.StringIO(run("marine", place, *asked, "--csv").out)))
+    lines = {
+        name: [row for row in rows if row["table"] == name]
+        for name in ("moments", "compensators", "guide", "speeds")
+    }
+    assert {name: len(told[name]) for name in lines} == {
+        name: len(each) for name, each in lines.items()
+    }
+    assert float(lines["speeds"][1]["m2v [N*m]"]) == told["speeds"][1]["m2v"]
+    assert float(lines["guide"][6]["bracing_h [N]"]) == told["guide"][6]["bracing_h"]
+    weight = lines["compensators"][0]
+    assert float(weight["unbalance [kg*m]"]) == told["compensators"][0]["unbalance"]
+    assert weight["unbalance [N*m/kW]"] == ""
 
 
 def told(run: Run, *asked: str) -> tuple[list[float], list[float]]:

@@ -109,4 +109,4 @@ def marine(
         document = ranged(sheet, spread, loaded)
     if save is not None:
         write_engine(found(loaded).engine, tree, save)
-    give(document, output, form=form)
+    give(document, output, form=form, every=True)

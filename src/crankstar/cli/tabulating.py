@@ -24,18 +24,25 @@ def words_for(form: str) -> Iterator[None]:
 
 
 def give(
-    document: Document, place: str | None, *, form: str, tree: Mapping[str, Any] | None = None
+    document: Document,
+    place: str | None,
+    *,
+    form: str,
+    tree: Mapping[str, Any] | None = None,
+    every: bool = False,
 ) -> None:
     """Write a document in a form of TABLES to a file or to standard output.
 
-    CSV and Parquet hold its first table for machines; a spreadsheet also the engine file `tree`.
+    CSV and Parquet hold its first table for machines, or `every` one under one another; a
+    spreadsheet also the engine file `tree`.
     """
     if form == "txt":
         display(document, place)
         return
     from crankstar.tables import machine
 
-    table = next((table for table in document.tables if table.key), None)
+    keyed = [table for table in document.tables if table.key]
+    table = machine.stacked(keyed) if every else next(iter(keyed), None)
     if form == "json":
         write(machine.json_text(machine.tree(document)), place)
     elif form == "xlsx":

@@ -24,9 +24,9 @@ NAMES = {
 
 
 def generating_set_document(found: GeneratingSet, *, machine: bool = False) -> Document:
-    """All of a set; for machines the sums of several engines alone are a table."""
+    """All of a set."""
     parts: list[Table | Remarks] = [] if machine else [heading(found.engine)]
-    if found.running is not None and found.angle is not None and not machine:
+    if found.running is not None and found.angle is not None:
         parts.append(_running_table(found, found.running, found.angle))
     if found.sums or machine:
         parts.append(_sum_table(found))
@@ -62,28 +62,31 @@ def _facts(found: GeneratingSet) -> dict[str, Any]:
 
 def _running_table(found: GeneratingSet, running: Running, angle: GeneratorAngle) -> Table:
     """Speed, irregularity and angle of the set."""
+    uneven = running.irregularity
     rows: list[tuple[Value, ...]] = [
-        (_("speed"), running.mean_speed * RPM, "rpm"),
-        (_("inertia of all that turns and moves, mean"), running.inertia, "kg*m^2"),
-        (_("degree of irregularity"), running.irregularity, ""),
-        (_("one part in"), 1 / running.irregularity if running.irregularity else None, ""),
-        (_("ahead of even running at most"), degrees(float(angle.ahead.max())), "deg"),
-        (_("behind it at most"), degrees(float(-angle.ahead.min())), "deg"),
+        (_("speed"), "speed", running.mean_speed * RPM, "rpm"),
+        (_("inertia of all that turns and moves, mean"), "inertia", running.inertia, "kg*m^2"),
+        (_("degree of irregularity"), "irregularity", uneven, ""),
+        (_("one part in"), "one_part_in", 1 / uneven if uneven else None, ""),
+        (_("ahead of even running at most"), "ahead", degrees(float(angle.ahead.max())), "deg"),
+        (_("behind it at most"), "behind", degrees(float(-angle.ahead.min())), "deg"),
     ]
     if found.pole_pairs is not None:
+        electrical = degrees(angle.electrical(found.pole_pairs))
         rows += [
-            (_("frequency"), found.frequency, "Hz"),
-            (_("greatest electrical angle"), degrees(angle.electrical(found.pole_pairs)), "deg"),
+            (_("frequency"), "frequency", found.frequency, "Hz"),
+            (_("greatest electrical angle"), "electrical", electrical, "deg"),
         ]
     if found.wanted is not None:
         said = _("inertia of crankshaft, flywheel and rotor for what is wanted")
-        rows.append((said, found.wanted, "kg*m^2"))
+        rows.append((said, "wanted_inertia", found.wanted, "kg*m^2"))
     columns = (
         Column("", kind="text", label=True),
-        Column(_("value"), ROW_UNIT),
-        Column(_("unit"), kind="unit"),
+        Column("", kind="text", key="quantity", machine=True),
+        Column(_("value"), ROW_UNIT, key="value"),
+        Column(_("unit"), kind="unit", key="unit"),
     )
-    return Table(_("Uneven running"), columns, tuple(rows))
+    return Table(_("Uneven running"), columns, tuple(rows), key="running")
 
 
 def _sum_table(found: GeneratingSet) -> Table:

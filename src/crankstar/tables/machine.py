@@ -12,7 +12,8 @@ import io
 import json
 import re
 from cmath import phase
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from math import degrees
 from typing import Any
 
@@ -148,6 +149,35 @@ def _short(value: Any) -> str:
 def _safe(text: str) -> str:
     """Text that a spreadsheet does not take for a formula."""
     return "'" + text if text[:1] in ("=", "+", "-", "@") else text
+
+
+def stacked(tables: Sequence[Table]) -> Table:
+    """Tables under one another, as one whose first column names the table of each row.
+
+    Columns of the same key, unit and kind are one; a row is empty in those of other tables.
+
+    >>> order, force = Column("", key="order"), Column("", "N", key="force")
+    >>> orders = Table("", (order, force), ((1.0, 20.0),), key="orders")
+    >>> print(csv_text(stacked([orders, Table("", (order,), ((2.0,),), key="more")])), end="")
+    table,order,force [N]
+    orders,1.0,20.0
+    more,2.0,
+    """
+    shared: dict[tuple[str, str, str], Column] = {}
+    places: list[dict[tuple[str, str, str], int]] = []
+    for table in tables:
+        own = {(c.key, c.unit, c.kind): at for at, c in enumerate(table.columns) if c.key}
+        places.append(own)
+        for name, at in own.items():
+            column = table.columns[at]
+            known = shared.setdefault(name, column)
+            shared[name] = replace(known, estimated=known.estimated or column.estimated)
+    rows = tuple(
+        (table.key, *(row[own[name]] if name in own else None for name in shared))
+        for table, own in zip(tables, places, strict=True)
+        for row in table.rows
+    )
+    return Table("", (Column("", kind="text", key="table"), *shared.values()), rows)
 
 
 def csv_text(table: Table) -> str:
