@@ -164,7 +164,7 @@ def test_orders_choose_the_rows_of_both_tables(run: Run, tmp_path: Path) -> None
     assert found is not None
     eighth = found.orders.tolist().index(8)
     assert out["guide"][0]["x"]["amplitude"] == pytest.approx(abs(found.x[eighth]))
-    assert told(run, place, "--orders", "0.5") == ([0.5], [0.5])
+    assert told(run, place, "--orders", "10") == ([10], [10])
 
 
 def test_all_orders_are_all_that_do_not_vanish(run: Run, tmp_path: Path) -> None:
@@ -256,6 +256,10 @@ def test_an_estimated_engine_has_ranges(run: Run) -> None:
         (("--rated-power", "12"), "12"),
         (("--save", "quiet.toml"), "give --first-order or --compensate"),
         (("--point", "full"), "full"),
+        (
+            ("--orders", "0.3,2,0.5"),
+            "orders 0.3, 0.5 do not occur in two-stroke seven; those that do are 1, 2, 3, 4 and",
+        ),
     ],
 )
 def test_what_cannot_be_is_one_sentence(

@@ -219,6 +219,25 @@ def test_a_point_that_cannot_be_told_is_refused_with_those_that_can(
     assert said in " ".join(ran.err.split())
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("mounts", "--orders", "0.3"), "order 0.3 does not occur in"),
+        (("mounts", "--orders", "1,0.5,0.75", "--speed", "900 rpm"), "are 0.5, 1, 1.5, 2 and so"),
+        (("plot", "mount-response", "--orders", "0.3", "-o", "x.svg"), "order 0.3 does not occur"),
+        (("plot", "mount-response", "--orders", "30", "-o", "x.svg"), "give orders up to 24"),
+        (("torque", "--orders", "0.3"), "order 0.3 does not occur in"),
+    ],
+)
+def test_an_order_that_cannot_be_is_refused(
+    run: Run, tmp_path: Path, words: tuple[str, ...], said: str
+) -> None:
+    ran = run(words[0], written(tmp_path), *words[1:])
+    assert ran.code == 2
+    assert said in " ".join(ran.err.split())
+    assert not list(tmp_path.glob("*.svg"))
+
+
 def test_one_speed_for_many_points_to_the_option_for_it(run: Run, tmp_path: Path) -> None:
     ran = run("mounts", written(tmp_path), "--speeds", "750 rpm")
     assert ran.code != 0

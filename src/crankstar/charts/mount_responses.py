@@ -9,7 +9,16 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from crankstar.charts.canvas import curve_height, panel_width, relative_width
-from crankstar.charts.drawing import GREY, LINES, PALETTE, Panel, checked_order, figure, layered
+from crankstar.charts.drawing import (
+    GREY,
+    LINES,
+    PALETTE,
+    ChartError,
+    Panel,
+    checked_order,
+    figure,
+    layered,
+)
 from crankstar.charts.gas_curves import ROOM, without
 from crankstar.charts.grammar import Chart, field, of_rows, own, span
 from crankstar.charts.letters import text_width
@@ -22,6 +31,8 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import Shown, shown
+from crankstar.mechanics.gas_torque import HIGHEST
+from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.spectra import Complex, Real
 
 MountView = Literal["velocity", "displacement", "acceleration", "hand-arm", "force", "mounts"]
@@ -88,8 +99,9 @@ def mount_response_chart(
     The strongest orders (thin), or those named, and all orders together (thick); `mounts` is the
     force in each mount, of all orders. `at` is the point of the block (up, right, z; m), else its
     centre of mass; `speeds` in rad/s, else those of the file; `point` names an operating point. An
-    engine without mounts or without a speed has a figure that says so. Raises ChartError, and
-    GasError for an operating point that is not there.
+    engine without mounts or without a speed has a figure that says so. Raises ChartError,
+    OrderError for an order that does not occur, and GasError for an operating point that is not
+    there.
     """
     wanted: MountView = "velocity" if quantity is None else checked_quantity(quantity, MountView)
     asked = None if orders is None else [checked_order(order) for order in orders]
@@ -98,6 +110,9 @@ def mount_response_chart(
         found = mounts(engine, point=point or "", speeds=[*(speeds or ())], at=at)
     except MountError as error:
         return without(engine, title=title, reason=str(error))
+    check_orders(engine, asked or (), gas=engine.gas is not None)
+    if asked and max(asked) > HIGHEST:
+        raise ChartError(_("give orders up to {highest}", highest=f"{HIGHEST:g}"))
     if found.over is None:
         return without(engine, title=title, reason=_(NO_SPEED))
     said = Shown(UNITS[wanted], 1.0) if wanted == "hand-arm" else shown(UNITS[wanted], 1.0)

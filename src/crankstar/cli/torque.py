@@ -61,6 +61,7 @@ def torque(
 ) -> None:
     """Compute gas and inertia torque, half orders included, and how evenly the engine runs."""
     from crankstar.mechanics.gas import cycle
+    from crankstar.mechanics.occurring_orders import check_orders
     from crankstar.tables.ranges import ranged
     from crankstar.tables.torque import torque_document
 
@@ -86,6 +87,8 @@ def torque(
     )
     names = {"--imep": "imep", "--bmep": "bmep", "--peak-pressure": "peak_pressure"}
     wanted = gas_orders(orders)
+    if wanted and (orders or "").strip() != "all":
+        check_orders(loaded, wanted, gas=True)
 
     def sheet(each: Engine) -> Document:
         found = cycle(

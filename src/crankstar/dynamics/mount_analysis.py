@@ -22,6 +22,7 @@ from crankstar.dynamics.mount_modes import (
 from crankstar.dynamics.mount_response import MountResponse, mount_response
 from crankstar.dynamics.mounted_block import MountedBlock, mounted_block, settled
 from crankstar.engine.engine import Engine
+from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.spectra import Real
 
 STEPS = 151
@@ -73,7 +74,8 @@ def mounts(
     `point` names an operating point, `speed` is one of which more is told, `speeds` are those of
     the range (rad/s), `at` is a point of the block (up, right, z), else the first of its file, else
     its centre of mass. Raises
-    MountError without mounts, and GasError for an operating point that the engine has not.
+    MountError without mounts, OrderError for an order that does not occur, and GasError for an
+    operating point that the engine has not.
 
     >>> from crankstar.files.catalog import load
     >>> places = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
@@ -89,6 +91,7 @@ def mounts(
     True
     """
     block = mounted_block(engine)
+    check_orders(engine, orders or (), gas=engine.gas is not None)
     wanted, assumed = _range(engine, speed, speeds)
     sag, loads = settled(block)
 

@@ -30,6 +30,7 @@ from crankstar.dynamics.torsion_variable import variable_response
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Real
 
@@ -116,7 +117,8 @@ def torsion(
 
     `speed` is one of which more is told, `speeds` are those of the range (rad/s); critical speeds
     are those of `orders`, and of so many `modes`; the response has all orders. Raises TorsionError,
-    and GasError for an operating point that the engine has not.
+    OrderError for an order that does not occur in an engine, and GasError for an operating point
+    that it has not.
 
     >>> from crankstar.files.catalog import load
     >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
@@ -129,6 +131,7 @@ def torsion(
     free = torsion_modes(chain)
     if isinstance(source, Chain):
         return _of_chain(source, chain, free, speeds, orders, modes)
+    check_orders(source, orders or (), gas=True)
     found, why = _cycle(source, point, None)
     if found is None or found.speed is None:
         found, why = _cycle(source, point, speed)

@@ -27,5 +27,6 @@
 | `side_thrust` | how hard each piston presses on its wall over a cycle |
 | `gas_pins` | what gas puts on crank pins and walls, by order |
 | `phase_sums` | sums of vibrations of unknown phase: worst, typical, exceeded so often |
+| `occurring_orders` | which orders an engine can have at all; the refusal of others |
 | `remains` | what remains of a balance: zero, negligible or worth a cure |
 """

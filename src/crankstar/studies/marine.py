@@ -19,6 +19,7 @@ from crankstar.language.messages import _
 from crankstar.mechanics.external_moments import ExternalMoments, Wanted, external_moments
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
+from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.remedy.compensators import Compensator, compensators, with_compensators
 from crankstar.remedy.end_weights import with_end_weights
 from crankstar.spectra import Real
@@ -81,8 +82,8 @@ def marine(
     moment is to be compensated, with the one place z or two at which that is done, about `node` (z)
     where there is one; `phase_error` (rad) is by how much the compensators are late. `rated_power`
     (W) stands before that of the operating point. `orders` are those wanted of both kinds of
-    moments, "all", or None: those of note. Raises RemedyError, and GasError for a point that the
-    engine has not.
+    moments, "all", or None: those of note. Raises RemedyError, OrderError for an order that the
+    engine cannot have, and GasError for a point that it has not.
 
     >>> from crankstar.files.catalog import load
     >>> changes = {"layout.bore_pitch": "1.6 m", "cylinder.reciprocating_mass": "9 t"}
@@ -91,6 +92,8 @@ def marine(
     >>> found.before.moment(2) > 7e5, found.after.moment(2) < 1e-3
     (True, True)
     """
+    if orders is not None and not isinstance(orders, str):
+        check_orders(engine, orders, gas=engine.gas is not None)
     found, why = cycle_or_reason(engine, point=point, speed=speed)
     turning = found.speed if found is not None else speed
     turning = engine.speed if turning is None else turning
