@@ -202,6 +202,8 @@ def test_a_row_that_no_order_fills_is_told(run: Run, tmp_path: Path) -> None:
         (("--given", "1-2", "--numbers", "5,6"), "engines of 2 cylinders are not listed"),
         (("--chain-drive", "600 mm"), "give a number of cylinders, a colon"),
         (("--chain-drive", "9: 0 mm"), "greater than 0"),
+        (("--chain-drive", "13: 600 mm"), "give a number up to 12, or see --numbers"),
+        (("--chain-drive", "8: 600 mm", "--numbers", "5..7"), "has so many cylinders; give a num"),
         (("--minimise", "Q1"), "There is no quantity"),
         (("--minimise", "X1.5"), "whole orders"),
         (("--first-order", "some"), "give vertical, equal"),

@@ -152,6 +152,31 @@ def test_what_uneven_running_lacks_is_named(
     path.write_text(toml(marine_engine(gas=gas, **changes)))
     out = " ".join(run("genset", str(path)).out.split())
     assert f"Without uneven running: not known: {missing}." in out
-    bare = " ".join(run("genset", "man-s90mc-c", "--flywheel", "1 t*m^2").out.split())
-    assert "Without uneven running: not known: masses (cylinder.reciprocating_mass)." in bare
-    assert bare.count("a speed (see --speed)") == 0
+    bare = " ".join(run("genset", "man-s90mc-c", "--flywheel", "1 t*m^2").err.split())
+    assert (
+        "--flywheel has no effect. Without uneven running: not known: masses "
+        "(cylinder.reciprocating_mass)." in bare
+    )
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (
+            ("i4", "--pole-pairs", "2"),
+            "--pole-pairs has no effect. Without uneven running: the eng",
+        ),
+        (
+            ("i4", "--irregularity", "1/100", "--flywheel", "1 kg*m^2"),
+            "--flywheel, --irregularity have no effect. Without uneven running: the engine file",
+        ),
+        (("audi-25-tfsi", "--pole-pairs", "2"), "see --flywheel"),
+        (("man-s90mc-c", "--engines", "3"), "--engines has no effect. Without forces on the found"),
+    ],
+)
+def test_an_option_without_effect_is_refused_and_why(
+    run: Run, words: tuple[str, ...], said: str
+) -> None:
+    ran = run("genset", *words)
+    assert (ran.code, ran.out) == (2, "")
+    assert said in " ".join(ran.err.split())

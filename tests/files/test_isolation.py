@@ -231,6 +231,9 @@ def test_the_written_file_is_the_engine_with_its_sources(run: Run, tmp_path: Pat
         (("--minimise", "noise", "--shift", "3 mm"), "choose from force"),
         (("--sag", "-1 mm", "--shift", "3 mm"), "greater than 0"),
         (("--starts", "0", "--shift", "3 mm"), "from 1 to 64"),
+        (("--at", "1 m", "--shift", "3 mm"), "--at has no effect. The goal is force, not the vel"),
+        (("--minimise", "rms mounts", "--at", "1 m", "--shift", "3 mm"), "The goal is rms mounts"),
+        (("--minimise", "roll", "--shift", "3 mm"), "--speeds has no effect. The share of roll in"),
         ((), "nothing is free"),
     ],
 )

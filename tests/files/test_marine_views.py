@@ -78,8 +78,25 @@ def test_without_a_speed_the_greatest_of_those_asked_for_counts(run: Run, tmp_pa
     out = json.loads(run("marine", place, "--speeds", "52 rpm, 104 rpm", "--json").out)
     assert out["speed_rpm"] == pytest.approx(104)
     assert out["speeds"][1]["m2v"] == pytest.approx(out["moments"][1]["vertical"]["amplitude"])
-    bare = json.loads(run("marine", "i4", "--speeds", "52 rpm, 104 rpm", "--json").out)
-    assert "speeds" not in bare
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("i4", "--speeds", "52 rpm, 104 rpm"), "--speeds has no effect. The file does not say"),
+        (
+            ("i4", "--rated-power", "9 kW", "--speeds", "1 rpm, 2 rpm"),
+            "--speeds, --rated-power hav",
+        ),
+        (("i4", "--bracing", "5 m, 8 m"), "--bracing has no effect. Without guide-force moments:"),
+    ],
+)
+def test_an_option_without_effect_is_refused_and_why(
+    run: Run, words: tuple[str, ...], said: str
+) -> None:
+    ran = run("marine", *words)
+    assert ran.code == 2
+    assert said in " ".join(ran.err.split())
 
 
 def test_rounding_is_no_force(run: Run) -> None:

@@ -52,7 +52,11 @@ def genset(
     from crankstar.mechanics.phase_sums import MOST
     from crankstar.options.marine import inertia
     from crankstar.studies.generating_sets import generating_set
-    from crankstar.tables.generating_sets import generating_set_document
+    from crankstar.tables.generating_sets import (
+        generating_set_document,
+        missing_running,
+        missing_sums,
+    )
     from crankstar.tables.ranges import ranged
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -65,6 +69,12 @@ def genset(
         partial(degree_of_irregularity, irregularity),
     )
 
+    of_running = {
+        "--pole-pairs": pole_pairs,
+        "--flywheel": flywheel,
+        "--irregularity": irregularity,
+    }
+
     def sheet(each: Engine) -> Document:
         found = generating_set(
             each,
@@ -75,6 +85,10 @@ def genset(
             engines=count or 1,
             irregularity=even,
         )
+        if lacking := missing_running(found):
+            request.refuse_unused(of_running, why=lacking)
+        if lacking := missing_sums(found):
+            request.refuse_unused({"--engines": engines}, why=lacking)
         return generating_set_document(found, machine=form not in ("txt", "xlsx"))
 
     with working(_("Computing the cycle ...")), words_for(form):

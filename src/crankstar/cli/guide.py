@@ -66,7 +66,8 @@ def guide(
         partial(horizontal_share, first_order),
     )
     orders, drive = together(
-        partial(asked.firing_orders, given, counts), partial(asked.chain_drive, chain_drive, loaded)
+        partial(asked.firing_orders, given, counts),
+        partial(asked.chain_drive, chain_drive, loaded, counts),
     )
     with working(_("Searching firing orders ...")), words_for(form):
         members = engine_family(

@@ -66,6 +66,7 @@ def isolate(
         partial(speeds_of, speeds, beside_speed=False),
         partial(request.within, "--starts", starts, most=asked.GREATEST_STARTS),
     )
+    asked.refuse_unused(aim, at=at, speeds=speeds, point=point)
     how = {"point": point or "", "speeds": over, "at": request.block_point(at, loaded)}
     with ended_once(), progress(_("Looking for the best mounts")) as tell:
         found = analysis(loaded, **how)

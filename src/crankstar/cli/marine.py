@@ -61,7 +61,7 @@ def marine(
     """Compute external and guide-force moments as project guides have them, and compensators."""
     from crankstar.options import marine as asked
     from crankstar.studies.marine import marine as analysis
-    from crankstar.tables.marine import marine_document
+    from crankstar.tables.marine import marine_document, missing_guide, missing_units
     from crankstar.tables.ranges import ranged
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -103,7 +103,13 @@ def marine(
         )
 
     def sheet(each: Engine) -> Document:
-        return marine_document(found(each), bracing=braced, machine=form not in ("txt", "xlsx"))
+        made = found(each)
+        if lacking := missing_guide(made):
+            request.refuse_unused({"--bracing": bracing}, why=lacking)
+        if lacking := missing_units(made):
+            still = {} if made.after.speed is not None else {"--speeds": speeds}
+            request.refuse_unused(still | {"--rated-power": rated_power}, why=lacking)
+        return marine_document(made, bracing=braced, machine=form not in ("txt", "xlsx"))
 
     with working(_("Computing the moments ...")), words_for(form):
         document = ranged(sheet, spread, loaded)

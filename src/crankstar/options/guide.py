@@ -59,10 +59,10 @@ def firing_orders(
     return tuple(found)
 
 
-def chain_drive(text: str | None, engine: Engine) -> ChainDrive | None:
+def chain_drive(text: str | None, engine: Engine, numbers: Sequence[int]) -> ChainDrive | None:
     """From how many cylinders up the middle ones are farther apart, and by how much.
 
-    Raises RequestError.
+    `numbers` are those of the family. Raises RequestError.
     """
     if text is None:
         return None
@@ -78,4 +78,12 @@ def chain_drive(text: str | None, engine: Engine) -> ChainDrive | None:
     value = request.places("--chain-drive", [wider.strip()], [POSITION], engine, example)[0]
     if value <= 0:
         raise request.not_positive("--chain-drive", wider, POSITION)
+    if int(count) > max(numbers):
+        raise refusal(
+            "--chain-drive",
+            text,
+            "no engine that is listed has so many cylinders; give a number up to {most}, or see "
+            "--numbers",
+            most=max(numbers),
+        )
     return ChainDrive(int(count), value)

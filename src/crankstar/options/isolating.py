@@ -31,6 +31,16 @@ def aim(text: str) -> IsolationAim:
     return cast("IsolationAim", request.choice("--minimise", words, get_args(IsolationAim)))
 
 
+def refuse_unused(aim: str, *, at: str | None, speeds: str | None, point: str | None) -> None:
+    """Refuse a point of the block, or speeds and gas, that do not matter. Raises RequestError."""
+    if not aim.endswith("velocity"):
+        why = _("The goal is {goal}, not the velocity of a point: see --minimise.", goal=aim)
+        request.refuse_unused({"--at": at}, why=why)
+    if aim == "roll":
+        why = _("The share of roll in a natural mode is the same at any speed and load.")
+        request.refuse_unused({"--speeds": speeds, "--point": point}, why=why)
+
+
 def limits(
     engine: Engine,
     *,

@@ -17,8 +17,13 @@ def refusal(option: str, given: object, why: str, **values: object) -> RequestEr
     return RequestError(f"{option} {one_line(str(given))}: {_(why, **values)}")
 
 
-def refuse_unused(options: Mapping[str, object], *, beside: str = "", without: str = "") -> None:
-    """Refuse options that have no effect rather than ignore them. Raises RequestError."""
+def refuse_unused(
+    options: Mapping[str, object], *, beside: str = "", without: str = "", why: str = ""
+) -> None:
+    """Refuse options that have no effect rather than ignore them. Raises RequestError.
+
+    `beside` or `without` which other option; or `why`, as a sentence.
+    """
     unused = [
         name
         for name, value in options.items()
@@ -26,6 +31,16 @@ def refuse_unused(options: Mapping[str, object], *, beside: str = "", without: s
     ]
     if not unused:
         return
+    if why:
+        raise RequestError(
+            _n(
+                "{options} has no effect. {why}",
+                "{options} have no effect. {why}",
+                len(unused),
+                options=", ".join(unused),
+                why=why,
+            )
+        )
     when = _("with {option}", option=beside) if beside else _("without {option}", option=without)
     raise RequestError(
         _n(

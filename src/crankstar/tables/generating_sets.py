@@ -161,15 +161,21 @@ def _notes(found: GeneratingSet) -> list[str]:
     return lines
 
 
+def missing_running(found: GeneratingSet) -> str:
+    """Why uneven running is not told, as a sentence; empty where it is."""
+    reason = found.without_running.rstrip(".")
+    return _("Without uneven running: {reason}.", reason=reason) if reason else ""
+
+
+def missing_sums(found: GeneratingSet) -> str:
+    """Why forces on the foundation are not told, as a sentence; empty where they are."""
+    reason = found.without_sums.rstrip(".")
+    return _("Without forces on the foundation: {reason}.", reason=reason) if reason else ""
+
+
 def _doubts(found: GeneratingSet) -> list[str]:
     """What is missing."""
-    lines: list[str] = []
-    if found.without_running:
-        reason = found.without_running.rstrip(".")
-        lines.append(_("Without uneven running: {reason}.", reason=reason))
-    if found.without_sums:
-        reason = found.without_sums.rstrip(".")
-        lines.append(_("Without forces on the foundation: {reason}.", reason=reason))
-    elif not found.sums:
+    lines = [missing_running(found), missing_sums(found)]
+    if not found.sums and not found.without_sums:
         lines.append(_("Nothing reaches the foundation: forces and moments are balanced."))
     return lines

@@ -353,10 +353,7 @@ def _power_text(power: float) -> str:
 
 def _doubts(found: MarineAnalysis) -> list[str]:
     """What is missing."""
-    lines: list[str] = []
-    if found.without_guide:
-        reason = found.without_guide.rstrip(".")
-        lines.append(_("Without guide-force moments: {reason}.", reason=reason))
+    lines = [missing_guide(found)]
     guide = found.guide
     if guide is not None and not guide.with_inertia:
         lines.append(
@@ -367,11 +364,20 @@ def _doubts(found: MarineAnalysis) -> list[str]:
         )
     if guide is not None and not guide.pitch_known:
         lines.append(_("X needs the distance of the cylinders: give layout.bore_pitch."))
-    if found.after.units.couple != "N*m":
-        lines.append(
-            _(
-                "The file does not say what it takes for N m: masses, sizes or a speed; moments "
-                "are in units of the first cylinder."
-            )
-        )
-    return lines
+    return [*lines, missing_units(found)]
+
+
+def missing_guide(found: MarineAnalysis) -> str:
+    """Why guide-force moments are not told, as a sentence; empty where they are."""
+    reason = found.without_guide.rstrip(".")
+    return _("Without guide-force moments: {reason}.", reason=reason) if reason else ""
+
+
+def missing_units(found: MarineAnalysis) -> str:
+    """Why moments are not in N m, as a sentence; empty where they are."""
+    if found.after.units.couple == "N*m":
+        return ""
+    return _(
+        "The file does not say what it takes for N m: masses, sizes or a speed; moments are in "
+        "units of the first cylinder."
+    )
