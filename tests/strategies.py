@@ -322,7 +322,7 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
                 st.lists(st.sampled_from(["mass", "radius", "pitch"]), unique=True, max_size=3)
             ),
             "bore_pitch": draw(maybe(number(0.02, 0.5))),
-            "block": draw(maybe(blocks())),
+            "block": draw(maybe(blocks(cylinders))),
             "shafts": turning,
             "cylinders": draw(st.permutations(cylinders)),
         }
@@ -389,8 +389,15 @@ def _supported(draw: Draw, engine: Engine) -> Engine:
 
 
 @st.composite
-def blocks(draw: Draw) -> Block:
-    """Whole engines as rigid bodies, partly left to be estimated; inertia from spread masses."""
+def blocks(draw: Draw, cylinders: Sequence[Cylinder]) -> Block:
+    """Whole engines as rigid bodies, partly left to be estimated; inertia from spread masses.
+
+    They are heavier than the moving parts of their cylinders.
+    """
+    moving = sum(
+        each.reciprocating_mass + each.big_end_mass + (each.rod.mass if each.rod else 0.0)
+        for each in cylinders
+    )
     high, broad, long = (draw(number(0.1, 50.0)) for _ in range(3))
     inertia = {"inertia_up": broad + long, "inertia_right": high + long, "inertia_z": high + broad}
     place = {
@@ -399,7 +406,9 @@ def blocks(draw: Draw) -> Block:
         "z": draw(maybe(PLACES)),
     }
     return Block(
-        mass=draw(number(1.0, 5000.0)), **place, **(inertia if draw(st.booleans()) else {})
+        mass=round(moving + draw(number(1.0, 5000.0)), 3),
+        **place,
+        **(inertia if draw(st.booleans()) else {}),
     )
 
 

@@ -297,3 +297,35 @@ def test_a_saved_engine_never_replaces_what_is_read(
     asked = ("marine", own, "--first-order", "equal", "--save", own)
     assert "would be lost" in refused(*asked)
     assert Path(own).read_text() == before
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--rated-power", "1 W"), "The power, 0.001 kW, is a brake mean effective pressure of"),
+        (("--rated-power", "90 MW"), "at which no engine is rated: see --rated-power"),
+        (
+            ("--node", "-25 m", "--compensate", "2: -24.999999 m"),
+            "A compensator of order 2 pushes with more than all cylinders together",
+        ),
+        (("--bracing", "1 mm, 8 m"), "are no higher than its crank pins, 1.2 m"),
+    ],
+)
+def test_what_hardly_any_engine_has_is_doubted(
+    run: Run, tmp_path: Path, options: tuple[str, ...], said: str
+) -> None:
+    place = written(tmp_path)
+    assert said in " ".join(run("marine", place, *options).out.split())
+    sane = ("--rated-power", "14 MW", "--bracing", "5 m, 8 m", "--compensate", "2: 4 m, -4 m")
+    out = " ".join(run("marine", place, *sane).out.split())
+    assert "is rated" not in out
+    assert "its arm is too short" not in out
+    assert "crank pins" not in out
+
+
+def test_the_mean_pressure_of_the_power_is_that_of_the_cycle() -> None:
+    found = marine(marine_engine())
+    assert found.cycle is not None
+    assert found.mean_pressure == pytest.approx(found.cycle.bmep, rel=1e-3)
+    slow = marine(marine_engine(), speed=2.0, rated_power=found.power)
+    assert slow.mean_pressure == pytest.approx(found.mean_pressure)

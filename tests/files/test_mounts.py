@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.commands import Run
 from tests.texts import SHORT, spoilt
 
-from crankstar.files import EngineFileError, engine_of, toml, tree_of
+from crankstar.files import EngineFileError, engine_of, toml, tree_of, tree_text
+from crankstar.files.catalog import load
+from crankstar.mechanics.doubts import doubts
+from crankstar.mechanics.mass_doubts import body_doubts
 
 BLOCK = {
     "mass": "138 kg",
@@ -35,7 +40,8 @@ THREE = [
         rubber=[{"frequency": "25 Hz", "factor": 1.2}, {"frequency": "100 Hz", "factor": 1.5}],
     ),
 ]
-GROUND = {
+INERTIAS = ("inertia_up", "inertia_right", "inertia_z")
+GROUND: dict[str, Any] = {
     "mass": "900 kg",
     "inertia_up": "80 kg*m^2",
     "inertia_right": "90 kg*m^2",
@@ -107,6 +113,22 @@ def test_mounts_are_the_same_written_and_read_back() -> None:
         (
             {"block": {**BLOCK, "product_up_z": "-8 kg*m^2"}},
             [("block.product_up_z", "block.products-impossible")],
+        ),
+        ({"block": {**BLOCK, "mass": "1.9 kg"}}, [("block.mass", "block.too-light")]),
+        (
+            {
+                "mounts": THREE,
+                "foundation": {**GROUND, "mounts": [*GROUND["mounts"], mount("left", z="9 mm")]},
+            },
+            [("foundation.mounts.4.name", "foundation.mounts-name")],
+        ),
+        (
+            {
+                "block": {**BLOCK, "points": [{"name": "rail"}]},
+                "mounts": THREE,
+                "foundation": {**GROUND, "points": [{"name": "foot"}, {"name": "rail"}]},
+            },
+            [("foundation.points.1.name", "foundation.points-name")],
         ),
     ],
 )
@@ -180,3 +202,55 @@ def test_cylinders_at_several_places_still_need_a_bore_pitch() -> None:
     tree = {**ONE, "firing_order": [1, 2], "layout": {"type": "inline", "throws": ["0 deg"] * 2}}
     with pytest.raises(EngineFileError, match="bore_pitch"):
         engine_of(tree)
+
+
+def test_a_block_is_heavier_than_its_pistons_and_rods() -> None:
+    """By the parts themselves, of rigid rods too; without masses nothing is said of it."""
+    rods = {"cylinder.rod": {"mass": "550 g", "centre": "40 mm"}}
+    five = load("audi-25-tfsi", changes=rods)
+    least = sum(each.reciprocating_mass + 0.55 for each in five.cylinders)
+    load("audi-25-tfsi", changes={**rods, "block": {"mass": f"{least * 1.001} kg"}})
+    with pytest.raises(EngineFileError, match="no more than the pistons and rods"):
+        load("audi-25-tfsi", changes={**rods, "block": {"mass": f"{least * 0.999} kg"}})
+    load("i4", changes={"block": {"mass": 1.0}})
+
+
+@pytest.mark.parametrize(
+    ("tables", "found"),
+    [
+        ({}, []),
+        ({"foundation": {**GROUND, "mass": "1 g"}}, ["doubt.foundation-mass"]),
+        (
+            {
+                "foundation": {
+                    **GROUND,
+                    "inertia_up": "0.1 kg*m^2",
+                    "inertia_right": "0.1 kg*m^2",
+                    "inertia_z": "0.1 kg*m^2",
+                }
+            },
+            ["doubt.slender"],
+        ),
+        ({"block": BLOCK | dict.fromkeys(INERTIAS, "1e-3 kg*m^2")}, ["doubt.slender"]),
+    ],
+)
+def test_a_body_that_hardly_can_be_is_a_doubt(tables: dict[str, Any], found: list[str]) -> None:
+    own = {"block": BLOCK, "mounts": THREE, "foundation": GROUND, **tables}
+    engine = engine_of(spoilt(SHORT, **own))
+    assert [fault.code for fault in body_doubts(engine)] == found
+    assert [each for each in doubts(engine) if each.code.startswith("doubt.piston")] == []
+
+
+def test_a_slip_of_unit_in_masses_is_told(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "own.toml"
+    own = {"block": BLOCK, "mounts": THREE, "foundation": {**GROUND, "mass": "0.9 kg"}}
+    heavy = spoilt(SHORT, **own)
+    heavy["block"] = {**BLOCK, "mass": "900 t"}
+    heavy["cylinder"] = {**heavy["cylinder"], "reciprocating_mass": "100 t"}
+    place.write_text(tree_text(heavy))
+    ran = run("check", str(place))
+    told = " ".join((ran.out + ran.err).split())
+    assert "cylinder.reciprocating_mass: 100000 kg go up and down, more than a solid bar" in told
+    assert "foundation.mass is 0.9 kg, less than the pistons and rods" in told
+    shown = " ".join(run("mounts", str(place), "--speed", "900 rpm").out.split())
+    assert "foundation.mass is 0.9 kg, less than the pistons and rods" in shown

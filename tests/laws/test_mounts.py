@@ -364,7 +364,8 @@ def test_a_foundation_under_a_block_is_two_masses_in_a_row() -> None:
     raft_mass = 700.0
     place = {"right": BLOCK["right"], "z": BLOCK["z"], "up": BLOCK["up"]}
     own = raft(base, **place)
-    own["mounts"] = square(0.5, 0.6, stiffness=[base], loss_factor=0.0)
+    springs = square(0.5, 0.6, stiffness=[base], loss_factor=0.0)
+    own["mounts"] = [{**each, "name": f"ground {each['name']}"} for each in springs]
     engine = v8(square(0.3, 0.2, stiffness=[k], loss_factor=0.0), foundation=own)
     block = mounted_block(engine)
     push = np.zeros((1, 6), complex)

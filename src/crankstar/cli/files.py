@@ -78,14 +78,18 @@ def _far(engine: Engine) -> list[str]:
 
 def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
     """Lines on values that hardly any engine has, and on cycles that cannot be."""
-    rods = any(cylinder.rod is not None for cylinder in engine.cylinders)
-    if engine.gas is engine.drive is engine.torsion is None and not rods:
-        return []  # and the libraries of cycles stay unread
     from crankstar.files.forms import is_explicit
     from crankstar.files.read import in_file
-    from crankstar.mechanics.doubts import doubts
+    from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts
 
-    found = in_file(dict(tree), list(doubts(engine)), explicit=is_explicit(dict(tree)))
+    rods = any(cylinder.rod is not None for cylinder in engine.cylinders)
+    if engine.gas is engine.drive is engine.torsion is None and not rods:
+        own = [*piston_doubts(engine), *body_doubts(engine)]  # libraries of cycles stay unread
+    else:
+        from crankstar.mechanics.doubts import doubts
+
+        own = [*doubts(engine)]
+    found = in_file(dict(tree), own, explicit=is_explicit(dict(tree)))
     return [f"  {fault.sentence}" for fault in found]
 
 

@@ -61,7 +61,8 @@ def marine(
     """Compute external and guide-force moments as project guides have them, and compensators."""
     from crankstar.options import marine as asked
     from crankstar.studies.marine import marine as analysis
-    from crankstar.tables.marine import marine_document, missing_guide, missing_units
+    from crankstar.tables.marine import marine_document
+    from crankstar.tables.marine_doubts import missing_guide, missing_units
     from crankstar.tables.ranges import ranged
 
     form = form_of(output, TABLES, json=json, csv=csv)

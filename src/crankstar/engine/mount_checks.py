@@ -26,6 +26,7 @@ Path = tuple[str | int, ...]
 def faults(engine: Assembly) -> Iterator[Fault]:
     """What is wrong with the block, the mounts and the foundation of an engine."""
     yield from _block_faults(engine.block)
+    yield from _weight_faults(engine)
     if engine.mounts and engine.relative:
         keys = {"mass": "cylinder.reciprocating_mass", "radius": "cylinder.stroke"}
         named = [keys.get(name, "layout.bore_pitch") for name in sorted(engine.relative)]
@@ -62,6 +63,24 @@ def _block_faults(block: Block | None) -> Iterator[Fault]:
             name = max(products, key=lambda name: abs(getattr(block, name)))
             values = {"value": getattr(block, name)}
             yield Fault(("block", name), "block.products-impossible", values)
+
+
+def carried_mass(engine: Assembly) -> float:
+    """The mass of all pistons and rods, kg, which the block carries."""
+    return sum(
+        each.reciprocating_mass + each.big_end_mass + (each.rod.mass if each.rod else 0.0)
+        for each in engine.cylinders
+    )
+
+
+def _weight_faults(engine: Assembly) -> Iterator[Fault]:
+    """A whole engine that is lighter than its pistons and rods."""
+    if engine.block is None or "mass" in engine.relative:
+        return
+    moving = carried_mass(engine)
+    if engine.block.mass <= moving:
+        values = {"value": engine.block.mass, "moving": moving}
+        yield Fault(("block", "mass"), "block.too-light", values)
 
 
 def _point_faults(points: Sequence[BlockPoint], here: Path) -> Iterator[Fault]:
@@ -102,11 +121,26 @@ def _foundation_faults(engine: Assembly, own: Foundation) -> Iterator[Fault]:
     yield from _point_faults(own.points, (*here, "points"))
     names = ("inertia_up", "inertia_right", "inertia_z")
     yield from _impossible(here, {name: getattr(own, name) for name in names})
+    yield from _shared_names(engine, own)
     if own.mounts:
         yield from _mount_faults(own.mounts, (*here, "mounts"))
         yield from _feet_on_a_foundation(engine)
     else:
         yield Fault((*here, "mounts"), "foundation.no-mounts")
+
+
+def _shared_names(engine: Assembly, own: Foundation) -> Iterator[Fault]:
+    """Mounts and points of the foundation that are named as those of the engine are."""
+    points = () if engine.block is None else engine.block.points
+    for key, above, below in (
+        ("mounts", engine.mounts, own.mounts),
+        ("points", points, own.points),
+    ):
+        taken = {each.name for each in above}
+        for place, each in enumerate(below):
+            if each.name in taken:
+                values = {"value": seen(each.name)}
+                yield Fault(("foundation", key, place, "name"), f"foundation.{key}-name", values)
 
 
 def _feet_on_a_foundation(engine: Assembly) -> Iterator[Fault]:

@@ -75,6 +75,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{bound} rpm, gives {value} bar, which may be far too much"
     ),
     "doubt.no-cycle": N_("{where}: {message}"),
+    "doubt.piston-mass": N_(
+        "{where}: {value} kg go up and down, more than a solid bar of steel as thick as the bore "
+        "and as long as stroke and rod, {solid} kg; is the unit right?"
+    ),
     "doubt.rod-inertia": N_(
         "{where} is {value} kg m²; rods of this mass, length and centre have about {usual} kg m²"
     ),

@@ -5,6 +5,10 @@ from __future__ import annotations
 from crankstar.language.messages import N_, Plural
 
 SENTENCES: dict[str, str | Plural] = {
+    "block.too-light": N_(
+        "{where} is {value} kg, no more than the pistons and rods in it, {moving} kg; give the "
+        "mass of the whole engine"
+    ),
     "block.inertia-missing": N_(
         "{where} is missing, and other moments of inertia are given; give all three, or none"
     ),
@@ -61,6 +65,20 @@ SENTENCES: dict[str, str | Plural] = {
     "mounts.free": N_(
         "{where} leave the block free to move in: {freedoms}; add a mount, or a stiffness that "
         "holds it there"
+    ),
+    "foundation.mounts-name": N_(
+        "{where} is {value}, which names a mount of the engine; give the mount another name"
+    ),
+    "foundation.points-name": N_(
+        "{where} is {value}, which names a point of the block; give the point another name"
+    ),
+    "doubt.foundation-mass": N_(
+        "{where} is {value} kg, less than the pistons and rods that shake it, {moving} kg: is the "
+        "unit right?"
+    ),
+    "doubt.slender": N_(
+        "{where} is {value} kg m²: a body of this mass that reaches its mounts, {reach} mm from "
+        "the axis, has more than {least} kg m²; is the unit right?"
     ),
     "foundation.alone": N_(
         "{where} is given without mounts of the engine; give [[mounts]], or leave it out"

@@ -18,6 +18,7 @@
 | `operating_points` | the values of an operating point, given or assumed |
 | `roots` | where a function is nought |
 | `gas` | the pressure in every chamber over a cycle |
+| `mass_doubts` | the same of masses and bodies, without gas or speed |
 | `doubts` | values that hardly any engine has: slips of unit and of thought |
 | `gas_torque` | gas torque of every chamber by order; the roll of the block with it |
 | `external_moments` | force and moment of each order about a point, over the power |

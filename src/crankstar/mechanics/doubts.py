@@ -2,7 +2,8 @@
 
 They do not hinder a computation. Each is a `Fault`, a place with a sentence: of what a cycle is
 computed from (`value_doubts`), of the cycle itself (`cycle_doubts`), of the moments of inertia
-(`inertia_doubts`, `torsion_doubts`); of a whole engine `doubts` has them all.
+(`inertia_doubts`, `torsion_doubts`); of a whole engine `doubts` has them all, with those of masses
+(`mass_doubts`).
 
 >>> from crankstar.files.catalog import load
 >>> [fault.code for fault in doubts(load("honda-b18c", changes={"gas.compression_ratio": 19,
@@ -25,6 +26,7 @@ from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
 from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
+from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError
 
@@ -52,7 +54,8 @@ INERTIA_SPREAD = 2.5
 
 def doubts(engine: Engine) -> tuple[Fault, ...]:
     """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
-    found = [*inertia_doubts(engine), *torsion_doubts(engine)]
+    found = [*piston_doubts(engine), *body_doubts(engine)]
+    found += [*inertia_doubts(engine), *torsion_doubts(engine)]
     gas = engine.gas
     if gas is not None:
         loaded = any(getattr(gas, name) is not None for name in LOADS) or not gas.points

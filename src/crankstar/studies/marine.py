@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import pi, radians
 from types import MappingProxyType
 
 import numpy as np
@@ -16,6 +17,7 @@ import numpy as np
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
+from crankstar.mechanics.balance import scales
 from crankstar.mechanics.external_moments import ExternalMoments, Wanted, external_moments
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
@@ -60,6 +62,32 @@ class MarineAnalysis:
         """The power-related unbalance of a moment (N m), N m/kW; None without power or masses."""
         known = self.power is not None and self.after.units.couple == "N*m"
         return moment / (self.power / 1e3) if known and self.power else None
+
+    @property
+    def mean_pressure(self) -> float | None:
+        """The brake mean effective pressure of the power at the highest speed that is known, Pa.
+
+        None without power, speed, bore or stroke.
+        """
+        gas = self.engine.gas
+        known = {self.engine.speed, self.after.speed, self.cycle and self.cycle.speed}
+        known |= set() if gas is None else {gas.speed, *(each.speed for each in gas.points)}
+        speeds = [each for each in known if each is not None]
+        bores = [each.bore for each in self.engine.cylinders]
+        if self.power is None or not speeds or None in bores or "radius" in self.engine.relative:
+            return None
+        swept = sum(
+            pi / 2 * (each.bore or 0.0) ** 2 * self.engine.throw(each).radius
+            for each in self.engine.cylinders
+        )
+        return self.power * radians(self.engine.cycle_angle) / (swept * max(speeds))
+
+    @property
+    def strained(self) -> tuple[Compensator, ...]:
+        """Compensators that push with more than all parts of the engine in any order together."""
+        most = self.before.of_a_part * len(self.engine.cylinders)
+        scale = scales(self.engine, self.after.speed)[0].force
+        return tuple(each for each in self.compensators if abs(each.force) * scale > most)
 
 
 def marine(

@@ -52,6 +52,7 @@
 | `mount_points` | how the named points of a block shake |
 | `mount_speeds` | an engine on its mounts speed by speed, with the worst of its mounts |
 | `mounts` | an engine on its mounts: modes, axes, vibration and forces by speed |
+| `marine_doubts` | what is missing in a marine analysis, and what is hardly right |
 | `marine` | external and guide-force moments, and compensators |
 | `engine_family` | a family of engines with their firing orders, as a project guide |
 | `generating_sets` | uneven running of a generating set, and several on one foundation |

@@ -10,8 +10,7 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number, order_text, unit_text
-from crankstar.language.shown_units import shown
+from crankstar.language.numbers import number, order_text
 from crankstar.mechanics import guide_moments as guides
 from crankstar.mechanics.balance import scales, unit_unbalance
 from crankstar.mechanics.external_moments import (
@@ -25,6 +24,7 @@ from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.studies.marine import MarineAnalysis
 from crankstar.tables.headings import heading
+from crankstar.tables.marine_doubts import doubts, power_text
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
@@ -55,7 +55,7 @@ def marine_document(
         parts.append(_speed_table(found))
     if not machine:
         parts += [*remarks(*_notes(found, bracing), kind="note")]
-        parts += [*remarks(*_doubts(found), kind="doubt")]
+        parts += [*remarks(*doubts(found, bracing), kind="doubt")]
     return Document(engine.name, tuple(parts), _facts(found, bracing))
 
 
@@ -281,7 +281,7 @@ def _notes(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[s
             )
         )
     if found.power is not None and found.after.units.couple == "N*m":
-        lines.append(_(OVER_POWER, power=_power_text(found.power)))
+        lines.append(_(OVER_POWER, power=power_text(found.power)))
     if found.guide is not None and found.guide.pitch_known:
         lines.append(
             _(
@@ -343,41 +343,3 @@ OVER_POWER = N_(
     "Over the power: the greater of M_V and M_H, about the node if there is one, set against "
     "{power}; the need of a compensator is that of MAN B&W's table for orders 1 and 2."
 )
-
-
-def _power_text(power: float) -> str:
-    """A power (W) in kW, or in the unit that is chosen."""
-    said = shown("kW", 0.0, prefixed=False)
-    return f"{number(float(f'{power / 1e3 * said.factor:.5g}'))} {unit_text(said.unit)}"
-
-
-def _doubts(found: MarineAnalysis) -> list[str]:
-    """What is missing."""
-    lines = [missing_guide(found)]
-    guide = found.guide
-    if guide is not None and not guide.with_inertia:
-        lines.append(
-            _(
-                "Guide-force moments are those of gas alone: without reciprocating masses or a "
-                "speed there is no inertia."
-            )
-        )
-    if guide is not None and not guide.pitch_known:
-        lines.append(_("X needs the distance of the cylinders: give layout.bore_pitch."))
-    return [*lines, missing_units(found)]
-
-
-def missing_guide(found: MarineAnalysis) -> str:
-    """Why guide-force moments are not told, as a sentence; empty where they are."""
-    reason = found.without_guide.rstrip(".")
-    return _("Without guide-force moments: {reason}.", reason=reason) if reason else ""
-
-
-def missing_units(found: MarineAnalysis) -> str:
-    """Why moments are not in N m, as a sentence; empty where they are."""
-    if found.after.units.couple == "N*m":
-        return ""
-    return _(
-        "The file does not say what it takes for N m: masses, sizes or a speed; moments are in "
-        "units of the first cylinder."
-    )

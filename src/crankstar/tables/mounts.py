@@ -17,6 +17,7 @@ from crankstar.engine.rigid_block import FREEDOMS
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.mass_doubts import body_doubts
 from crankstar.spectra import Complex
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.headings import heading
@@ -62,7 +63,7 @@ def mounts_document(
         parts += [_order_table(found, found.at, every=every_order), _force_table(found.at)]
     if not machine:
         parts += remarks(*_notes(engine, found), kind="note")
-        parts += remarks(*_doubts(found), kind="doubt")
+        parts += remarks(*_doubts(engine, found), kind="doubt")
         parts += typical_remarks(engine)
     return Document(engine.name, tuple(parts), _facts(engine, found))
 
@@ -262,9 +263,9 @@ def _notes(engine: Engine, found: MountAnalysis) -> list[str]:
     return lines
 
 
-def _doubts(found: MountAnalysis) -> list[str]:
-    """What is assumed, and what is missing."""
-    lines = list(found.block.body.assumed)
+def _doubts(engine: Engine, found: MountAnalysis) -> list[str]:
+    """What is assumed, what is missing, and what is hardly right."""
+    lines = [*found.block.body.assumed, *(fault.sentence for fault in body_doubts(engine))]
     if any(each.assumed for each in found.block.mounts):
         lines.append(
             _(

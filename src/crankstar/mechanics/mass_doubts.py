@@ -1,0 +1,90 @@
+"""Masses and moments of inertia that hardly any engine has: slips of unit.
+
+Each is a `Fault`, a place with a sentence, as in `doubts`, which has these too. They need neither
+gas nor a speed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import pi
+
+import numpy as np
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.mount_checks import carried_mass
+from crankstar.engine.proportions import STEEL
+from crankstar.language.faults import Fault
+from crankstar.mechanics.balance import default_reference
+
+LEAST_SHARE = 0.01
+"""Of a body's mass, as if at the farthest of its mounts: the frame that reaches there has more."""
+
+
+def piston_doubts(engine: Engine) -> Iterator[Fault]:
+    """What goes up and down heavier than a solid bar of steel as thick as the bore.
+
+    It is as long as stroke and rod, more than a piston with its rod and crosshead.
+
+    >>> from crankstar.files.catalog import load
+    >>> heavy = load("audi-25-tfsi", changes={"cylinder.reciprocating_mass": "600 kg"})
+    >>> [fault.code for fault in piston_doubts(heavy)]
+    ['doubt.piston-mass']
+    """
+    if {"mass", "radius"} & set(engine.relative):
+        return
+    for index, cylinder in enumerate(engine.cylinders):
+        if cylinder.bore is None:
+            continue
+        length = 2 * engine.throw(cylinder).radius + cylinder.rod_length
+        solid = STEEL * pi / 4 * cylinder.bore**2 * length
+        if cylinder.reciprocating > solid:
+            values = {"value": cylinder.reciprocating, "solid": float(f"{solid:.2g}")}
+            path = ("cylinders", index, "reciprocating_mass")
+            yield Fault(path, "doubt.piston-mass", values, cylinder.number)
+            return  # one slip for all
+
+
+def body_doubts(engine: Engine) -> Iterator[Fault]:
+    """A foundation lighter than what shakes it, and bodies too slender to reach their mounts.
+
+    The moment of inertia of a body of mass m that reaches a mount at the distance h from an axis
+    through its centre is m_h h^2 at least, m_h the part of its mass out there.
+    """
+    block, below = engine.block, engine.foundation
+    if block is not None and block.inertia is not None and engine.mounts:
+        middle = default_reference(engine).z if block.z is None else block.z
+        places = [(mount.up, mount.right, mount.z) for mount in engine.mounts]
+        centre = (block.up, block.right, middle)
+        yield from _slender("block", block.mass, block.inertia, centre, places)
+    if below is None:
+        return
+    moving = carried_mass(engine)
+    if "mass" not in engine.relative and below.mass < moving:
+        values = {"value": below.mass, "moving": float(f"{moving:.2g}")}
+        yield Fault(("foundation", "mass"), "doubt.foundation-mass", values)
+    places = [(mount.up, mount.right, mount.z) for mount in (*engine.mounts, *below.mounts)]
+    centre = (below.up, below.right, below.z)
+    yield from _slender("foundation", below.mass, below.inertia, centre, places)
+
+
+def _slender(
+    table: str,
+    mass: float,
+    inertia: Sequence[float],
+    centre: Sequence[float],
+    places: Sequence[Sequence[float]],
+) -> Iterator[Fault]:
+    """The first moment of inertia that leaves too little mass at the mounts."""
+    arms = np.asarray(places, float) - np.asarray(centre, float)
+    for axis, name in enumerate(("up", "right", "z")):
+        reach = float(np.hypot(*np.delete(arms, axis, axis=1).T).max())
+        least = LEAST_SHARE * mass * reach**2
+        if inertia[axis] < least:
+            values = {
+                "value": inertia[axis],
+                "reach": float(f"{reach * 1e3:.3g}"),
+                "least": float(f"{least:.2g}"),
+            }
+            yield Fault((table, f"inertia_{name}"), "doubt.slender", values)
+            return  # one slip for all
