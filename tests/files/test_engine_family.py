@@ -206,6 +206,8 @@ def test_a_row_that_no_order_fills_is_told(run: Run, tmp_path: Path) -> None:
         (("--chain-drive", "8: 600 mm", "--numbers", "5..7"), "has so many cylinders; give a num"),
         (("--minimise", "Q1"), "There is no quantity"),
         (("--minimise", "X1.5"), "whole orders"),
+        (("--minimise", "M1,T3"), "--minimise T3: torsion needs the mode shape of one number"),
+        (("--limit", "T4=1"), "--limit T4: torsion needs the mode shape of one number of cyl"),
         (("--first-order", "some"), "give vertical, equal"),
     ],
 )
@@ -252,3 +254,18 @@ def test_a_published_order_has_the_moments_of_the_same_order_given(
     same = json.loads(run(*asked, "--given", "1-5-3-6-2-4-7").out)["members"][1]
     assert (first.pop("chosen"), same.pop("chosen")) == ("published", "given")
     assert first == same
+
+
+def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
+    wrong = {
+        "--numbers": "5..7",
+        "-o": "x.foo",
+        "--given": "1-2",
+        "--chain-drive": "8: 600 mm",
+        "--minimise": "Q1",
+        "--first-order": "some",
+    }
+    words = [word for pair in wrong.items() for word in pair]
+    told = run("guide", written(tmp_path), *words).err
+    assert [option for option in [*wrong][1:] if option not in told] == []
+    assert "--numbers:" not in told

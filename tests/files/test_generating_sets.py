@@ -180,3 +180,10 @@ def test_an_option_without_effect_is_refused_and_why(
     ran = run("genset", *words)
     assert (ran.code, ran.out) == (2, "")
     assert said in " ".join(ran.err.split())
+
+
+def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
+    wrong = {"-o": "x.foo", "--engines": "0", "--flywheel": "2 m", "--irregularity": "7"}
+    words = [word for pair in wrong.items() for word in pair]
+    told = run("genset", written(tmp_path), *words).err
+    assert [option for option in wrong if option not in told] == []

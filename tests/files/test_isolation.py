@@ -246,3 +246,21 @@ def test_what_cannot_be_asked_of_mounts_is_refused(
     assert ran.code == 2
     assert said in " ".join(ran.err.split())
     assert "has no mounts" in " ".join(run("isolate", "i4", "--shift", "3 mm").err.split())
+
+
+def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "four.toml"
+    place.write_text(toml(four(UNEVEN)), encoding="utf-8")
+    wrong = {
+        "-o": "x.txt",
+        "--stiffness": "50",
+        "--shift": "3 kg",
+        "--sag": "-1 mm",
+        "--frequencies": "9..3 Hz",
+        "--starts": "0",
+        "--at": "nowhere",
+        "--speeds": "2 m",
+    }
+    words = [word for pair in wrong.items() for word in pair]
+    told = run("isolate", str(place), "--minimise", "velocity", *words).err
+    assert [option for option in wrong if option not in told] == []

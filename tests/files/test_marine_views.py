@@ -256,7 +256,12 @@ def test_an_estimated_engine_has_ranges(run: Run) -> None:
         (("--first-order", "most"), "give vertical, equal, horizontal"),
         (("--first-order", "1.5"), "give vertical, equal, horizontal"),
         (("--compensate", "2 6 m"), "give the order, a colon"),
-        (("--compensate", "9: 6 m"), "give the order, a colon"),
+        (("--compensate", "1"), "--compensate 1: give the order, a colon"),
+        (("--compensate", "2:"), "--compensate 2:: give the order, a colon"),
+        (("--compensate", "9: 6 m"), "compensators are made for orders 1 to 8"),
+        (("--compensate", "2: 6 kg"), 'a length is needed, such as "105.5 mm", as in "2: 6 m, -6'),
+        (("--compensate", "2: 4 m", "--save", "x.txt"), "--save x.txt: the name must end in .toml"),
+        (("--compensate", "2: 4 m", "--save", "no/x.toml"), "Name another file with --save"),
         (("--compensate", "2: 6"), "write it with a unit"),
         (("--compensate", "2: 1 m, 2 m, 3 m"), "give one place or two that differ"),
         (("--compensate", "2: 1 m, 1 m"), "give one place or two that differ"),
@@ -329,3 +334,26 @@ def test_the_mean_pressure_of_the_power_is_that_of_the_cycle() -> None:
     assert found.mean_pressure == pytest.approx(found.cycle.bmep, rel=1e-3)
     slow = marine(marine_engine(), speed=2.0, rated_power=found.power)
     assert slow.mean_pressure == pytest.approx(found.mean_pressure)
+
+
+def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
+    wrong = {
+        "-o": "x.foo",
+        "--speed": "2 m",
+        "--orders": "x",
+        "--rated-power": "2 m",
+        "--compensate": "2",
+        "--node": "2 kg",
+        "--save": "x.txt",
+        "--phase-error": "400 deg",
+        "--bracing": "5 m",
+        "--first-order": "most",
+    }
+    words = [word for pair in wrong.items() for word in pair]
+    told = run("marine", written(tmp_path), *words).err
+    assert [option for option in wrong if option not in told] == []
+    assert len(told.splitlines()) == len(wrong)
+    unknown = run("marine", "no-such-engine", *words).err
+    assert "no-such-engine" in unknown
+    assert "--compensate" not in unknown  # whose units are those of the engine
+    assert "--rated-power" in unknown

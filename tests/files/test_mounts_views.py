@@ -295,3 +295,10 @@ def test_the_point_is_told_with_its_name_and_what_each_length_is(run: Run, tmp_p
     at = ("--at", "300 mm, 200 mm, 10 mm")
     out = " ".join(run("mounts", written(tmp_path), *at).out.split())
     assert "the point up 200 mm, right 10 mm, along 300 mm; see --at." in out
+
+
+def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
+    wrong = {"-o": "x.foo", "--speed": "2 m", "--speeds": "9 rpm", "--orders": "x", "--at": "no"}
+    words = [word for pair in wrong.items() for word in pair]
+    told = run("mounts", written(tmp_path), *words).err
+    assert [option for option in wrong if option not in told] == []

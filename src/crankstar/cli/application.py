@@ -257,8 +257,9 @@ def _refuse_source(words: Sequence[str]) -> None:
         real = os.path.realpath(place)
         if [os.path.realpath(part) for part in parts].count(real) > 1:
             raise OutputError(
-                "{file} is read by this command and would be lost; name another file with -o",
+                "{file} is read by this command and would be lost; name another file with {option}",
                 file=one_line(place),
+                option=option,
             )
 
 

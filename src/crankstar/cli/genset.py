@@ -59,8 +59,8 @@ def genset(
     )
     from crankstar.tables.ranges import ranged
 
-    form = form_of(output, TABLES, json=json, csv=csv)
-    (loaded, spread), turning, pairs, count, wheel, even = together(
+    form, (loaded, spread), turning, pairs, count, wheel, even = together(
+        partial(form_of, output, TABLES, json=json, csv=csv),
         partial(loaded_values, engine, settings, estimate=estimate),
         partial(request.speed, speed),
         partial(request.within, "--pole-pairs", pole_pairs, most=MOST_PAIRS),

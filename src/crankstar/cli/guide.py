@@ -13,6 +13,7 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     loaded_engine,
+    once,
     option,
     together,
 )
@@ -54,28 +55,32 @@ def guide(
     except ImportError as error:
         raise not_compiled(error) from None
     from crankstar.options.marine import horizontal_share
-    from crankstar.options.search import goals_of
     from crankstar.tables.engine_family import family_document
 
-    form = form_of(output, TABLES, json=json, csv=csv)
     words = SearchWords(minimise=minimise, limit=limit or [], best="1")
-    loaded, turning, counts, share = together(
-        partial(loaded_engine, engine, settings),
+    load = once(partial(loaded_engine, engine, settings))
+    count = once(partial(asked.numbers_of_cylinders, numbers))
+    form, loaded, turning, counts, share, orders, drive, goals = together(
+        partial(form_of, output, TABLES, json=json, csv=csv),
+        load,
         partial(request.speed, speed),
-        partial(asked.numbers_of_cylinders, numbers),
+        count,
         partial(horizontal_share, first_order),
-    )
-    orders, drive = together(
-        partial(asked.firing_orders, given, counts),
-        partial(asked.chain_drive, chain_drive, loaded, counts),
+        lambda: asked.firing_orders(given, count()),
+        lambda: asked.chain_drive(chain_drive, load(), count()),
+        partial(asked.goals, words),
     )
     with working(_("Searching firing orders ...")), words_for(form):
         members = engine_family(
             loaded,
             numbers=counts,
             given=orders,
+<<<<<<< HEAD
             published=published_orders(loaded.cycle, counts),
             options=goals_of(words),
+=======
+            options=goals,
+>>>>>>> ac8b40fa (cli: name all that is wrong at once, and the option really given)
             drive=drive,
             point=point or "",
             speed=turning,

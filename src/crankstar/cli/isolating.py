@@ -3,24 +3,28 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
 from crankstar.cli.options import (
     Json,
     Settings,
-    engine_over_ranges,
-    engine_suffix,
+    engine_place,
+    engine_with_tree,
+    once,
     option,
     together,
     write_engine,
 )
-from crankstar.cli.output import display, progress, writable, write
+from crankstar.cli.output import display, progress, write
 from crankstar.cli.speed_ranges import speeds_of
 from crankstar.language.messages import _
 from crankstar.options import isolating as asked
 from crankstar.options import values as request
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
 
 HELP = "Name from the catalog, or engine file with [[mounts]]; - for standard input."
 
@@ -52,27 +56,29 @@ def isolate(
 ) -> None:
     """Find the stiffness and place of mounts, within limits, that pass on or shake least."""
     from crankstar.dynamics.mount_analysis import mounts as analysis
-    from crankstar.remedy.isolation import STARTS, isolated
+    from crankstar.remedy.isolation import STARTS, MountLimits, isolated
     from crankstar.search.interrupts import ended_once
     from crankstar.tables import machine
     from crankstar.tables.isolation import isolation_document
 
-    engine_suffix(output)  # before minutes are spent
-    if output is not None:
-        writable(output)
-    ((loaded, _spread), tree), aim, over, count = together(
-        partial(engine_over_ranges, engine, settings, estimate=False),
+    load = once(partial(_on_mounts, engine, settings))
+    _place, (loaded, tree), aim, over, count, place, _checked, *free = together(
+        partial(engine_place, output),  # before minutes are spent
+        load,
         partial(asked.aim, minimise),
         partial(speeds_of, speeds, beside_speed=False),
         partial(request.within, "--starts", starts, most=asked.GREATEST_STARTS),
+        lambda: request.block_point(at, load()[0]),
+        partial(asked.refuse_unused, minimise, at=at, speeds=speeds, point=point),
+        partial(asked.stiffness, stiffness),
+        lambda: asked.shift(shift, load()[0]),
+        lambda: request.length("--sag", sag, load()[0], positive=True),
+        partial(asked.frequencies, frequencies),
     )
-    asked.refuse_unused(aim, at=at, speeds=speeds, point=point)
-    how = {"point": point or "", "speeds": over, "at": request.block_point(at, loaded)}
+    limits = MountLimits(*free)
+    how = {"point": point or "", "speeds": over, "at": place}
     with ended_once(), progress(_("Looking for the best mounts")) as tell:
         found = analysis(loaded, **how)
-        limits = asked.limits(
-            loaded, stiffness=stiffness, shift=shift, sag=sag, frequencies=frequencies
-        )
         best = isolated(
             loaded,
             found,
@@ -88,3 +94,12 @@ def isolate(
         write(machine.json_text(machine.tree(document)), None)
     else:
         display(document)
+
+
+def _on_mounts(name: str, settings: list[str] | None) -> tuple[Engine, dict[str, Any]]:
+    """The engine and the tree of its file. Raises MountError where it has no mounts."""
+    from crankstar.dynamics.mounted_block import mounted_block
+
+    loaded, tree = engine_with_tree(name, settings)
+    mounted_block(loaded)
+    return loaded, tree

@@ -14,18 +14,19 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     engine_over_ranges,
+    engine_place,
+    once,
     option,
     together,
     write_engine,
 )
-from crankstar.cli.output import working, writable
+from crankstar.cli.output import working
 from crankstar.cli.speed_ranges import speeds_of
 from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
 from crankstar.options.gas import gas_orders
-from crankstar.options.refusals import RequestError
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
@@ -65,9 +66,10 @@ def marine(
     from crankstar.tables.marine_doubts import missing_guide, missing_units
     from crankstar.tables.ranges import ranged
 
-    form = form_of(output, TABLES, json=json, csv=csv)
-    ((loaded, spread), tree), turning, over, wanted, share, watts, late, braced = together(
-        partial(engine_over_ranges, engine, settings, estimate=estimate),
+    load = once(partial(engine_over_ranges, engine, settings, estimate=estimate))
+    form, ((loaded, spread), tree), turning, over, wanted, share, *rest = together(
+        partial(form_of, output, TABLES, json=json, csv=csv),
+        load,
         partial(request.speed, speed),
         partial(speeds_of, speeds),
         partial(gas_orders, orders),
@@ -75,19 +77,12 @@ def marine(
         partial(asked.power, rated_power),
         partial(asked.phase_error, phase_error),
         partial(asked.bracing, bracing),
+        lambda: asked.compensations(compensate, load()[0].engine),
+        lambda: asked.node(node, load()[0].engine),
+        partial(engine_place, save, option="--save"),
+        partial(asked.refuse_unused, compensate, first_order, phase_error, save),
     )
-    places, hull = together(
-        partial(asked.compensations, compensate, loaded), partial(asked.node, node, loaded)
-    )
-    if phase_error is not None and not places:
-        request.refuse_unused({"--phase-error": phase_error}, without="--compensate")
-    if save is not None:
-        if not (places or share is not None):
-            raise RequestError(
-                "--save writes the engine with what is added to it: give --first-order or "
-                "--compensate"
-            )
-        writable(save)
+    watts, late, braced, places, hull, *_checked = rest
 
     def found(each: Engine) -> MarineAnalysis:
         return analysis(
@@ -115,5 +110,5 @@ def marine(
     with working(_("Computing the moments ...")), words_for(form):
         document = ranged(sheet, spread, loaded)
     if save is not None:
-        write_engine(found(loaded).engine, tree, save)
+        write_engine(found(loaded).engine, tree, save, option="--save")
     give(document, output, form=form, every=True)

@@ -105,7 +105,12 @@ def match(
     if engine_file is not None:
         for at, each in enumerate(built, 1):
             place = engine_file if len(built) == 1 else _with_number(engine_file, at)
-            write_engine(with_values(each, name=_name(loaded.name, at, len(built))), tree, place)
+            write_engine(
+                with_values(each, name=_name(loaded.name, at, len(built))),
+                tree,
+                place,
+                option="--engine-file",
+            )
     give(document, output, form=form)
 
 
@@ -161,7 +166,7 @@ def _engine_file(place: str | None) -> None:
         return
     if suffix_of(place) not in ENGINES:
         raise refusal("--engine-file", place, "the name must end in .toml, .json or .xlsx")
-    writable(place)
+    writable(place, option="--engine-file")
 
 
 def _with_number(place: str, number: int) -> str:

@@ -14,6 +14,7 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     loaded_engine,
+    once,
     option,
     together,
 )
@@ -46,23 +47,20 @@ def mounts(
     from crankstar.dynamics.mount_analysis import mounts as analysis
     from crankstar.tables.mounts import mounts_document
 
-    form = form_of(output, TABLES, json=json, csv=csv)
     if speed is not None and ".." in speed and speeds is None:
         speed, speeds = None, speed
-    loaded, turning, over, wanted = together(
-        partial(loaded_engine, engine, settings),
+    load = once(partial(loaded_engine, engine, settings))
+    form, loaded, turning, over, wanted, place = together(
+        partial(form_of, output, TABLES, json=json, csv=csv),
+        load,
         partial(request.speed, speed),
         partial(speeds_of, speeds),
         partial(gas_orders, None if orders and orders.strip() == "all" else orders),
+        lambda: request.block_point(at, load()),
     )
     with working(_("Computing the vibration on the mounts ...")), words_for(form):
         found = analysis(
-            loaded,
-            point=point or "",
-            speed=turning,
-            speeds=over,
-            orders=wanted,
-            at=request.block_point(at, loaded),
+            loaded, point=point or "", speed=turning, speeds=over, orders=wanted, at=place
         )
         machine = form not in ("txt", "xlsx")
         document = mounts_document(

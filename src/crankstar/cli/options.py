@@ -10,16 +10,17 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any, NamedTuple, TypeVar, cast
 
 from cyclopts import Parameter, Token
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
-from crankstar.files import EngineFileError, changed, engine_of
+from crankstar.files import changed, engine_of
 from crankstar.files.box import Spread, spread
 from crankstar.files.catalog import load, tree_of
 from crankstar.files.changes import throw_angles
+from crankstar.language.messages import MessageError
 from crankstar.language.quoting import seen
 from crankstar.options import values as request
 from crankstar.options.values import RequestError
@@ -83,6 +84,30 @@ class Looks:
         request.refuse_unused(given, beside=beside)
 
 
+T = TypeVar("T")
+
+
+def once(reading: Callable[[], T]) -> Callable[[], T]:
+    """A reading that is done once, however many others need it; its refusal is kept too.
+
+    So what depends on the engine is read `together` with the engine itself.
+    """
+    kept: list[tuple[T, None] | tuple[None, MessageError]] = []
+
+    def read() -> T:
+        if not kept:
+            try:
+                kept.append((reading(), None))
+            except MessageError as error:
+                kept.append((None, error))
+        value, refused = kept[0]
+        if refused is not None:
+            raise refused
+        return cast("T", value)
+
+    return read
+
+
 def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:
     """What each of them reads. Raises RequestError with the message of every one that fails."""
     values: list[Any] = []
@@ -90,7 +115,7 @@ def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:
     for reading in readings:
         try:
             values.append(reading())
-        except (RequestError, EngineFileError) as error:
+        except MessageError as error:
             messages[str(error)] = None
     if messages:
         text = "\n".join(messages)
@@ -219,22 +244,33 @@ def engine_tree(
     return tree_of(name)[1] if as_read else explicit(engine)
 
 
-def write_engine(engine: Engine, tree: Mapping[str, Any] | None, place: str | None) -> None:
-    """Write an engine file in the form of its `tree`, or print it."""
-    write_tree(written_tree(engine, tree), place)
+def write_engine(
+    engine: Engine, tree: Mapping[str, Any] | None, place: str | None, *, option: str = "-o"
+) -> None:
+    """Write an engine file in the form of its `tree`, or print it; `option` names the file."""
+    write_tree(written_tree(engine, tree), place, option=option)
 
 
-def engine_suffix(place: str | None) -> str:
+def engine_suffix(place: str | None, *, option: str = "-o") -> str:
     """How the name of an engine file ends, empty without one. Raises RequestError for others."""
     from crankstar.options.refusals import refusal
 
     suffix = "" if place is None else Path(place).suffix.lower()
     if suffix not in ("", ".toml", ".json", ".xlsx"):
-        raise refusal("-o", place, "the name must end in .toml, .json or .xlsx")
+        raise refusal(option, place, "the name must end in .toml, .json or .xlsx")
     return suffix
 
 
-def write_tree(tree: Mapping[str, Any], place: str | None) -> None:
+def engine_place(place: str | None, *, option: str = "-o") -> None:
+    """Refuse, before long work, a name under which no engine can be written."""
+    from crankstar.cli.output import writable
+
+    engine_suffix(place, option=option)
+    if place is not None:
+        writable(place, option=option)
+
+
+def write_tree(tree: Mapping[str, Any], place: str | None, *, option: str = "-o") -> None:
     """Write an engine file as its name says: TOML, JSON or a spreadsheet; print it without a name.
 
     It is never written where it could not be read again. Raises RequestError for other names.
@@ -244,7 +280,7 @@ def write_tree(tree: Mapping[str, Any], place: str | None) -> None:
     from crankstar.files import tree_text
     from crankstar.options.forms import require
 
-    suffix = engine_suffix(place)
+    suffix = engine_suffix(place, option=option)
     if suffix == ".xlsx" and place is not None:
         require("xlsx")
         from crankstar.files.sheets import sheets_of
@@ -252,10 +288,10 @@ def write_tree(tree: Mapping[str, Any], place: str | None) -> None:
 
         content = workbook_bytes(sheets_of(dict(tree)))
         engine_of(workbook_tree(content, place))
-        write_bytes(content, place)
+        write_bytes(content, place, option=option)
         return
     from crankstar.tables.machine import json_text
 
     text = json_text(tree) if suffix == ".json" else tree_text(dict(tree))
     engine_of(tree_in(text))
-    write(text, place)
+    write(text, place, option=option)

@@ -59,29 +59,30 @@ def display(shown: Any, place: str | None = None) -> None:
     write("".join(f"{line.rstrip()}\n" for line in captured.get().splitlines()), place)
 
 
-def write(text: str, place: str | None) -> None:
+def write(text: str, place: str | None, *, option: str = "-o") -> None:
     """Write text to standard output, or to a file, whole or not at all; raises OutputError."""
     if place in STANDARD_OUTPUT:
         _opened()
         sys.stdout.write(text)
         return
-    write_bytes(text.encode("utf-8", errors="replace"), place)
+    write_bytes(text.encode("utf-8", errors="replace"), place, option=option)
 
 
-def write_bytes(content: bytes, place: str | None) -> None:
+def write_bytes(content: bytes, place: str | None, *, option: str = "-o") -> None:
     """Write bytes to standard output, or to a file, whole or not at all; raises OutputError.
 
-    A file is named on standard error once it is written, so that a pipe stays clean.
+    A file is named on standard error once it is written, so that a pipe stays clean. `option` is
+    the one that names it.
     """
     if place in STANDARD_OUTPUT:
         _opened()
         sys.stdout.flush()
         sys.stdout.buffer.write(content)
         return
-    with _refusing(place):
+    with _refusing(place, option):
         mode = _mode(place)
         if mode is None or stat.S_ISREG(mode):
-            _replace(Path(place).resolve(), content)
+            _replace(Path(place).resolve(), content, option)
             said = N_("Wrote {file}") if mode is None else N_("Replaced {file}")
             complain(_(said, file=one_line(place)))
         else:
@@ -97,32 +98,32 @@ def write_result(content: str | bytes, output: str | None, usual: str) -> None:
         write_bytes(content, place)
 
 
-def writable(place: str) -> None:
+def writable(place: str, *, option: str = "-o") -> None:
     """Refuse, before long work, a place that cannot be written to; raises OutputError."""
     if place in STANDARD_OUTPUT:
         return
-    with _refusing(place):
+    with _refusing(place, option):
         mode = _mode(place)
         if mode is None and not Path(place).resolve().parent.is_dir():
-            _refuse(place, N_("there is no such directory"))
+            _refuse(place, N_("there is no such directory"), option)
         if not os.access(place if mode is not None else Path(place).resolve().parent, os.W_OK):
-            _refuse(place, WRITE_PROTECTED)
+            _refuse(place, WRITE_PROTECTED, option)
 
 
 @contextmanager
-def _refusing(place: str) -> Iterator[None]:
+def _refusing(place: str, option: str) -> Iterator[None]:
     """Have what is wrong with a place told as an OutputError; first, that it is a directory."""
     try:
         mode = _mode(place)
         if place.endswith(os.sep) or (mode is not None and stat.S_ISDIR(mode)):
-            _refuse(place, N_("it is a directory"))
+            _refuse(place, N_("it is a directory"), option)
         yield
     except OSError as error:
-        _refuse(place, error.strerror or str(error))
+        _refuse(place, error.strerror or str(error), option)
     except (ValueError, RuntimeError) as error:
         if isinstance(error, OutputError):
             raise
-        _refuse(place, N_("a file cannot have this name"))
+        _refuse(place, N_("a file cannot have this name"), option)
 
 
 def is_file(place: str) -> bool:
@@ -145,11 +146,11 @@ def _mode(place: str) -> int | None:
         return None
 
 
-def _replace(target: Path, content: bytes) -> None:
+def _replace(target: Path, content: bytes, option: str) -> None:
     """Replace the target by a complete new file; links to it stay links."""
     there = target.exists()
     if there and not os.access(target, os.W_OK):
-        _refuse(str(target), WRITE_PROTECTED)
+        _refuse(str(target), WRITE_PROTECTED, option)
     handle, draft = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:50]}.")
     try:
         with os.fdopen(handle, "wb") as file:
@@ -171,11 +172,13 @@ def _pour(place: str, content: bytes) -> None:
         file.write(content)
 
 
-def _refuse(place: str, reason: str) -> NoReturn:
+def _refuse(place: str, reason: str, option: str) -> NoReturn:
     raise OutputError(
-        "{file}: cannot be written ({reason}); nothing was changed. Name another file with -o",
+        "{file}: cannot be written ({reason}); nothing was changed. Name another file with "
+        "{option}",
         file=one_line(place),
         reason=_(reason),
+        option=option,
     )
 
 

@@ -9,7 +9,11 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import POSITION
 from crankstar.language.messages import _
 from crankstar.options import values as request
-from crankstar.options.refusals import refusal
+from crankstar.options.refusals import RequestError, refusal
+from crankstar.options.search import goals_of
+from crankstar.options.words import SearchWords
+from crankstar.search.faults import SearchError
+from crankstar.search.options import SearchOptions
 from crankstar.studies.engine_family import LEAST, MOST, ChainDrive
 
 
@@ -57,6 +61,30 @@ def firing_orders(
             )
         found.append(order)
     return tuple(found)
+
+
+def goals(words: SearchWords) -> SearchOptions:
+    """Goals and limits of the search of each engine. Raises RequestError.
+
+    Torsion is none of them: a mode shape is that of one number of cylinders.
+    """
+    try:
+        found = goals_of(words)
+    except SearchError as error:
+        raise RequestError(error.text(lambda option: f"--{option.replace('_', '-')}")) from None
+    measures = [
+        *(("--minimise", measure) for _weight, measure in found.minimise or ()),
+        *(("--limit", bound.measure) for bound in found.limit),
+    ]
+    for option, measure in measures:
+        if measure.kind == "T":
+            raise refusal(
+                option,
+                measure.name,
+                "torsion needs the mode shape of one number of cylinders, which `search` takes; "
+                "leave it out",
+            )
+    return found
 
 
 def chain_drive(text: str | None, engine: Engine, numbers: Sequence[int]) -> ChainDrive | None:

@@ -12,7 +12,7 @@ from crankstar.options import values as request
 from crankstar.options.refusals import refusal
 
 if TYPE_CHECKING:
-    from crankstar.remedy.isolation import IsolationAim, MountLimits
+    from crankstar.remedy.isolation import IsolationAim
 
 STIFFNESS = Quantity("stiffness", "200 N/mm")
 WIDEST = 1e4
@@ -31,8 +31,9 @@ def aim(text: str) -> IsolationAim:
     return cast("IsolationAim", request.choice("--minimise", words, get_args(IsolationAim)))
 
 
-def refuse_unused(aim: str, *, at: str | None, speeds: str | None, point: str | None) -> None:
+def refuse_unused(goal: str, *, at: str | None, speeds: str | None, point: str | None) -> None:
     """Refuse a point of the block, or speeds and gas, that do not matter. Raises RequestError."""
+    aim = " ".join(goal.split())
     if not aim.endswith("velocity"):
         why = _("The goal is {goal}, not the velocity of a point: see --minimise.", goal=aim)
         request.refuse_unused({"--at": at}, why=why)
@@ -41,30 +42,10 @@ def refuse_unused(aim: str, *, at: str | None, speeds: str | None, point: str | 
         request.refuse_unused({"--speeds": speeds, "--point": point}, why=why)
 
 
-def limits(
-    engine: Engine,
-    *,
-    stiffness: str | None,
-    shift: str | None,
-    sag: str | None,
-    frequencies: str | None,
-) -> MountLimits:
-    """What the mounts may be. Raises RequestError."""
-    from crankstar.remedy.isolation import MountLimits
-
-    down = None
-    if sag is not None:
-        down = request.length("--sag", sag, engine, positive=True)
-    return MountLimits(
-        stiffness=None if stiffness is None else _stiffness(stiffness),
-        shift=(0.0, 0.0, 0.0) if shift is None else _shift(shift, engine),
-        sag=down,
-        frequencies=None if frequencies is None else _frequencies(frequencies),
-    )
-
-
-def _stiffness(text: str) -> tuple[float, float]:
-    """N/m, the least above nought."""
+def stiffness(text: str | None) -> tuple[float, float] | None:
+    """N/m, the least above nought. Raises RequestError."""
+    if text is None:
+        return None
     low, high = _range("--stiffness", text, STIFFNESS, "50..400 N/mm")
     if not 0 < low < high <= WIDEST * low:
         raise refusal(
@@ -77,8 +58,10 @@ def _stiffness(text: str) -> tuple[float, float]:
     return low, high
 
 
-def _frequencies(text: str) -> tuple[float, float]:
-    """Hertz; the lower end may be nought."""
+def frequencies(text: str | None) -> tuple[float, float] | None:
+    """Hertz; the lower end may be nought. Raises RequestError."""
+    if text is None:
+        return None
     low, high = (end / TURN for end in _range("--frequencies", text, SPEED, "5..15 Hz"))
     if not 0 <= low < high:
         raise refusal(
@@ -98,8 +81,10 @@ def _range(option: str, text: str, quantity: Quantity, example: str) -> tuple[fl
         return units.si(low, quantity), units.si(high, quantity)
 
 
-def _shift(text: str, engine: Engine) -> tuple[float, float, float]:
-    """Metres each way: up, right, z."""
+def shift(text: str | None, engine: Engine) -> tuple[float, float, float]:
+    """Metres each way: up, right, z; noughts without. Raises RequestError."""
+    if text is None:
+        return 0.0, 0.0, 0.0
     example = _('as in "30 mm" or "0 mm, 20 mm, 30 mm" (z, up, right)')
     parts = [part.strip() for part in text.split(",")]
     if len(parts) not in (1, 3):

@@ -12,7 +12,8 @@ from crankstar.files import units
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.numbers import is_number
-from crankstar.options.refusals import refusal
+from crankstar.options.refusals import RequestError, refusal
+from crankstar.remedy.compensators import GREATEST_ORDER
 
 SHARES = {"vertical": 0.0, "equal": 0.5, "horizontal": 1.0}
 
@@ -66,20 +67,44 @@ def compensations(texts: Sequence[str] | None, engine: Engine) -> dict[int, tupl
     found: dict[int, tuple[float, ...]] = {}
     for text in texts or ():
         order, colon, places = text.partition(":")
-        if not colon or not re.fullmatch(r"[1-8]", order.strip()):
+        parts = request.listed(places)
+        if not colon or not re.fullmatch(r"\d{1,3}", order.strip()) or not parts:
             raise refusal(
                 "--compensate",
                 text,
                 "give the order, a colon, and one place or two along the crankshaft, as in "
                 '"2: 6 m, -6 m"',
             )
-        where = request.planes("--compensate", places, engine)
+        if not 1 <= int(order) <= GREATEST_ORDER:
+            raise refusal(
+                "--compensate",
+                text,
+                "compensators are made for orders 1 to {greatest}",
+                greatest=GREATEST_ORDER,
+            )
+        example, marks = _('as in "2: 6 m, -6 m"'), [POSITION] * len(parts)
+        where = request.places("--compensate", parts, marks, engine, example)
         if len(where) > 2 or len(set(where)) < len(where):
             raise refusal("--compensate", text, "give one place or two that differ")
         if int(order) in found:
             raise refusal("--compensate", text, "give each order once, with one place or two")
         found[int(order)] = tuple(where)
     return found
+
+
+def refuse_unused(
+    compensate: Sequence[str] | None,
+    first_order: str | None,
+    phase_error: str | None,
+    save: str | None,
+) -> None:
+    """Refuse a lag of no compensator, and an engine to which nothing is added."""
+    if not compensate:
+        request.refuse_unused({"--phase-error": phase_error}, without="--compensate")
+    if save is not None and not compensate and first_order is None:
+        raise RequestError(
+            "--save writes the engine with what is added to it: give --first-order or --compensate"
+        )
 
 
 def node(text: str | None, engine: Engine) -> float | None:
