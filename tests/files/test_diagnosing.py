@@ -147,10 +147,11 @@ def test_a_fault_that_cannot_be_is_one_sentence(
         ("order, up", "ordr, up", 'the column "ordr" is not known; "order" is'),
         ("phase [deg]", "", 'the column "" is not known'),
         ("direction, ", "serial, ", 'the column "serial" is not known'),
-        ("\n0.5, ", "\n0, ", 'line 2, column "order": an order must be greater than 0'),
+        ("\n0.5, ", "\n0, ", 'line 2, column "order": give an order above 0'),
         ("\n0.5, ", "\nhalf, ", '"half" is no number'),
         (", up, ", ", sideways, ", "give up, down, right, left or z"),
-        ("[mm/s]", "[V]", "is no displacement, velocity or acceleration"),
+        ("[mm/s]", "[V]", 'line 1, column "amplitude [V]": it has no unit of a displacement'),
+        ("[mm/s]", "", "it has no unit of a displacement"),
         ("[mm/s], phase", "[mm/s], speed [rpm], phase", "line 2"),
     ],
 )
@@ -160,6 +161,15 @@ def test_a_mistake_in_a_measurement_is_told_with_its_place(
     text = (tmp_path / "lost.csv").read_text(encoding="utf-8").replace(old, new, 1)
     (tmp_path / "bad.csv").write_text(text, encoding="utf-8")
     assert told in " ".join(refused("diagnose", "four.toml", "bad.csv").split())
+
+
+def test_every_mistake_in_a_measurement_is_told_at_once(refused: Refused, tmp_path: Path) -> None:
+    rows = ["-1, 0, 0, 0, up, 1, 0", "1, 0, 0, 0, aside, 1e9, 0", "1, 0, 0, 0, up, -3 um, 0 mm"]
+    (tmp_path / "bad.csv").write_text(HEAD + "\n".join(rows), encoding="utf-8")
+    head, *told = refused("diagnose", "four.toml", "bad.csv").splitlines()
+    assert head == "crankstar: bad.csv: 5 mistakes"
+    assert [int(line.split()[1].strip(",:")) for line in told] == [2, 3, 3, 4, 4]
+    assert any('"1e9 mm/s", too large' in line for line in told)
 
 
 def test_a_measurement_before_in_other_places_is_refused(refused: Refused, tmp_path: Path) -> None:

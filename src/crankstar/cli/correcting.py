@@ -102,6 +102,13 @@ def _positions(text: str | None) -> list[float] | None:
         if not 3 <= count <= MOST_POSITIONS:
             raise refusal("--positions", text, "give from 3 to {most} of them", most=MOST_POSITIONS)
         return [2 * pi * at / count for at in range(count)]
+    if len(parts) < 2:
+        raise refusal(
+            "--positions",
+            text,
+            "give how many there are at equal steps, as in 12, or the angles of two or more, as in "
+            '"0, 45, 90 deg"',
+        )
     return [radians(each) for each in request.degrees("--positions", text)]
 
 

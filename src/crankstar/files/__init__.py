@@ -12,6 +12,8 @@
 | `workbook` | that form in an .xlsx file, written and read |
 | `traces` | a measured pressure from the CSV file that an engine file names |
 | `lists` | a list of values with headings: CSV or spreadsheet |
+| `columns` | the columns of a list read as values, every mistake told at once |
+| `vibrations` | amplitudes of vibration in a list |
 | `source` | a file to its text and its tree of keys |
 | `changes` | values of a tree set by key path |
 | `tolerances` | how far each value may be off |

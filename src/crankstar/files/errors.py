@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import islice
 from typing import Any
 
 from crankstar.language.faults import Fault, sentence, where
@@ -34,17 +35,11 @@ class EngineFileError(MessageError):
         cells: Mapping[tuple[str | int, ...], str] | None = None,
     ) -> None:
         self.name, self.faults, self.cells = name, list(faults), dict(cells or {})
-        count = len(self.faults)
-        lines: list[str] = []
-        for fault in self.faults[:GREATEST_SHOWN]:
-            if sum(1 + len(line) // 80 for line in lines) < SCREEN:
-                lines.append(sentence(fault.code, fault.values, place=self._place(fault.path)))
-        if count > len(lines):
-            lines.append(_("... and {count} more", count=count - len(lines)))
-        head = _n(
-            "{name}: {count} mistake", "{name}: {count} mistakes", count, name=name, count=count
+        told = (
+            sentence(fault.code, fault.values, place=self._place(fault.path))
+            for fault in self.faults
         )
-        super().__init__("\n".join([head, *(f"  {line}" for line in lines)]))
+        super().__init__(on_one_screen(name, told, count=len(self.faults)))
 
     def _place(self, path: tuple[str | int, ...]) -> str:
         """A key path, and the cell where it is, or that of the table it is missing in."""
@@ -55,6 +50,24 @@ class EngineFileError(MessageError):
     def __reduce__(self) -> tuple[Any, ...]:
         """It goes from process to process."""
         return EngineFileError, (self.name, self.faults, self.cells)
+
+
+def on_one_screen(name: str, sentences: Iterable[str], *, count: int) -> str:
+    """The mistakes of a file: how many there are, and as many of them as a screen has lines for.
+
+    >>> print(on_one_screen("w.csv", ["line 2 is empty"], count=1))
+    w.csv: 1 mistake
+      line 2 is empty
+    """
+    lines: list[str] = []
+    for told in islice(sentences, GREATEST_SHOWN):
+        if sum(1 + len(line) // 80 for line in lines) >= SCREEN:
+            break
+        lines.append(told)
+    if count > len(lines):
+        lines.append(_("... and {count} more", count=count - len(lines)))
+    head = _n("{name}: {count} mistake", "{name}: {count} mistakes", count, name=name, count=count)
+    return "\n".join([head, *(f"  {line}" for line in lines)])
 
 
 def refused(name: str, code: str, **values: Any) -> EngineFileError:

@@ -4,8 +4,7 @@
     1,   412.3,      98.6,    151.2,         388.0
 
 Columns stand apart by commas, semicolons or tabs; between semicolons and tabs a comma is the
-decimal sign. Empty lines and lines that begin with # are left out. A heading says its unit in
-brackets; a cell may say its own. What is wrong is one sentence with file, line and column.
+decimal sign. Empty lines and lines that begin with # are left out. `columns` reads the values.
 """
 
 from __future__ import annotations
@@ -16,26 +15,38 @@ import re
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
+from operator import attrgetter
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
-from crankstar.engine.quantities import Quantity
-from crankstar.files import units
+from crankstar.files.errors import on_one_screen
 from crankstar.files.workbook import PROTECTED, UNREADABLE, ZIP
-from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import MessageError, _
-from crankstar.language.quoting import one_line, seen
+from crankstar.language.quoting import one_line
 
 GREATEST_LIST = 5_000_000
 """Bytes."""
 GREATEST_ROWS = 10_000
-_UNIT = re.compile(r"\s*[\[(]([^\])]*)[\])]\s*$")
-_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+UNIT = re.compile(r"\s*[\[(]([^\])]*)[\])]\s*$")
+"""The unit behind a heading."""
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
 class ListError(MessageError):
-    """A list that cannot be read, as one sentence with its file, line and column."""
+    """A list that cannot be read: one sentence, or all of its mistakes with line and column."""
+
+
+class Mistake(NamedTuple):
+    """What is wrong in a line of a list, as a sentence that names the line; nought: the list."""
+
+    line: int
+    told: str
+
+
+def refused_list(name: str, mistakes: Sequence[Mistake]) -> ListError:
+    """The error of a list with these mistakes, by line."""
+    lines = [each.told for each in sorted(mistakes, key=attrgetter("line"))]
+    return ListError(on_one_screen(name, lines, count=len(lines)))
 
 
 @dataclass(frozen=True)
@@ -50,6 +61,8 @@ class Row:
 class Listed:
     r"""A list: the name of its file, its headings as they stand there, its rows.
 
+    `line` is that of the headings; `mistakes` are those of its form, to be told with the others.
+
     >>> found = list_of("no.;piston [g]\n1;412,3", name="w.csv")
     >>> found.keys, found.rows[0].cells
     (('no', 'piston'), ('1', '412.3'))
@@ -58,6 +71,8 @@ class Listed:
     name: str
     heads: tuple[str, ...]
     rows: tuple[Row, ...]
+    line: int = 1
+    mistakes: tuple[Mistake, ...] = ()
 
     @property
     def keys(self) -> tuple[str, ...]:
@@ -71,7 +86,7 @@ def key_of(head: str) -> str:
     >>> key_of("Rod, big end [g]"), key_of("no.")
     ('rod big end', 'no')
     """
-    return " ".join(re.findall(r"\w+", re.sub(r"_", " ", _UNIT.sub("", head).lower())))
+    return " ".join(re.findall(r"\w+", re.sub(r"_", " ", UNIT.sub("", head).lower())))
 
 
 def read_list(place: str) -> Listed:
@@ -101,7 +116,8 @@ def read_list(place: str) -> Listed:
 
 def list_of(text: str, *, name: str) -> Listed:
     """The list in the text of a CSV file. Raises ListError."""
-    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
+    text = text.replace("\r\n", "\n").replace("\r", "\n")
+    lines = [line for line in text.split("\n") if line.strip() and not line.startswith("#")]
     first = lines[0] if lines else ""
     sign = next((each for each in ("\t", ";") if each in first), ",")
     rows: list[Row] = []
@@ -162,7 +178,7 @@ def _listed(rows: Sequence[Row], name: str) -> Listed:
             greatest=GREATEST_ROWS,
         )
     heads = rows[0].cells
-    if all(_NUMBER.fullmatch(cell) for cell in heads if cell):
+    if all(NUMBER.fullmatch(cell) for cell in heads if cell):
         raise ListError(
             "{file}, line {line}: headings are missing; name each column and its unit, as in "
             "{example}",
@@ -171,129 +187,33 @@ def _listed(rows: Sequence[Row], name: str) -> Listed:
             example='"piston [g]"',
         )
     keys = [key_of(head) for head in heads]
-    twice = next((head for head, key in zip(heads, keys, strict=True) if keys.count(key) > 1), None)
-    if twice:
-        raise ListError(
-            '{file}, line {line}: the column "{head}" stands twice; leave one out',
-            file=name,
-            line=rows[0].line,
-            head=one_line(twice, longest=60),
+    mistakes = [
+        Mistake(
+            rows[0].line,
+            _(
+                'line {line}: the column "{head}" stands twice; leave one out',
+                line=rows[0].line,
+                head=one_line(head, longest=60),
+            ),
         )
-    for row in rows[1:]:
-        if len(row.cells) > len(heads):
-            raise ListError(
-                "{file}, line {line}: it has {count} cells under {heads} headings",
-                file=name,
+        for place, head in enumerate(heads)
+        if keys[place] and keys.index(keys[place]) < place
+    ]
+    mistakes += [
+        Mistake(
+            row.line,
+            _(
+                "line {line}: it has {count} cells under {heads} headings",
                 line=row.line,
                 count=len(row.cells),
                 heads=len(heads),
-            )
+            ),
+        )
+        for row in rows[1:]
+        if len(row.cells) > len(heads)
+    ]
     whole = tuple(
-        replace(row, cells=row.cells + ("",) * (len(heads) - len(row.cells))) for row in rows[1:]
+        replace(row, cells=(row.cells + ("",) * (len(heads) - len(row.cells)))[: len(heads)])
+        for row in rows[1:]
     )
-    return Listed(name, heads, whole)
-
-
-def columns_of(
-    listed: Listed, known: dict[str, str], *, needed: Sequence[str] = ()
-) -> dict[str, int]:
-    r"""The column of each name; `known` are the names by their headings. Raises ListError.
-
-    >>> weights = list_of("no,Piston [g]\n1,412", name="w.csv")
-    >>> columns_of(weights, {"no": "label", "piston": "piston"})
-    {'label': 0, 'piston': 1}
-    """
-    found: dict[str, int] = {}
-    for place, key in enumerate(listed.keys):
-        if not key:
-            if any(row.cells[place] for row in listed.rows):
-                _refuse_head(listed, listed.heads[place], known)
-            continue
-        if key not in known:
-            _refuse_head(listed, listed.heads[place], known)
-        if known[key] in found:
-            raise ListError(
-                '{file}: the columns "{first}" and "{second}" mean the same; leave one out',
-                file=listed.name,
-                first=one_line(listed.heads[found[known[key]]], longest=60),
-                second=one_line(listed.heads[place], longest=60),
-            )
-        found[known[key]] = place
-    for name in needed:
-        if name not in found:
-            heads = [head for head, meant in known.items() if meant == name]
-            raise ListError(
-                '{file} has no column "{head}"; name it in the line of headings',
-                file=listed.name,
-                head=heads[0],
-            )
-    return found
-
-
-def _refuse_head(listed: Listed, head: str, known: dict[str, str]) -> None:
-    near = get_close_matches(key_of(head), list(known), 1, 0.75)
-    if near:
-        raise ListError(
-            '{file}: the column {head} is not known; "{meant}" is',
-            file=listed.name,
-            head=seen(head),
-            meant=near[0],
-        )
-    raise ListError(
-        "{file}: the column {head} is not known; name columns {names}",
-        file=listed.name,
-        head=seen(head),
-        names=", ".join(dict.fromkeys(known)),
-    )
-
-
-def place_of(listed: Listed, row: Row, column: int) -> str:
-    """Where a cell stands, in words."""
-    return _(
-        '{file}, line {line}, column "{head}"',
-        file=listed.name,
-        line=row.line,
-        head=one_line(listed.heads[column], longest=60),
-    )
-
-
-def refused_cell(listed: Listed, row: Row, column: int, why: str) -> ListError:
-    """The error of a cell, `why` being a sentence in the language of the context."""
-    return ListError("{where}: {why}", where=place_of(listed, row, column), why=why)
-
-
-def value_of(
-    listed: Listed, row: Row, column: int, quantity: Quantity, *, usual: str = ""
-) -> float:
-    r"""The SI number of a cell, with its own unit, else that of the heading, else the usual one.
-
-    Raises ListError.
-
-    >>> from crankstar.engine.quantities import MASS
-    >>> weights = list_of("no,piston [g]\n1,412", name="w.csv")
-    >>> round(value_of(weights, weights.rows[0], 1, MASS), 9)
-    0.412
-    """
-    text = row.cells[column]
-    bracket = _UNIT.search(listed.heads[column])
-    unit = bracket[1].strip() if bracket else usual
-    bare = _NUMBER.fullmatch(text) is not None
-    if bare and not unit:
-        why = _(
-            'neither the heading nor the cell has a unit; name it, as in "{head} [{unit}]"',
-            head=one_line(listed.heads[column], longest=60),
-            unit=units.unit_of(quantity.example),
-        )
-        raise refused_cell(listed, row, column, why)
-    try:
-        return units.si(f"{text} {unit}" if bare else text, quantity)
-    except ValueFaultError as error:
-        raise ListError(error.at(place_of(listed, row, column))) from None
-
-
-def number_of(listed: Listed, row: Row, column: int) -> float:
-    """A plain number in a cell. Raises ListError."""
-    text = row.cells[column]
-    if not _NUMBER.fullmatch(text):
-        raise refused_cell(listed, row, column, _("{text} is no number", text=seen(text)))
-    return float(text)
+    return Listed(name, heads, whole, rows[0].line, tuple(mistakes))

@@ -8,7 +8,7 @@ a force or a moment is wanted, pounds and ounces are their weight.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Literal, NamedTuple
 
 from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE, Quantity
@@ -149,6 +149,20 @@ def unit_of(text: str) -> str:
     """
     match = _NUMBER.fullmatch(text) if len(text) <= _LONGEST else None
     return match[2] if match else ""
+
+
+def which(unit: str, quantities: Sequence[Quantity]) -> int | None:
+    """Which of these quantities a unit measures, by its place among them; None of them.
+
+    >>> which("in/s", [Quantity("length", "1 mm"), Quantity("speed along a line", "1 mm/s")])
+    1
+    """
+    try:
+        own = measured(unit.translate(SIGNS).replace("**", "^")).dimensions
+    except ValueError:
+        return None
+    kinds = [measured(_KINDS[each.dimension].unit).dimensions for each in quantities]
+    return kinds.index(own) if own in kinds else None
 
 
 def reader(

@@ -26,19 +26,12 @@ from scipy.optimize import lsq_linear
 
 from crankstar.dynamics.whirl import body
 from crankstar.engine.engine import Engine
-from crankstar.engine.quantities import ANGLE, LENGTH, SPEED, Quantity
+from crankstar.engine.quantities import ANGLE, LENGTH, SPEED
 from crankstar.engine.rigid_block import moved
-from crankstar.files.lists import (
-    Listed,
-    ListError,
-    Row,
-    columns_of,
-    number_of,
-    refused_cell,
-    value_of,
-)
+from crankstar.files.columns import Columns
+from crankstar.files.lists import Listed, Row
+from crankstar.files.vibrations import vibration_of
 from crankstar.language.messages import _
-from crankstar.language.quoting import seen
 from crankstar.spectra import Complex
 from crankstar.studies.single_faults import DiagnosisError, Fault, Shaken, catalogue, known, shaken
 
@@ -60,6 +53,7 @@ MOST_IN_PAIRS = 64
 """Faults of which pairs are tried."""
 MUCH_MORE = 0.5
 """Share of what a single fault leaves that a pair must explain to be told."""
+GREATEST_ORDER = 1000.0
 HEADS = {
     "order": "order",
     "up": "up",
@@ -143,64 +137,44 @@ class Diagnosis:
 
 
 def readings_of(listed: Listed, *, speed: float | None) -> tuple[Reading, ...]:
-    """The readings of a list, at a speed (rad/s) unless it has its own. Raises ListError."""
-    columns = columns_of(listed, HEADS, needed=("order", "direction", "amplitude", "phase"))
+    """The readings of a list, at a speed (rad/s) unless it has its own.
+
+    Raises ListError with every mistake.
+    """
+    columns = Columns(listed, HEADS, needed=("order", "direction", "amplitude", "phase"))
     if "speed" not in columns and speed is None:
-        raise ListError(
-            "{file} has no column speed; add it, or give --speed, or speed in the engine file",
-            file=listed.name,
+        columns.refuse_list(
+            _("there is no column speed; add it, or give --speed, or speed in the engine file")
         )
-    return tuple(_reading(listed, row, columns, speed) for row in listed.rows)
+    found = [_reading(columns, row, speed) for row in columns.rows]
+    columns.check()
+    return tuple(found)
 
 
-def _reading(listed: Listed, row: Row, columns: dict[str, int], speed: float | None) -> Reading:
-    order = number_of(listed, row, columns["order"])
-    if not 0 < order <= 1000:
-        raise refused_cell(
-            listed, row, columns["order"], _("an order must be greater than 0, as in 0.5 or 2")
-        )
-    place = tuple(
-        value_of(listed, row, columns[name], LENGTH, usual="mm") if name in columns else 0.0
-        for name in AXES
+def _reading(columns: Columns, row: Row, speed: float | None) -> Reading:
+    """A line; what is mistaken in it is noted, and nan."""
+    order = columns.number(row, "order")
+    if not (0 < order <= GREATEST_ORDER or np.isnan(order)):
+        columns.refuse(row, "order", _("give an order above 0, as in 0.5 or 2"))
+        order = np.nan
+    up, right, z = (
+        columns.value(row, name, LENGTH, usual="mm") if name in columns else 0.0 for name in AXES
     )
-    own = speed if "speed" not in columns else value_of(listed, row, columns["speed"], SPEED)
-    if not own or not own > 0:
-        raise refused_cell(listed, row, columns["speed"], _("the speed must be greater than 0"))
-    word = row.cells[columns["direction"]].strip().lower()
+    own = columns.value(row, "speed", SPEED) if "speed" in columns else speed or np.nan
+    if own <= 0:
+        columns.refuse(row, "speed", _("the speed must be greater than 0"))
+        own = np.nan
+    word = columns.text(row, "direction").lower()
     word = {"vertical": "up", "horizontal": "right", "axial": "z", "along": "z"}.get(word, word)
     sign = -1.0 if word in ("down", "left") else 1.0
     word = {"down": "up", "left": "right"}.get(word, word)
-    if word not in AXES:
-        raise refused_cell(listed, row, columns["direction"], _("give up, down, right, left or z"))
-    size = _velocity(listed, row, columns["amplitude"], order * own)
-    phase = value_of(listed, row, columns["phase"], ANGLE, usual="deg")
-    velocity = sign * size * np.exp(1j * phase)
-    axis = AXES.index(word)
-    return Reading(order, (place[0], place[1], place[2]), axis, complex(velocity), own, row.line)
-
-
-def _velocity(listed: Listed, row: Row, column: int, frequency: float) -> complex:
-    """The amplitude of a cell as that of a velocity, with the phase between them."""
-    quantities = (
-        Quantity("length", "12 um"),
-        Quantity("speed along a line", "3 mm/s"),
-        Quantity("acceleration", "0.5 m/s^2"),
-    )
-    for power, quantity in enumerate(quantities):
-        try:
-            size = value_of(listed, row, column, quantity)
-        except ListError:
-            continue
-        if size < 0:
-            why = _("an amplitude is not negative; its phase says the sign")
-            raise refused_cell(listed, row, column, why)
-        return size * (1j * frequency) ** (1 - power)
-    why = _(
-        "{text} is no displacement, velocity or acceleration; name its unit, as in {example}",
-        text=seen(row.cells[column]),
-        example='"amplitude [um]"',
-    )
-    raise refused_cell(listed, row, column, why)
+    axis = AXES.index(word) if word in AXES else -1
+    if axis < 0 and "direction" in columns:
+        columns.refuse(row, "direction", _("give up, down, right, left or z"))
+    size, rate = vibration_of(columns, row, "amplitude")
+    phase = columns.value(row, "phase", ANGLE, usual="deg")
+    velocity = sign * size * (1j * order * own) ** (1 - rate) * np.exp(1j * phase)
+    return Reading(order, (up, right, z), axis, complex(velocity), own, row.line)
 
 
 def rows_of(found: dict[float, Shaken], readings: Sequence[Reading]) -> Complex:

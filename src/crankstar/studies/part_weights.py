@@ -16,7 +16,8 @@ from crankstar.engine.cylinder_parts import ENDS, RECIPROCATING
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import MASS
 from crankstar.engine.records import Cylinder, Rod
-from crankstar.files.lists import Listed, ListError, columns_of, refused_cell, value_of
+from crankstar.files.columns import Columns
+from crankstar.files.lists import Listed
 from crankstar.language.messages import MessageError, _
 from crankstar.spectra import Real
 
@@ -70,40 +71,42 @@ class Batch:
 
 
 def batch_of(listed: Listed) -> Batch:
-    """The batch of a list. Raises ListError."""
-    columns = columns_of(listed, HEADS)
+    """The batch of a list. Raises ListError with every mistake."""
+    columns = Columns(listed, HEADS)
     weighed = [name for name in WEIGHED if name in columns]
-    if not weighed:
-        raise ListError(
-            "{file} has no weights; name columns piston, pin, small end or big end with their "
-            "unit, as in {example}",
-            file=listed.name,
-            example='"piston [g]"',
+    if not weighed and not columns.mistakes:
+        columns.refuse_list(
+            _(
+                "it has no weights; name columns piston, pin, small end or big end with their "
+                "unit, as in {example}",
+                example='"piston [g]"',
+            )
         )
-    masses = {
-        name: np.array([value_of(listed, row, columns[name], MASS) for row in listed.rows])
-        for name in weighed
-    }
+    masses: dict[str, Real] = {}
     for name in weighed:
-        for row, mass in zip(listed.rows, masses[name], strict=True):
-            if not mass > 0:
-                raise refused_cell(listed, row, columns[name], _("a weight must be greater than 0"))
-    labels = [
-        row.cells[columns["label"]] if "label" in columns else str(place)
-        for place, row in enumerate(listed.rows, 1)
-    ]
-    _refuse_twice(listed, labels, columns.get("label", 0))
+        found = [columns.value(row, name, MASS) for row in columns.rows]
+        for row, mass in zip(columns.rows, found, strict=True):
+            if mass <= 0:
+                columns.refuse(row, name, _("a weight must be greater than 0"))
+        masses[name] = np.array(found)
+    labels = [str(place) for place, _row in enumerate(columns.rows, 1)]
+    if "label" in columns:
+        labels = [columns.text(row, "label") for row in columns.rows]
+        _note_twice(columns, labels)
+    columns.check()
     return Batch(tuple(labels), masses)
 
 
-def _refuse_twice(listed: Listed, labels: Sequence[str], column: int) -> None:
-    for row, label in zip(listed.rows, labels, strict=True):
+def _note_twice(columns: Columns, labels: Sequence[str]) -> None:
+    """Note parts without a name, and names that stand in a line before."""
+    known: set[str] = set()
+    for row, label in zip(columns.rows, labels, strict=True):
         if not label:
-            raise refused_cell(listed, row, column, _("the parts of this line have no name"))
-        if labels.count(label) > 1:
-            raise refused_cell(
-                listed, row, column, _("{name} stands twice; name each part once", name=label)
-            )
+            columns.refuse(row, "label", _("the parts of this line have no name"))
+        elif label in known:
+            twice = _("{name} stands twice; name each part once", name=label)
+            columns.refuse(row, "label", twice)
+        known.add(label)
 
 
 def paired(batch: Batch) -> tuple[tuple[int, ...], Real]:
