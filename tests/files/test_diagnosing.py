@@ -12,7 +12,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.commands import Run
-from tests.methods.test_diagnosis import PLACES, SPEED, file, four, lines, seen, without_weight
+from tests.methods.test_diagnosis import (
+    PLACES,
+    SHAPES,
+    SPEED,
+    file,
+    four,
+    lines,
+    seen,
+    without_weight,
+)
 
 from crankstar.files import engine_of, tree_text
 from crankstar.spectra import Complex
@@ -125,11 +134,16 @@ def test_csv_has_every_order(run: Run) -> None:
         (("four.toml", "--cut", "x"), "give numbers of cylinders"),
         (("four.toml", "--cut", "9"), "no cylinder 9; give one of 1, 2, 3, 4"),
         (("four.toml", "--weaker", "3"), "as in 3=20%"),
-        (("four.toml", "--weaker", "3=120%"), "a share above 0 up to 1"),
+        (("four.toml", "--weaker", "3=120%"), "a share from 0.001 to 1"),
         (("four.toml", "--heavier", "valve.3=20g"), "as in piston.3=20g"),
         (("four.toml", "--heavier", "piston.3=20"), "with a unit"),
         (("four.toml", "--heavier", "piston.3=20 mm"), "a mass is needed"),
         (("four.toml", "--heavier", "piston.3=-5kg"), "lighter by 5000 g: that is more than it"),
+        (("four.toml", "--heavier", "piston.3=0 g"), "that changes nothing"),
+        (("four.toml", "--heavier", "piston.3=20 kg"), "more than 10 times what it weighs"),
+        (("four.toml", "--weaker", "3=0.0000001"), "a share from 0.001 to 1"),
+        (("four.toml", "--cut", "1,2,3,4"), "leave at least one that does"),
+        (("four.toml", "--cut", "1,2,3", "--weaker", "4=100%"), "leave at least one that does"),
         (("four.toml", "--lost-weight", "9"), "there is no weight 9"),
         (("four.toml", "--lost-weight", "balancer.1"), "no shaft balancer"),
         (("i4", "--heavier", "piston.3=20g", "--speed", "800 rpm"), "no masses or sizes"),
@@ -161,6 +175,27 @@ def test_a_mistake_in_a_measurement_is_told_with_its_place(
     text = (tmp_path / "lost.csv").read_text(encoding="utf-8").replace(old, new, 1)
     (tmp_path / "bad.csv").write_text(text, encoding="utf-8")
     assert told in " ".join(refused("diagnose", "four.toml", "bad.csv").split())
+
+
+def test_a_fault_that_none_of_the_orders_has_is_told_in_a_sentence(run: Run) -> None:
+    line = ("fault", "four.toml", "--lost-weight", "2", "--orders", "2,4")
+    said = run(*line).out
+    assert "Nothing changes by more than 0.1 % of the greatest order." in said
+    assert "What changes" not in said
+    assert len(json.loads(run(*line, "--json").out)["orders"]) == 2
+
+
+def test_a_part_that_would_lose_all_of_it_is_told(run: Run, tmp_path: Path) -> None:
+    rest = lines(np.zeros(len(SHAPES)))
+    healthy = expected(four(), rest)
+    one = expected(four(), rest, [Fault("piston", 3)]) - healthy  # 1 kg, more than its 690 g
+    (tmp_path / "m.csv").write_text(listed(healthy - 0.9 * one), encoding="utf-8")
+    said = " ".join(run("diagnose", "four.toml", "m.csv").out.split())
+    assert "A part loses no more than it weighs in the file: piston" in said
+    answer = json.loads(run("diagnose", "four.toml", "m.csv", "--json").out)
+    pistons = [row["size"] for row in answer["suspects"] if row["kind"] == "piston"]
+    assert min(pistons) == pytest.approx(-0.69)
+    assert answer["suspects"][0]["size"] == min(pistons)
 
 
 def test_every_mistake_in_a_measurement_is_told_at_once(refused: Refused, tmp_path: Path) -> None:

@@ -25,8 +25,10 @@ from crankstar.studies.single_faults import (
     catalogue,
     fault_name,
     fault_text,
+    limits,
     receptance,
     shaken,
+    with_fault,
 )
 
 FOUR = """
@@ -268,6 +270,36 @@ def test_faults_that_an_engine_cannot_have_are_refused() -> None:
         shaken(load("subaru-ej25"), [Fault("combustion", 1)], speed=SPEED)
     with pytest.raises(DiagnosisError, match="no masses or sizes"):
         shaken(load("i4"), [Fault("piston", 1)], speed=SPEED)
+
+
+@pytest.mark.parametrize("of", ["piston", "big_end"])
+def test_no_suspect_has_lost_more_than_it_weighs(of: Any) -> None:
+    """A difference that three times the part would have to lose: every suspect can be built."""
+    engine, rest = four(), lines(np.zeros(len(SHAPES)))
+    healthy = expected(engine, rest)
+    one = expected(engine, rest, [Fault(of, 3)]) - healthy
+    least, _most = limits(engine, Fault(of, 3))
+    assert least == pytest.approx({"piston": -0.69, "big_end": -0.44}[of])
+    found = diagnosed(engine, lines(healthy + 3 * least * one))
+    for suspect in [*found.suspects, *([found.pair] if found.pair else [])]:
+        for fault in suspect.faults:
+            with_fault(engine, fault)
+    own = next(each for each in found.suspects if each.faults[0][:2] == (of, 3))
+    assert own.faults[0].size == pytest.approx(least)
+    assert own.explained == pytest.approx(1 - (2 / 3) ** 2)
+
+
+def test_what_a_part_can_lose_is_what_the_engine_can_be_without() -> None:
+    """The least size of every fault is one that the records allow, and a little less is not."""
+    for name in ("audi-25-tfsi", "subaru-ej25", "man-s90mc-c", "napier-lion"):
+        engine = load(name)
+        for fault in catalogue(engine, gas=False):
+            least = limits(engine, fault)[0]
+            if fault.kind == "weight" or not least:
+                continue
+            with_fault(engine, fault._replace(size=least * (1 - 1e-9)))
+            with pytest.raises(DiagnosisError, match="more than it weighs"):
+                with_fault(engine, fault._replace(size=least * 1.001))
 
 
 def test_readings_in_any_unit_and_direction_are_velocities(tmp_path: Path) -> None:

@@ -38,6 +38,8 @@ if TYPE_CHECKING:
     from crankstar.studies.single_faults import Fault
 
 MEASURED = "CSV file (or .xlsx): columns order, up, right, z, direction, amplitude, phase."
+LEAST_SHARE = 0.001
+"""Of a combustion or a weight: less would not be felt."""
 HEAVIER = {"piston": "piston", "big_end": "big_end", "big-end": "big_end", "rod": "big_end"}
 """The parts that may be heavier by their names."""
 
@@ -60,7 +62,7 @@ def fault(
     output: Output = None,
 ) -> None:
     """Tell what would be felt of a fault."""
-    from crankstar.studies.single_faults import shaken
+    from crankstar.studies.single_faults import check_faults, known, shaken
     from crankstar.tables.diagnoses import faults_document
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -78,6 +80,7 @@ def fault(
         raise RequestError(
             "name a fault: --cut 3, --weaker 3=20%, --heavier piston.3=20g or --lost-weight 2"
         )
+    check_faults(known(loaded), faults)
     own = _speed(loaded, turning)
     place = request.reference(at, loaded, option="--at")
     where = None if place is None else (place.up, place.right, place.z)
@@ -176,8 +179,13 @@ def _weaker(texts: Sequence[str] | None) -> list[Fault]:
 def _share(option: str, text: str, value: str) -> float:
     match = re.fullmatch(r"(\d+(?:\.\d*)?|\.\d+)\s*(%?)", value)
     share = -1.0 if match is None else float(match[1]) / (100 if match[2] else 1)
-    if not 0 < share <= 1:
-        raise refusal(option, text, "give a share above 0 up to 1, such as 0.2 or 20%")
+    if not LEAST_SHARE <= share <= 1:
+        raise refusal(
+            option,
+            text,
+            "give a share from {least} to 1, such as 0.2 or 20%",
+            least=f"{LEAST_SHARE:g}",
+        )
     return share
 
 

@@ -7,7 +7,8 @@ squares with complex rows give
     s = Re(a* d)/(a* a),    explained = 1 - |d - s a|^2/|d|^2,
     standard error of s = |d - s a| / (sqrt(2 n - 1) |a|)  for n rows,
 
-s kept within what there can be: shares from 0 to 1, masses of either sign. Rows are velocities, so
+s kept within what there can be (`single_faults.limits`): shares from 0 to 1, masses of either sign
+that leave something of the part. Rows are velocities, so
 that orders weigh alike; where the vibration before the fault was measured too, it stands for y_0,
 and errors of the model cancel. Two faults cannot be told apart where the cosine of the angle
 between their columns is ALIKE or more. Pairs are tried as well, and told where they explain much
@@ -33,7 +34,16 @@ from crankstar.files.lists import Listed, Row
 from crankstar.files.vibrations import vibration_of
 from crankstar.language.messages import _
 from crankstar.spectra import Complex
-from crankstar.studies.single_faults import DiagnosisError, Fault, Shaken, catalogue, known, shaken
+from crankstar.studies.single_faults import (
+    DiagnosisError,
+    Fault,
+    Shaken,
+    catalogue,
+    known,
+    limits,
+    own_mass,
+    shaken,
+)
 
 Axis = Literal["up", "right", "z"]
 AXES: tuple[Axis, ...] = ("up", "right", "z")
@@ -231,7 +241,7 @@ def diagnosed(
     whole = max(float(np.linalg.norm(measured)), float(np.linalg.norm(start)))
     share = size / whole if whole else 0.0
     suspects = [
-        _suspect(difference, [fault], [column])
+        _suspect(engine, difference, [fault], [column])
         for fault, column in zip(faults, columns, strict=True)
         if np.linalg.norm(column) > 0
     ]
@@ -242,7 +252,7 @@ def diagnosed(
         difference,
         share,
         tuple(suspects),
-        _pair(difference, faults, columns, suspects),
+        _pair(engine, difference, faults, columns, suspects),
         _alike(suspects),
     )
 
@@ -263,20 +273,18 @@ def _matching(readings: Sequence[Reading], before: Sequence[Reading]) -> Complex
     return np.array(out)
 
 
-def _bounds(fault: Fault) -> tuple[float, float]:
-    return (0.0, 1.0) if fault.kind in ("weight", "combustion") else (-np.inf, np.inf)
-
-
-def _suspect(difference: Complex, faults: Sequence[Fault], columns: Sequence[Complex]) -> Suspect:
-    """Faults of the sizes with which they explain most."""
+def _suspect(
+    engine: Engine, difference: Complex, faults: Sequence[Fault], columns: Sequence[Complex]
+) -> Suspect:
+    """Faults of the sizes with which they explain most, within what there can be."""
     rows = np.array(columns).T
     real = np.concatenate([np.real(rows), np.imag(rows)])
     aim = np.concatenate([np.real(difference), np.imag(difference)])
     sizes = np.linalg.lstsq(real, aim, rcond=None)[0]
-    limits = np.array([_bounds(fault) for fault in faults])
-    if (np.clip(sizes, limits[:, 0], limits[:, 1]) != sizes).any() and len(faults) > 1:
-        sizes = lsq_linear(real, aim, bounds=(limits[:, 0], limits[:, 1])).x
-    sizes = np.clip(sizes, limits[:, 0], limits[:, 1])
+    least, most = np.array([limits(engine, fault) for fault in faults]).T
+    if (np.clip(sizes, least, most) != sizes).any() and len(faults) > 1:
+        sizes = lsq_linear(real, aim, bounds=(least, most)).x
+    sizes = np.clip(sizes, least, most)
     explained = rows @ sizes
     whole = float(np.vdot(difference, difference).real)
     left = difference - explained
@@ -290,7 +298,11 @@ def _suspect(difference: Complex, faults: Sequence[Fault], columns: Sequence[Com
 
 
 def _pair(
-    difference: Complex, faults: Sequence[Fault], columns: Complex, suspects: Sequence[Suspect]
+    engine: Engine,
+    difference: Complex,
+    faults: Sequence[Fault],
+    columns: Complex,
+    suspects: Sequence[Suspect],
 ) -> Suspect | None:
     """The best pair, where it explains MUCH_MORE of what the best single fault leaves."""
     best: Suspect | None = None
@@ -299,7 +311,8 @@ def _pair(
     for one, other in combinations(range(len(faults)), 2):
         if abs(_cosine(columns[one], columns[other])) >= ALIKE:
             continue
-        pair = _suspect(difference, [faults[one], faults[other]], [columns[one], columns[other]])
+        both = [faults[one], faults[other]], [columns[one], columns[other]]
+        pair = _suspect(engine, difference, *both)
         if best is None or pair.explained > best.explained + 1e-9:
             best = pair
     single = suspects[0].explained if suspects else 0.0
@@ -314,9 +327,7 @@ def _doubtful(engine: Engine, fault: Fault) -> float:
         return 1 - fault.size
     if fault.kind == "combustion":
         return 0.0
-    cylinder = next(each for each in engine.cylinders if each.number == fault.number)
-    turning = max(cylinder.rotating, engine.throw(cylinder).turning_mass)
-    whole = cylinder.reciprocating if fault.kind == "piston" else turning
+    whole = own_mass(engine, fault)
     return min(abs(fault.size) / whole, 1.0) if whole > 0 else 1.0
 
 

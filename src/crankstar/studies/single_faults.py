@@ -40,6 +40,8 @@ from crankstar.studies.part_weights import with_parts
 Kind = Literal["piston", "big_end", "weight", "combustion"]
 HIGHEST = 6.0
 """The highest order where none are chosen."""
+MOST_TIMES = 10.0
+"""So many times its mass in the file a part may be heavier; more is a slip of the unit."""
 
 
 class DiagnosisError(MessageError):
@@ -216,6 +218,65 @@ def shaken(
     gas = gas_orders(engine, faults, speed=speed, point=point, orders=wanted)
     push[:, 5] -= sums.force.sense * gas
     return Shaken(engine, speed, wanted, push, torque + gas)
+
+
+def limits(engine: Engine, fault: Fault) -> tuple[float, float]:
+    """The least and the greatest size that a fault can have: kg of a part, or a share.
+
+    A part cannot lose more than it weighs in the file.
+
+    >>> from crankstar.files.catalog import load
+    >>> limits(load("subaru-ej25"), Fault("combustion", 1))
+    (0.0, 1.0)
+    """
+    if fault.kind in ("combustion", "weight"):
+        return 0.0, 1.0
+    whole = own_mass(engine, fault)
+    return -whole, MOST_TIMES * whole if whole > 0 else np.inf
+
+
+def own_mass(engine: Engine, fault: Fault) -> float:
+    """What the part of a fault weighs in the file, kg: all that its fault takes from, or adds to.
+
+    Without `parts` that is all that goes up and down with a piston, or hangs on its crank pin.
+    """
+    cylinder = next(each for each in engine.cylinders if each.number == fault.number)
+    if cylinder.parts is not None:
+        return cylinder.parts.piston if fault.kind == "piston" else cylinder.parts.big_end
+    if fault.kind == "piston":
+        return cylinder.reciprocating_mass
+    if cylinder.rod is not None:
+        return cylinder.rod.shares(cylinder.rod_length)[0]
+    if cylinder.articulated is not None:
+        return cylinder.big_end_mass
+    return engine.throw(cylinder).rotating_mass
+
+
+def check_faults(engine: Engine, faults: Sequence[Fault]) -> None:
+    """Raises DiagnosisError for faults without effect, or after which no engine would run."""
+    for fault in faults:
+        if fault.size == 0:
+            raise DiagnosisError(
+                "{what}: that changes nothing; give how much", what=fault_text(fault, engine)
+            )
+        with_fault(engine, fault)
+        most = limits(engine, fault)[1]
+        if fault.size > most:
+            raise DiagnosisError(
+                "{what}: that is more than {times} times what it weighs in the file; check its "
+                "unit",
+                what=fault_text(fault, engine),
+                times=f"{MOST_TIMES:g}",
+            )
+    lost: dict[int, float] = {each.chamber or each.number: 0.0 for each in engine.cylinders}
+    for fault in faults:
+        if fault.kind == "combustion":
+            cylinder = next(each for each in engine.cylinders if each.number == fault.number)
+            lost[cylinder.chamber or cylinder.number] += fault.size
+    if min(lost.values()) > 1 - 1e-9:
+        raise DiagnosisError(
+            "no cylinder would fire, and the engine would stop; leave at least one that does"
+        )
 
 
 def _check_shares(engine: Engine, faults: Sequence[Fault]) -> None:

@@ -14,7 +14,7 @@ from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Complex, Real
 from crankstar.studies.diagnosis import AXES, FEW, Diagnosis, Suspect
-from crankstar.studies.single_faults import Fault, Shaken, fault_text
+from crankstar.studies.single_faults import Fault, Shaken, fault_text, limits
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
@@ -22,6 +22,7 @@ ROWS = 12
 """Suspects that are shown to readers; all are in JSON and CSV."""
 VISIBLE = 1e-3
 """Share of the greatest of a column from which a change is told."""
+SAME_MASS = 1e-6
 SHARES = ("weight", "combustion")
 """Faults whose size is a share of what there is; that of others is a mass."""
 NAMES = {"up": N_("up"), "right": N_("right"), "z": N_("along")}
@@ -72,7 +73,15 @@ def faults_document(
         "faults": [_plain(fault) for fault in faults],
         "new_orders": fresh,
     }
-    parts: list[Table | Remarks] = [*remarks(*lines), table, *remarks(*notes, kind="note")]
+    if not (every or table.rows):
+        lines.append(
+            _(
+                "Nothing changes by more than {share} % of the greatest order.",
+                share=number(100 * VISIBLE),
+            )
+        )
+    parts: list[Table | Remarks] = [*remarks(*lines), *([table] if every or table.rows else [])]
+    parts += remarks(*notes, kind="note")
     return Document(engine.name, tuple(parts), facts)
 
 
@@ -176,6 +185,15 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
         if found.engine.mounts
         else _("The block is taken as free: the file has no mounts."),
     ]
+    told = found.suspects if every else suspects_of(found)[:ROWS]
+    spent = [each.faults[0] for each in told if _takes_all(each.faults[0], found)]
+    if spent and not found.healthy:
+        notes.append(
+            _(
+                "A part loses no more than it weighs in the file: {faults}.",
+                faults="; ".join(fault_text(fault, found.engine) for fault in spent),
+            )
+        )
     facts = {
         "format": 1,
         "difference_share": found.share,
@@ -185,6 +203,12 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
         "cannot_be_told_apart": [_plain_suspect(each) for each in found.alike],
     }
     return Document(found.engine.name, (*parts, *remarks(*notes, kind="note")), facts)
+
+
+def _takes_all(fault: Fault, found: Diagnosis) -> bool:
+    """Whether a part would have to lose all that it weighs."""
+    least = limits(found.engine, fault)[0]
+    return fault.size < 0 and fault.size <= least * (1 - SAME_MASS)
 
 
 def _plain_suspect(suspect: Suspect) -> dict[str, Any]:
