@@ -75,12 +75,8 @@ def guide(
             loaded,
             numbers=counts,
             given=orders,
-<<<<<<< HEAD
             published=published_orders(loaded.cycle, counts),
-            options=goals_of(words),
-=======
             options=goals,
->>>>>>> ac8b40fa (cli: name all that is wrong at once, and the option really given)
             drive=drive,
             point=point or "",
             speed=turning,
