@@ -46,6 +46,8 @@ def listed(velocities: Complex) -> str:
 def _files(tmp_path: Path) -> None:
     """The files lie in the directory where the commands run."""
     (tmp_path / "four.toml").write_text(tree_text(file()), encoding="utf-8")
+    cold = {key: value for key, value in file().items() if key != "gas"}
+    (tmp_path / "cold.toml").write_text(tree_text(cold), encoding="utf-8")
     (tmp_path / "healthy.csv").write_text(listed(seen(four())), encoding="utf-8")
     (tmp_path / "lost.csv").write_text(listed(seen(without_weight(2))), encoding="utf-8")
 
@@ -144,6 +146,8 @@ def test_csv_has_every_order(run: Run) -> None:
         (("four.toml", "--weaker", "3=0.0000001"), "a share from 0.001 to 1"),
         (("four.toml", "--cut", "1,2,3,4"), "leave at least one that does"),
         (("four.toml", "--cut", "1,2,3", "--weaker", "4=100%"), "leave at least one that does"),
+        (("four.toml", "--cut", "3", "--orders", "0.3,1"), "order 0.3 does not occur"),
+        (("cold.toml", "--lost-weight", "2", "--orders", "0.5"), "those that do are 1, 2, 3"),
         (("four.toml", "--lost-weight", "9"), "there is no weight 9"),
         (("four.toml", "--lost-weight", "balancer.1"), "no shaft balancer"),
         (("i4", "--heavier", "piston.3=20g", "--speed", "800 rpm"), "no masses or sizes"),
@@ -162,6 +166,7 @@ def test_a_fault_that_cannot_be_is_one_sentence(
         ("phase [deg]", "", 'the column "" is not known'),
         ("direction, ", "serial, ", 'the column "serial" is not known'),
         ("\n0.5, ", "\n0, ", 'line 2, column "order": give an order above 0'),
+        ("\n0.5, ", "\n0.4, ", 'line 2, column "order": order 0.4 does not occur'),
         ("\n0.5, ", "\nhalf, ", '"half" is no number'),
         (", up, ", ", sideways, ", "give up, down, right, left or z"),
         ("[mm/s]", "[V]", 'line 1, column "amplitude [V]": it has no unit of a displacement'),

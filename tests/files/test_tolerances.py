@@ -386,6 +386,7 @@ def test_a_spreadsheet_and_a_picture_are_written(run: Run, tmp_path: Path) -> No
         (("i4", "--distribution", "flat"), "normal, uniform"),
         (("i4", "--quantity", "noise"), "--quantity noise"),
         (("i4", "--orders", "-1"), "--orders"),
+        (("i4", "--orders", "0.5,2"), "order 0.5 does not occur in"),
         (("i4", "--set", "cylinder.rotating_mass=0.5 +- 2 g"), "cylinder.rotating_mass"),
         (("i4", "--set", "speed=3000 rpm +- 1 %"), "no force"),
         (("i4", "--theme", "dark"), "--theme"),

@@ -26,6 +26,7 @@ from crankstar.engine.quantities import MASS
 from crankstar.files import units
 from crankstar.files.lists import ListError, read_list
 from crankstar.language.messages import _
+from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
 from crankstar.options.forms import PICTURES, TABLES, form_of
@@ -81,6 +82,7 @@ def fault(
             "name a fault: --cut 3, --weaker 3=20%, --heavier piston.3=20g or --lost-weight 2"
         )
     check_faults(known(loaded), faults)
+    check_orders(loaded, wanted or (), gas=loaded.gas is not None or point is not None)
     own = _speed(loaded, turning)
     place = request.reference(at, loaded, option="--at")
     where = None if place is None else (place.up, place.right, place.z)
@@ -116,8 +118,8 @@ def diagnose(
     )
     own = turning or loaded.speed
     found_lists = together(
-        partial(_readings, measured, own),
-        *([partial(_readings, before, own)] if before is not None else []),
+        partial(_readings, measured, loaded, own),
+        *([partial(_readings, before, loaded, own)] if before is not None else []),
     )
     healthy: Sequence[Reading] = found_lists[1] if before is not None else ()
     with working(_("Trying every fault ...")), words_for(form if form in TABLES else "txt"):
@@ -138,11 +140,11 @@ def _draw(found: Diagnosis, form: str, output: str | None) -> None:
     write_bytes(drawing.saved_print(made, form, title=title), output)
 
 
-def _readings(place: str, speed: float | None) -> Sequence[Reading]:
+def _readings(place: str, engine: Engine, speed: float | None) -> Sequence[Reading]:
     from crankstar.studies.diagnosis import readings_of
 
     try:
-        return readings_of(read_list(place), speed=speed)
+        return readings_of(read_list(place), engine, speed=speed)
     except ListError as error:
         raise RequestError(str(error)) from None
 

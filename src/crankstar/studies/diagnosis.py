@@ -33,6 +33,7 @@ from crankstar.files.columns import Columns
 from crankstar.files.lists import Listed, Row
 from crankstar.files.vibrations import vibration_of
 from crankstar.language.messages import _
+from crankstar.mechanics.occurring_orders import OrderError, check_orders
 from crankstar.spectra import Complex
 from crankstar.studies.single_faults import (
     DiagnosisError,
@@ -146,8 +147,8 @@ class Diagnosis:
         return self.share < NEXT_TO_NOTHING or (self.share < NOTHING and not self.found)
 
 
-def readings_of(listed: Listed, *, speed: float | None) -> tuple[Reading, ...]:
-    """The readings of a list, at a speed (rad/s) unless it has its own.
+def readings_of(listed: Listed, engine: Engine, *, speed: float | None) -> tuple[Reading, ...]:
+    """The readings of a list about an engine, at a speed (rad/s) unless it has its own.
 
     Raises ListError with every mistake.
     """
@@ -156,17 +157,14 @@ def readings_of(listed: Listed, *, speed: float | None) -> tuple[Reading, ...]:
         columns.refuse_list(
             _("there is no column speed; add it, or give --speed, or speed in the engine file")
         )
-    found = [_reading(columns, row, speed) for row in columns.rows]
+    found = [_reading(columns, row, engine, speed) for row in columns.rows]
     columns.check()
     return tuple(found)
 
 
-def _reading(columns: Columns, row: Row, speed: float | None) -> Reading:
+def _reading(columns: Columns, row: Row, engine: Engine, speed: float | None) -> Reading:
     """A line; what is mistaken in it is noted, and nan."""
-    order = columns.number(row, "order")
-    if not (0 < order <= GREATEST_ORDER or np.isnan(order)):
-        columns.refuse(row, "order", _("give an order above 0, as in 0.5 or 2"))
-        order = np.nan
+    order = _order(columns, row, engine)
     up, right, z = (
         columns.value(row, name, LENGTH, usual="mm") if name in columns else 0.0 for name in AXES
     )
@@ -185,6 +183,21 @@ def _reading(columns: Columns, row: Row, speed: float | None) -> Reading:
     phase = columns.value(row, "phase", ANGLE, usual="deg")
     velocity = sign * size * (1j * order * own) ** (1 - rate) * np.exp(1j * phase)
     return Reading(order, (up, right, z), axis, complex(velocity), own, row.line)
+
+
+def _order(columns: Columns, row: Row, engine: Engine) -> float:
+    """The order of a line; one that the engine cannot have is noted, its file having gas or not."""
+    order = columns.number(row, "order")
+    if np.isnan(order):
+        return order
+    if not 0 < order <= GREATEST_ORDER:
+        columns.refuse(row, "order", _("give an order above 0, as in 0.5 or 2"))
+        return np.nan
+    try:
+        check_orders(engine, [order], gas=True)
+    except OrderError as error:
+        columns.refuse(row, "order", str(error))
+    return order
 
 
 def rows_of(found: dict[float, Shaken], readings: Sequence[Reading]) -> Complex:

@@ -18,6 +18,7 @@ from crankstar.language.quoting import seen
 from crankstar.mechanics.balance import Units, balance, default_reference, scales
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.mechanism import mechanism
+from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.mechanics.remains import USUAL_ORDERS, orders_shown, summed
 from crankstar.spectra import ROUNDING, Real, checked
 from crankstar.studies.builds import DEVIATION, Builds, Distribution, Tell, builds, out_of_reach
@@ -148,7 +149,7 @@ def scatter(
     `assume`: "typical" takes published tolerances for masses that the file gives none for.
     `distribution`: "normal" with a standard deviation of a third of the bound, or "uniform".
     `count` engines are built at random, the same ones for the same `seed`.
-    Raises ScatterError, EngineFileError.
+    Raises ScatterError, EngineFileError, OrderError for an order that does not occur.
 
     Six pistons with 3 g scatter each (1 g of standard deviation), whatever the crank: order 1 has
     sqrt(6) m r w^2 of 1 g.
@@ -187,6 +188,7 @@ def scatter_of(
     """The scatter of the tree of a file. Raises as `scatter` does."""
     check(distribution, count, orders, seed=seed, assume=assume)
     own = engine_of(source.tree, name=source.name) if source.engine is None else source.engine
+    check_orders(own, orders or (), gas=False)
     given = tolerances_of(source.tree)
     assumed = typical(source.tree, own, given) if assume == "typical" else {}
     added = {path: each.tolerance for path, each in assumed.items() if path not in given}

@@ -34,6 +34,7 @@ from crankstar.mechanics.excitation import Reference, Totals, part_spectra, tota
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.mechanism import mechanism
+from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.spectra import Complex, Real
 from crankstar.studies.part_weights import with_parts
 
@@ -195,7 +196,9 @@ def shaken(
     point: str = "",
     orders: Sequence[float] = (),
 ) -> Shaken:
-    """What shakes the block of an engine with faults at a speed (rad/s). Raises DiagnosisError.
+    """What shakes the block of an engine with faults at a speed (rad/s).
+
+    Raises DiagnosisError, and OrderError for an order that the engine cannot have.
 
     >>> from crankstar.files.catalog import load
     >>> six, cut = load("audi-25-tfsi"), [Fault("combustion", 2)]
@@ -204,6 +207,7 @@ def shaken(
     True
     """
     engine = known(engine)
+    check_orders(engine, orders, gas=True)
     built = engine
     _check_shares(engine, faults)
     for fault in faults:
