@@ -117,6 +117,7 @@ def test_a_mistake_in_the_list_is_told_with_its_place(
         (("triple.toml", "none.csv"), "none.csv: there is no such file"),
         (("i4", "w.csv"), "gives no masses"),
         (("triple.toml", "w.csv", "--orders", "0"), "give numbers above 0"),
+        (("triple.toml", "w.csv", "--orders", "0.5,1"), "those that do are 1, 2, 3, 4"),
         (("triple.toml", "w.csv", "--quantity", "roll"), "choose from force, couple"),
         (("triple.toml", "w.csv", "--engines", "0"), "whole number from 1 to 100"),
         (("triple.toml", "w.csv", "--classes", "2 mm"), "a mass is needed"),
@@ -170,7 +171,39 @@ def test_the_force_names_its_speed_and_that_the_couple_is_in_it(run: Run) -> Non
 
 
 def test_orders_that_no_part_makes_are_refused(refused: Refused) -> None:
-    assert "makes an order 0.3" in refused("match", "triple.toml", "w.csv", "--orders", "0.3")
+    told = refused("match", "triple.toml", "w.csv", "--orders", "3")
+    assert "no part of this engine makes an order 3" in told
+
+
+def test_parts_that_are_alike_leave_nothing_and_need_no_order(run: Run, tmp_path: Path) -> None:
+    """Pistons that differ and pins that make up for it, in any order: no rounding is told."""
+    (tmp_path / "p.csv").write_text(
+        "piston [g], pin [g]\n412.1, 99.9\n412.3, 99.7\n412.2, 99.8\n", encoding="utf-8"
+    )
+    answer = json.loads(run("match", "triple.toml", "p.csv", "--json").out)
+    left = {row["parts"]: row["unbalance"] for row in answer["left"]}
+    assert [left[name] for name in ("matched", "as_listed", "by_chance", "alike")] == [0] * 4
+    assert (
+        "The parts are alike: every assignment leaves 0" in run("match", "triple.toml", "p.csv").out
+    )
+    whole = json.loads(run("match", "triple.toml", "p.csv", "--whole", "--json").out)
+    assert whole["left"][0]["unbalance"] == pytest.approx(whole["whole_alike"], rel=1e-9)
+    other = json.loads(run("match", "triple.toml", "w.csv", "--json").out)
+    assert other["left"][0]["unbalance"] > 1e-6
+
+
+def test_nothing_is_written_where_one_of_the_files_cannot_be(
+    refused: Refused, tmp_path: Path
+) -> None:
+    line = ("match", "triple.toml", "w.csv", "--engine-file", "new.toml")
+    assert "no such directory" in refused(*line, "-o", "none/x.csv")
+    assert "would be lost" in refused(*line[:-1], "x.json", "-o", "x.json")
+    assert not (tmp_path / "new.toml").exists()
+    assert not (tmp_path / "x.json").exists()
+    (tmp_path / "own-3.toml").mkdir()
+    several = ("--engines", "3", "--engine-file", "own.toml")
+    assert "it is a directory" in refused("match", "triple.toml", "w.csv", *several)
+    assert not (tmp_path / "own-1.toml").exists()
 
 
 def test_engine_files_never_replace_what_is_read(refused: Refused, tmp_path: Path) -> None:
@@ -179,6 +212,6 @@ def test_engine_files_never_replace_what_is_read(refused: Refused, tmp_path: Pat
     (tmp_path / "e-1.toml").write_text(before, encoding="utf-8")
     same = ("--engine-file", "triple.toml")
     assert "would be lost" in refused("match", "triple.toml", "w.csv", *same)
-    several = ("--engines", "1", "--engine-file", "e.toml")
+    several = ("--engines", "2", "--engine-file", "e.toml")
     assert "would be lost" in refused("match", "e-1.toml", "w.csv", *several)
     assert (tmp_path / "e-1.toml").read_text(encoding="utf-8") == before

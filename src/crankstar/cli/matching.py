@@ -68,7 +68,7 @@ def match(
     from crankstar.tables.matching import division_document, matching_document
 
     form = form_of(output, TABLES, json=json, csv=csv)
-    batch, (loaded, tree), turning, wanted, of, widths, count, _file = together(
+    batch, (loaded, tree), turning, wanted, of, widths, count, places = together(
         partial(_batch, weights),
         partial(engine_with_tree, engine, settings),
         partial(request.speed, speed),
@@ -76,10 +76,10 @@ def match(
         partial(_quantities, quantity),
         partial(_widths, classes),
         partial(request.within, "--engines", engines, most=MOST_ENGINES),
-        partial(_engine_file, engine_file),
+        partial(_engine_files, engine_file, engines or 1, apart=(engine, weights, output)),
     )
-    for at in range(1, (count or 0) + 1):
-        _keep_apart(engine_file, at, (engine, weights))
+    if output is not None:
+        writable(output)
     own = turning or loaded.speed
     rest = {"orders": wanted, "quantities": of, "classes": widths, "whole": whole}
     with (
@@ -102,15 +102,13 @@ def match(
             built = [each.engine for each in division.engines]
         if stop.is_set():
             complain(_("Interrupted: what follows is the best so far, and not proved."))
-    if engine_file is not None:
-        for at, each in enumerate(built, 1):
-            place = engine_file if len(built) == 1 else _with_number(engine_file, at)
-            write_engine(
-                with_values(each, name=_name(loaded.name, at, len(built))),
-                tree,
-                place,
-                option="--engine-file",
-            )
+    for at, (each, place) in enumerate(zip(built, places, strict=False), 1):
+        write_engine(
+            with_values(each, name=_name(loaded.name, at, len(built))),
+            tree,
+            place,
+            option="--engine-file",
+        )
     give(document, output, form=form)
 
 
@@ -160,24 +158,25 @@ def _widths(text: str | None) -> list[float]:
     return [size("--classes", part, MASS) for part in parts]
 
 
-def _engine_file(place: str | None) -> None:
-    """Refuse a name under which no engine can be written."""
+def _engine_files(place: str | None, count: int, *, apart: Sequence[str | None]) -> list[str]:
+    """The files of the engines, of several each with its number.
+
+    Raises RequestError for a name under which no engine can be written, or that of a file that is
+    read or written besides.
+    """
     if place is None:
-        return
+        return []
     if suffix_of(place) not in ENGINES:
         raise refusal("--engine-file", place, "the name must end in .toml, .json or .xlsx")
-    writable(place, option="--engine-file")
-
-
-def _with_number(place: str, number: int) -> str:
     path = PurePath(place)
-    return str(path.with_name(f"{path.stem}-{number}{path.suffix}"))
-
-
-def _keep_apart(engine_file: str | None, number: int, sources: Sequence[str]) -> None:
-    """Refuse to write an engine on a file that is read. Raises RequestError."""
-    place = "" if engine_file is None else _with_number(engine_file, number)
-    if place and any(realpath(place) == realpath(source) for source in sources):
-        raise refusal(
-            "--engine-file", place, "it is read by this command and would be lost; name another"
-        )
+    several = [f"{path.stem}-{number}{path.suffix}" for number in range(1, count + 1)]
+    places = [place] if count == 1 else [str(path.with_name(name)) for name in several]
+    for each in places:
+        if any(realpath(each) == realpath(other) for other in apart if other is not None):
+            raise refusal(
+                "--engine-file",
+                each,
+                "it is read or written besides and would be lost; name another",
+            )
+        writable(each, option="--engine-file")
+    return places

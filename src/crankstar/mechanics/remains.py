@@ -79,6 +79,15 @@ def _cleared(whole: Spectrum, beside: Real, *, none: bool = False) -> Spectrum:
     return replace(whole, forward=whole.forward * kept, backward=whole.backward * kept)
 
 
+def kept(size: float, *, beside: float) -> float:
+    """The size of a sum, zero where it is negligible beside the sizes that it was added up from.
+
+    >>> kept(2e-12, beside=0.04), kept(2e-3, beside=0.04)
+    (0.0, 0.002)
+    """
+    return size if size > NEGLIGIBLE * beside else 0.0
+
+
 def sizes(spectrum: Spectrum) -> Real:
     """The greatest value over a turn of each order, |forward| + |backward| [..., order]."""
     return np.abs(spectrum.forward) + np.abs(spectrum.backward)

@@ -29,6 +29,9 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.language.faults import EngineError
+from crankstar.language.numbers import NEGLIGIBLE
+from crankstar.mechanics.occurring_orders import check_orders
+from crankstar.mechanics.remains import kept
 from crankstar.spectra import Real
 from crankstar.studies.assignments import Kind, Watch, least
 from crankstar.studies.matched_orders import ORDERS, LinearUnbalance, Minimised, linear_unbalance
@@ -81,6 +84,11 @@ class Matched:
     whole_alike: float
     left_over: int = 0
 
+    @property
+    def any_order(self) -> bool:
+        """Whether every assignment leaves the same, the parts being alike."""
+        return abs(self.by_chance - self.unbalance) <= NEGLIGIBLE * self.by_chance
+
 
 class _Masses(NamedTuple):
     """The items of a kind: each item's masses [item, 2], more than the mean of the engine's own."""
@@ -105,7 +113,8 @@ def matched(
     for which its crankshaft is balanced afterwards; or of the `whole` engine with the
     counterweights that it has. Parts that are too many are left over, whichever that are best.
 
-    Raises MatchingError where there are too few parts, or the engine cannot tell their effect.
+    Raises MatchingError where there are too few parts, or the engine cannot tell their effect,
+    OrderError for an order that does not occur.
 
     >>> from crankstar.files.catalog import load
     >>> parts = {"piston": np.array([0.412, 0.410, 0.411, 0.413])}
@@ -121,6 +130,7 @@ def matched(
             items=batch.size,
             count=count,
         )
+    check_orders(engine, orders, gas=False)
     law = linear_unbalance(engine, orders=orders, quantities=quantities)
     if not (law.reciprocating.any() or law.rotating.any()):
         raise MatchingError(
@@ -142,22 +152,30 @@ def matched(
         before = base(engine, _fitted(batch, places))
     start = fixed + _sum(each, [tuple(range(count))] * len(each))
     scatter = sum(_scatter(counted, masses.items) for masses in kinds)
+    pushed = float(np.linalg.norm(law.fixed)) + sum(
+        float(np.linalg.norm(_vectors(law, masses.items), axis=2).max(axis=0).sum())
+        for masses in kinds
+    )
+
+    def size(rows: Real | float) -> float:
+        return kept(float(np.linalg.norm(rows)), beside=pushed)
+
     built = _built(engine, _added(batch, before, places))
     alike = _alike(law, before, batch if whole else _fitted(batch, places))
     return Matched(
         engine=built,
         law=law,
         places=places,
-        unbalance=found.length,
+        unbalance=size(found.length),
         proved=found.proved,
-        as_listed=float(np.linalg.norm(start)),
-        by_chance=float(np.sqrt(mean @ mean + scatter)),
-        fixed=float(np.linalg.norm(mean)),
+        as_listed=size(start),
+        by_chance=size(np.sqrt(mean @ mean + scatter)),
+        fixed=size(mean),
         classes=tuple(_by_class(law, batch, mean, width) for width in classes),
         quantities=tuple(quantities),
         whole=whole,
-        whole_unbalance=float(np.linalg.norm(_of_engine(law, batch, before, places))),
-        whole_alike=float(np.linalg.norm(alike)),
+        whole_unbalance=size(_of_engine(law, batch, before, places)),
+        whole_alike=size(alike),
         left_over=batch.size - count,
     )
 

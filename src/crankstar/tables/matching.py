@@ -207,6 +207,8 @@ def _engines_table(engines: Sequence[Matched], speed: float | None) -> Table:
 
 def _said(batch: Batch, found: Matched) -> str:
     size = quantity_text(found.unbalance, "kg*m")
+    if found.any_order:
+        return _("The parts are alike: every assignment leaves {size}.", size=size)
     if not found.proved:
         return _("{size} is the best that was found; that it is least is not proved.", size=size)
     if "piston" in batch.masses and "pin" in batch.masses:
