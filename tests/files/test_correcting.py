@@ -41,6 +41,7 @@ def test_the_corrections_of_trial_runs_bring_the_vibration_to_nought(
     first = initial + matrix @ np.array([400e-6, 0])
     assert first == pytest.approx([polar(4.1, 75), polar(3.6, 205)])
     assert [round(row["share_percent"], 1) for row in said["left"]] == [6.2, 7.6]
+    assert said["left_share"] < 0.1
 
 
 def test_unbalance_of_a_machine_is_drilled_in_the_correction_planes(run: Run) -> None:
@@ -206,3 +207,99 @@ def test_influence_coefficients_are_told_as_vectors(run: Run, tmp_path: Path) ->
     size, phase = map(float, line.split()[2:4])
     assert size == pytest.approx(abs(first), rel=1e-3)
     assert phase == pytest.approx(np.degrees(np.angle(first)) % 360, abs=0.1)
+
+
+NEXT = """run, bearing 1 [mm/s], phase 1, bearing 2 [mm/s], phase 2 [deg]
+initial, 3.3, 80, 4.4, 300
+"""
+
+
+def saved(run: Run, tmp_path: Path) -> None:
+    """The runs, the coefficients that they show, the initial run of the next rotor."""
+    (tmp_path / "runs.csv").write_text(RUNS, encoding="utf-8")
+    (tmp_path / "next.csv").write_text(NEXT, encoding="utf-8")
+    run("correct", "runs.csv", "--save-coefficients", "known.csv")
+
+
+def test_saved_coefficients_are_read_as_they_were(run: Run, tmp_path: Path) -> None:
+    saved(run, tmp_path)
+    first = json.loads(run("correct", "runs.csv", "--json").out)["influence"]
+    known = ("--coefficients", "known.csv", "--json")
+    again = json.loads(run("correct", "next.csv", *known).out)
+    assert again["influence"] == [[pytest.approx(each, rel=1e-9) for each in row] for row in first]
+    matrix = np.array([[complex(*each) for each in row] for row in again["influence"]])
+    added = np.array([polar(row["unbalance"], row["at_deg"]) for row in again["added"]])
+    initial = np.array([polar(3.3, 80), polar(4.4, 300)])
+    assert initial + matrix @ added == pytest.approx(0, abs=0.01)  # at_deg has one decimal
+    planes = np.array([polar(row["unbalance"], row["heavy_spot_deg"]) for row in again["planes"]])
+    assert matrix @ planes == pytest.approx(initial, abs=0.01)
+
+
+def test_the_next_rotor_may_be_measured_in_another_unit_of_the_same_kind(
+    run: Run, tmp_path: Path
+) -> None:
+    saved(run, tmp_path)
+    inches = NEXT.replace("bearing 1 [mm/s]", "bearing 1 [in/s]").replace(
+        " 3.3,", f" {3.3 / 25.4},"
+    )
+    (tmp_path / "inches.csv").write_text(inches, encoding="utf-8")
+    own, other = (
+        json.loads(run("correct", name, "--coefficients", "known.csv", "--json").out)["planes"]
+        for name in ("next.csv", "inches.csv")
+    )
+    assert [row["unbalance"] for row in other] == [
+        pytest.approx(row["unbalance"], rel=1e-9) for row in own
+    ]
+
+
+@pytest.mark.parametrize(("left", "told"), [(0.1, "hold as nearly as that"), (0.6, "do not hold")])
+def test_a_check_run_says_whether_the_coefficients_hold(
+    run: Run, tmp_path: Path, left: float, told: str
+) -> None:
+    saved(run, tmp_path)
+    check = f"check, {3.3 * left}, 80, {4.4 * left}, 300\n"
+    (tmp_path / "next.csv").write_text(NEXT + check, encoding="utf-8")
+    line = ("correct", "next.csv", "--coefficients", "known.csv")
+    said = " ".join(run(*line).out.split())
+    assert f"The check run has {100 * left:g} % of the vibration before." in said
+    assert told in said
+    answer = json.loads(run(*line, "--json").out)
+    assert answer["left_share"] == pytest.approx(left)
+    assert [row["share_percent"] for row in answer["left"]] == [pytest.approx(100 * left)] * 2
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        (("runs.csv", "--coefficients", "known.csv"), "has no effect with coefficients"),
+        (("next.csv",), "or --coefficients"),
+        (("um.csv", "--coefficients", "known.csv"), 'is in "mm/s" there and in "um" in the runs'),
+        (("next.csv", "--coefficients", "none.csv"), "none.csv: there is no such file"),
+        (("next.csv", "--coefficients", "bad.csv"), "bad.csv: 2 mistakes"),
+        (("next.csv", "--coefficients", "alike.csv"), "do not tell the two planes apart"),
+        (("next.csv", "--coefficients", "half.csv"), "there is no line of plane 2"),
+        (("runs.csv", "--save-coefficients", "runs.csv"), "would be lost"),
+        (("runs.csv", "--save-coefficients", "x.toml"), "must end in .csv"),
+        (("runs.csv", "--save-coefficients", "new.csv", "-o", "none/x.txt"), "no such directory"),
+        ((*SHOWN, *PLANES, "--coefficients", "known.csv"), "no effect with --unbalance"),
+        (
+            ("next.csv", "--coefficients", "known.csv", "--save-coefficients", "new.csv"),
+            "--save-coefficients has no effect",
+        ),
+    ],
+)
+def test_coefficients_that_cannot_be_used_are_told(
+    run: Run, refused: Refused, tmp_path: Path, line: tuple[str, ...], told: str
+) -> None:
+    saved(run, tmp_path)
+    head, one, two = (tmp_path / "known.csv").read_text(encoding="utf-8").splitlines()
+    lists = {
+        "um": NEXT.replace("bearing 1 [mm/s]", "bearing 1 [um]"),
+        "bad": "\n".join([head, one.replace("1000", "-3"), two.replace("2,", "3,", 1)]),
+        "alike": "\n".join([head, one, one.replace("1,", "2,", 1)]),
+        "half": "\n".join([head, one]),
+    }
+    for name, text in lists.items():
+        (tmp_path / f"{name}.csv").write_text(text, encoding="utf-8")
+    assert told in " ".join(refused("correct", *line).split())
+    assert not (tmp_path / "new.csv").exists()

@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 
 from crankstar.remedy import RemedyError
-from crankstar.remedy.two_planes import effects, in_planes, influence, split, static_and_couple
+from crankstar.remedy.two_planes import (
+    effects,
+    in_planes,
+    influence,
+    share_left,
+    split,
+    static_and_couple,
+)
 from crankstar.spectra import Complex, Real
 
 
@@ -54,6 +61,24 @@ def test_trial_runs_find_the_unbalance_of_a_rotor_on_springs() -> None:
     assert (effects(initial, runs) > 0.1).all()
     left = rotor(true - 0.9 * found, planes)
     assert np.linalg.solve(matrix, left) == pytest.approx(0.1 * true, rel=1e-6)
+
+
+def test_coefficients_of_one_rotor_correct_the_next_as_nearly_as_they_hold() -> None:
+    """The next rotor on the same springs, its planes where they were, or a little elsewhere."""
+    planes, trials = np.array([-0.1, 0.2]), np.array([200e-6, 150e-6j])
+    runs = np.array([rotor(trials[j] * np.eye(2)[j], planes) for j in (0, 1)])
+    matrix = influence(np.zeros(2), trials, runs)
+    other = np.array([-400e-6 + 0j, 250e-6j])
+    for off, least, most in ((0.0, -1.0, 1e-9), (0.01, 0.01, 0.1), (0.15, 0.3, 3.0)):
+        initial = rotor(other, planes)
+        found = np.linalg.solve(matrix, initial)
+        assert found == pytest.approx(other, rel=1e-9)
+        check = initial + rotor(-found, planes + off)  # weights are fitted so much aside
+        assert least < share_left(matrix, initial, check) < most
+        rate = np.linalg.norm(matrix, axis=1)
+        again = check + rotor(-np.linalg.solve(matrix, check), planes + off)
+        worst = np.linalg.norm(again / rate) / np.linalg.norm(initial / rate)
+        assert worst < 1.5 * share_left(matrix, initial, check) ** 2 + 1e-9
 
 
 def test_trial_runs_that_do_not_tell_planes_apart_are_refused() -> None:

@@ -5,28 +5,29 @@ from __future__ import annotations
 from cmath import rect
 from functools import partial
 from math import pi, radians
+from os.path import realpath
 from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 from cyclopts import Parameter
 
 from crankstar.cli.options import FLAT, Csv, Json, option, together
-from crankstar.cli.output import working, write_bytes
+from crankstar.cli.output import working, writable, write, write_bytes
 from crankstar.cli.tabulating import give, words_for
 from crankstar.engine.quantities import LENGTH, POSITION
 from crankstar.files import units
-from crankstar.files.lists import ListError, read_list
+from crankstar.files.lists import read_list
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options import workshop
-from crankstar.options.forms import PICTURES, TABLES, form_of
+from crankstar.options.forms import PICTURES, TABLES, form_of, suffix_of
 from crankstar.options.refusals import RequestError, refusal
 from crankstar.options.workshop import DrillOptions
 from crankstar.remedy.two_planes import Split
 
 if TYPE_CHECKING:
     from crankstar.charts.grammar import Chart
-    from crankstar.options.trial_runs import TrialRuns
+    from crankstar.options.coefficients import Coefficients
     from crankstar.remedy.drilling import Drill
     from crankstar.spectra import Complex
     from crankstar.tables.table import Document
@@ -45,6 +46,8 @@ def correct(
     ] = None,
     measuring_planes: Annotated[str | None, option("--measuring-planes")] = None,
     correction_planes: Annotated[str | None, option("--correction-planes")] = None,
+    coefficients: Annotated[str | None, option("--coefficients")] = None,
+    save_coefficients: Annotated[str | None, option("--save-coefficients")] = None,
     positions: Annotated[str | None, option("--positions")] = None,
     options: Annotated[DrillOptions, FLAT] = DrillOptions(),  # noqa: B008  # it is frozen
     json: Json = False,
@@ -52,6 +55,7 @@ def correct(
     output: Annotated[str | None, option("--output", "A picture (.svg) has the vectors.")] = None,
 ) -> None:
     """Say what to add or to drill in two planes of a rotor."""
+    from crankstar.options.coefficients import coefficients_text
     from crankstar.tables.two_planes import rows_of
 
     form = form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
@@ -63,21 +67,34 @@ def correct(
         )
     if runs is not None:
         request.refuse_unused(both, beside="RUNS")
-    drill, radius, allowed = together(
-        partial(_drill, options), partial(_radius, options), partial(_positions, positions)
+    others = {"--coefficients": coefficients, "--save-coefficients": save_coefficients}
+    if runs is None:
+        request.refuse_unused(others, beside="--unbalance")
+    if coefficients is not None:
+        own = {"--save-coefficients": save_coefficients}
+        request.refuse_unused(own, beside="--coefficients")
+    drill, radius, allowed, _saved = together(
+        partial(_drill, options),
+        partial(_radius, options),
+        partial(_positions, positions),
+        partial(_check_saved, save_coefficients, apart=(runs, output)),
     )
     request.refuse_unused({"--positions": positions}, beside="--diameter") if drill else None
     with words_for(form if form in TABLES else "txt"):
         if runs is not None:
-            found = _of_runs(_trial_runs(runs), radius, allowed)
+            found, own = _of_runs(runs, coefficients, radius, allowed)
+            saved = None if save_coefficients is None else coefficients_text(own)
         else:
             found = _of_machine(unbalance or "", both, radius, allowed)
+            saved = None
         if form in PICTURES:
             _draw(found, form, output)
+            _save(saved, save_coefficients)
             return
         document = _document(found, drill)
         if form in ("csv", "parquet"):
             document = rows_of(document)
+    _save(saved, save_coefficients)
     give(document, output, form=form)
 
 
@@ -146,22 +163,61 @@ def _of_machine(
     return Corrections(found, _added(found, allowed), radius, measured, at)
 
 
-def _of_runs(runs: TrialRuns, radius: float | None, allowed: list[float] | None) -> Corrections:
-    """Corrections by influence coefficients."""
-    from crankstar.remedy.two_planes import effects, influence
+def _of_runs(
+    place: str, coefficients: str | None, radius: float | None, allowed: list[float] | None
+) -> tuple[Corrections, Coefficients]:
+    """Corrections by influence coefficients of trial runs, or by known ones; the coefficients."""
+    from crankstar.options.coefficients import Coefficients, coefficients_of, in_units_of
+    from crankstar.options.trial_runs import trial_runs
+    from crankstar.remedy.two_planes import effects, influence, share_left
     from crankstar.tables.two_planes import Corrections
 
-    matrix = influence(runs.initial, runs.trials, runs.runs)
+    known = coefficients is not None
+    runs, *others = together(
+        lambda: trial_runs(read_list(place), known=known),
+        *([lambda: coefficients_of(read_list(coefficients))] if coefficients is not None else []),
+    )
+    if coefficients is not None:
+        matrix = in_units_of(others[0], runs.shown, option="--coefficients", given=coefficients)
+    else:
+        matrix = influence(runs.initial, runs.trials, runs.runs)
     found = np.linalg.solve(matrix, runs.initial)
-    left = None if runs.check is None else np.linalg.solve(matrix, runs.check)
+    check = runs.check
     return Corrections(
         found,
         _added(found, allowed),
         radius,
-        left=left,
-        effects=effects(runs.initial, runs.runs),
+        left=None if check is None else np.linalg.solve(matrix, check),
+        effects=None if known else effects(runs.initial, runs.runs),
         influence=matrix,
-    )
+        left_share=None if check is None else share_left(matrix, runs.initial, check),
+        known=known,
+    ), Coefficients(matrix, runs.shown)
+
+
+def _check_saved(place: str | None, *, apart: tuple[str | None, str | None]) -> None:
+    """Refuse a name under which no coefficients can be written.
+
+    `apart`: what is read, and what else is written. Raises RequestError.
+    """
+    if place is None:
+        return
+    if suffix_of(place) != "csv":
+        raise refusal("--save-coefficients", place, "the name must end in .csv")
+    if any(realpath(place) == realpath(other) for other in apart if other is not None):
+        raise refusal(
+            "--save-coefficients",
+            place,
+            "it is read or written besides and would be lost; name another",
+        )
+    for each in (place, apart[-1]):
+        if each is not None:
+            writable(each)
+
+
+def _save(text: str | None, place: str | None) -> None:
+    if text is not None:
+        write(text, place)
 
 
 def _added(unbalance: Complex, allowed: list[float] | None) -> tuple[tuple[Split, ...], ...]:
@@ -174,15 +230,6 @@ def _added(unbalance: Complex, allowed: list[float] | None) -> tuple[tuple[Split
         (Split(float(np.angle(-each)), float(abs(each))),) if abs(each) else ()
         for each in unbalance
     )
-
-
-def _trial_runs(place: str) -> TrialRuns:
-    from crankstar.options.trial_runs import trial_runs
-
-    try:
-        return trial_runs(read_list(place))
-    except ListError as error:
-        raise RequestError(str(error)) from None
 
 
 def _document(found: Corrections, drill: Drill | None) -> Document:

@@ -24,7 +24,7 @@ from crankstar.cli.output import working, write_bytes
 from crankstar.cli.tabulating import give, words_for
 from crankstar.engine.quantities import MASS
 from crankstar.files import units
-from crankstar.files.lists import ListError, read_list
+from crankstar.files.lists import read_list
 from crankstar.language.messages import _
 from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.options import charts as chart_request
@@ -143,10 +143,7 @@ def _draw(found: Diagnosis, form: str, output: str | None) -> None:
 def _readings(place: str, engine: Engine, speed: float | None) -> Sequence[Reading]:
     from crankstar.studies.diagnosis import readings_of
 
-    try:
-        return readings_of(read_list(place), engine, speed=speed)
-    except ListError as error:
-        raise RequestError(str(error)) from None
+    return readings_of(read_list(place), engine, speed=speed)
 
 
 def _speed(engine: Engine, asked: float | None) -> float:

@@ -26,11 +26,11 @@ from crankstar.cli.output import complain, progress, writable
 from crankstar.cli.tabulating import give, words_for
 from crankstar.engine.copies import with_values
 from crankstar.engine.quantities import MASS
-from crankstar.files.lists import ListError, read_list
+from crankstar.files.lists import read_list
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import ENGINES, TABLES, form_of, suffix_of
-from crankstar.options.refusals import RequestError, refusal
+from crankstar.options.refusals import refusal
 from crankstar.options.workshop import size
 
 if TYPE_CHECKING:
@@ -121,13 +121,10 @@ def _name(name: str, at: int, count: int) -> str:
 
 
 def _batch(place: str) -> Batch:
-    """The batch of a list. Raises RequestError."""
+    """The batch of a list. Raises ListError."""
     from crankstar.studies.part_weights import batch_of
 
-    try:
-        return batch_of(read_list(place))
-    except ListError as error:
-        raise RequestError(str(error)) from None
+    return batch_of(read_list(place))
 
 
 def _orders(text: str | None) -> list[float]:

@@ -17,6 +17,12 @@ SHOP = {
         "2 and 5 g).",
         ("--class-widths", "--groups"),
     ),
+    "--coefficients": Option(
+        "text",
+        "CSV file with the influence coefficients of the machine, as --save-coefficients writes "
+        "it; then an initial run is enough.",
+        ("--influence", "--influence-coefficients", "--known-coefficients"),
+    ),
     "--correction-planes": Option(
         "text",
         'Places along the rotor at which it is corrected, such as "60 mm, 340 mm".',
@@ -53,6 +59,12 @@ SHOP = {
         "Where weights can be added: so many places at equal steps from 0 deg, such as 12, or "
         'their angles, such as "0, 45, 90 deg"; a correction is split between the two beside it.',
         ("--holes-at", "--bolts"),
+    ),
+    "--save-coefficients": Option(
+        "text",
+        "CSV file in which the influence coefficients of the trial runs are written, for the next "
+        "rotor.",
+        ("--write-coefficients", "--coefficients-file"),
     ),
     "--weaker": Option(
         "several texts",

@@ -25,7 +25,11 @@ from crankstar.files.vibrations import VIBRATIONS, not_negative
 from crankstar.language.messages import _
 from crankstar.spectra import Complex
 
-RUNS = ("initial", "plane 1", "plane 2", "check")
+PLANES = ("plane 1", "plane 2")
+RUNS = ("initial", *PLANES, "check")
+BEARINGS = ("bearing 1", "bearing 2")
+TRIAL = ("trial", "at")
+"""Columns of a trial weight."""
 HEADS = {
     "run": "run",
     "trial": "trial",
@@ -49,6 +53,13 @@ class Shown(NamedTuple):
     unit: str = ""
     rate: int | None = None
 
+    @property
+    def factor(self) -> float:
+        """What one of the unit is in SI; of a division, one."""
+        if self.rate is None:
+            return 1.0
+        return units.si(f"1 {self.unit}", VIBRATIONS[self.rate])
+
 
 class TrialRuns(NamedTuple):
     """Vibration at two bearings before, trial unbalances, runs [plane, bearing], and after.
@@ -63,29 +74,36 @@ class TrialRuns(NamedTuple):
     shown: tuple[Shown, Shown]
 
 
-def trial_runs(listed: Listed) -> TrialRuns:
-    """The runs of a list. Raises ListError with every mistake."""
-    columns = Columns(listed, HEADS, needed=tuple(dict.fromkeys(HEADS.values())))
-    shown = (_shown(columns, "bearing 1"), _shown(columns, "bearing 2"))
-    found = _runs(columns)
-    sizes = {name: _vibration(columns, row, shown) for name, row in found.items()}
+def trial_runs(listed: Listed, *, known: bool = False) -> TrialRuns:
+    """The runs of a list. Raises ListError with every mistake.
+
+    `known`: the influence coefficients are, so that there are no runs with trial weights.
+    """
+    names = [name for name in dict.fromkeys(HEADS.values()) if not known or name not in TRIAL]
+    columns = Columns(listed, HEADS, needed=names)
+    shown = shown_in(columns)
+    found = _runs(columns, known=known)
+    sizes = {name: vibration(columns, row, shown) for name, row in found.items()}
     trials: list[complex] = []
     for name, row in found.items():
-        if name in RUNS[1:3]:
-            trials.append(_trial(columns, row))
-        else:
+        if name not in PLANES:
             _note_unused(columns, row)
+        elif known:
+            why = _("a run with a trial weight has no effect with coefficients; leave it out")
+            columns.refuse(row, "run", why)
+        else:
+            trials.append(_trial(columns, row))
     columns.check()
     return TrialRuns(
         np.array(sizes["initial"]),
         np.array(trials),
-        np.array([sizes[name] for name in RUNS[1:3]]),
+        np.array([sizes[name] for name in PLANES if name in sizes]),
         np.array(sizes["check"]) if "check" in sizes else None,
         shown,
     )
 
 
-def _runs(columns: Columns) -> dict[str, Row]:
+def _runs(columns: Columns, *, known: bool) -> dict[str, Row]:
     """The lines by the names of their runs, in the order of RUNS."""
     found: dict[str, Row] = {}
     if "run" not in columns:
@@ -98,12 +116,24 @@ def _runs(columns: Columns) -> dict[str, Row]:
         elif name not in RUNS:
             columns.refuse(row, "run", _("name the runs {names}", names=", ".join(RUNS)))
         found.setdefault(name, row)
-    for name in RUNS[:3]:
+    for name in RUNS[:1] if known else RUNS[:3]:
         if name not in found:
-            columns.refuse_list(
-                _('there is no run "{name}"; give initial, plane 1 and plane 2', name=name)
+            told = (
+                _('there is no run "{name}"', name=name)
+                if known
+                else _(
+                    'there is no run "{name}"; give initial, plane 1 and plane 2, or '
+                    "--coefficients",
+                    name=name,
+                )
             )
+            columns.refuse_list(told)
     return {name: found[name] for name in RUNS if name in found}
+
+
+def shown_in(columns: Columns) -> tuple[Shown, Shown]:
+    """How a list has the vibration of its bearings; what is wrong with a heading is noted."""
+    return _shown(columns, BEARINGS[0]), _shown(columns, BEARINGS[1])
 
 
 def _shown(columns: Columns, name: str) -> Shown:
@@ -121,13 +151,12 @@ def _shown(columns: Columns, name: str) -> Shown:
     return Shown(unit, rate)
 
 
-def _vibration(columns: Columns, row: Row, shown: Sequence[Shown]) -> list[complex]:
+def vibration(columns: Columns, row: Row, shown: Sequence[Shown]) -> list[complex]:
     """The vibration at both bearings."""
     out: list[complex] = []
-    for name, own in zip(("bearing 1", "bearing 2"), shown, strict=True):
+    for name, own in zip(BEARINGS, shown, strict=True):
         if own.rate is not None:
-            quantity = VIBRATIONS[own.rate]
-            size = columns.value(row, name, quantity) / units.si(f"1 {own.unit}", quantity)
+            size = columns.value(row, name, VIBRATIONS[own.rate]) / own.factor
         else:
             size = nan if own.unit else columns.number(row, name)
         phase = columns.value(row, f"phase {name[-1]}", ANGLE, usual="deg")
@@ -145,7 +174,7 @@ def _trial(columns: Columns, row: Row) -> complex:
 
 def _note_unused(columns: Columns, row: Row) -> None:
     """Note a trial weight in a run that has none."""
-    for name in ("trial", "at"):
+    for name in TRIAL:
         text = columns.text(row, name)
         if text not in ("", "-") and not re.match(r"[-+]?0*\.?0*(\s|$)", text):
             why = _("this run is without a trial weight; leave the cell empty")

@@ -15,6 +15,13 @@ coefficients; of an initial run V_0 and one run each with a trial unbalance T_j 
 
     H_kj = (V_kj - V_k0) / T_j,    U = H^-1 V_0,    left over after correction: U' = H^-1 V'.
 
+Coefficients that are known from other runs of a machine, or from a rotor of the same type, need the
+initial run alone. With H' as they really are, a correction by H leaves
+
+    V' = (1 - H' H^-1) V_0,
+
+so that the share that is left says how far they are off.
+
 Angles of weights and phases of vibration must be counted in the same direction, both with the
 rotation or both against it.
 """
@@ -33,6 +40,8 @@ WORST = 100.0
 """Condition of H from which a small error of a reading is a large one of a correction."""
 LEAST_EFFECT = 0.1
 """Share of the vibration before by which a trial weight should change it, at one bearing."""
+HOLDS = 0.3
+"""Share of the vibration left up to which coefficients hold: a second correction leaves a tenth."""
 
 ROUNDING = 1e-12
 """Share of what is added up below which a sum is nought."""
@@ -95,13 +104,31 @@ def influence(initial: Complex, trials: Complex, runs: Complex) -> Complex:
     True
     """
     found = ((runs - initial) / np.asarray(trials)[:, None]).T
+    return told_apart(found)
+
+
+def told_apart(found: Complex) -> Complex:
+    """H [bearing, plane], where it tells the planes apart. Raises RemedyError."""
     sizes = np.linalg.norm(found, axis=0)
     if not sizes.all() or np.linalg.cond(found / np.where(sizes, sizes, 1.0)) > WORST:
         raise RemedyError(
-            "the trial runs do not tell the two planes apart: a weight in one changes both "
-            "bearings as one in the other does; take planes farther apart, or another speed"
+            "the influence coefficients do not tell the two planes apart: a weight in one changes "
+            "both bearings as one in the other does; take planes farther apart, or another speed"
         )
     return found
+
+
+def share_left(matrix: Complex, initial: Complex, check: Complex) -> float:
+    """The vibration of a check run as a share of that before.
+
+    Each bearing counts by how much an unbalance moves it, whatever its unit.
+
+    >>> share_left(np.array([[2.0, 0], [0, 1.0]]), np.array([2.0, 1.0]), np.array([0.2, 0.1j]))
+    0.1
+    """
+    moves = np.linalg.norm(matrix, axis=1)
+    left, before = (float(np.linalg.norm(each / moves)) for each in (check, initial))
+    return left / before if before else 0.0
 
 
 def effects(initial: Complex, runs: Complex) -> Real:

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar.language.messages import _
+from crankstar.language.messages import _, passage
 from crankstar.language.numbers import number
-from crankstar.remedy.two_planes import LEAST_EFFECT, Split, static_and_couple
+from crankstar.remedy.two_planes import HOLDS, LEAST_EFFECT, Split, static_and_couple
 from crankstar.spectra import Complex, Real
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
@@ -23,7 +23,8 @@ class Corrections(NamedTuple):
     """The unbalance in the correction planes, what is added there, and what led to it.
 
     `measured` and `at` are those of a balancing machine; `left` is what a check run shows,
-    `effects` how much the trial weights changed the vibration.
+    `left_share` its vibration beside that before, `effects` how much the trial weights changed it.
+    `known`: the influence coefficients come from other runs.
     """
 
     unbalance: Complex
@@ -34,6 +35,8 @@ class Corrections(NamedTuple):
     left: Complex | None = None
     effects: Real | None = None
     influence: Complex | None = None
+    left_share: float | None = None
+    known: bool = False
 
 
 def corrections_document(found: Corrections, drilled: Document | None = None) -> Document:
@@ -59,6 +62,9 @@ def corrections_document(found: Corrections, drilled: Document | None = None) ->
         )
     ]
     doubts: list[str] = []
+    if found.left_share is not None:
+        facts["left_share"] = found.left_share
+        (lines if found.left_share <= HOLDS else doubts).append(_held(found, found.left_share))
     if found.effects is not None:
         for plane, share in enumerate(found.effects.tolist(), 1):
             if share < LEAST_EFFECT:
@@ -74,6 +80,39 @@ def corrections_document(found: Corrections, drilled: Document | None = None) ->
         _("Correction in two planes"),
         (*parts, *remarks(*lines, kind="note"), *remarks(*doubts, kind="doubt")),
         {"format": 1, **facts},
+    )
+
+
+def _held(found: Corrections, share: float) -> str:
+    """Whether what a check run has left shows that the coefficients hold."""
+    left = _(
+        "The check run has {share} % of the vibration before.", share=number(100 * share, digits=3)
+    )
+    if share <= HOLDS:
+        return passage(
+            [
+                left,
+                _(
+                    "The coefficients hold as nearly as that; what is left can be corrected with "
+                    "them again, opposite its heavy spot."
+                ),
+            ]
+        )
+    if found.known:
+        return passage(
+            [
+                left,
+                _(
+                    "The coefficients do not hold for this rotor, this speed or these bearings, or "
+                    "other weights were fitted; take trial runs anew."
+                ),
+            ]
+        )
+    return passage(
+        [
+            left,
+            _("Other weights were fitted, or the vibration does not follow them; check the runs."),
+        ]
     )
 
 
