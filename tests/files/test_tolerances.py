@@ -375,6 +375,23 @@ def test_a_spreadsheet_and_a_picture_are_written(run: Run, tmp_path: Path) -> No
     assert "layout.throws[2]" in picture
 
 
+def test_bearing_loads_are_told_and_drawn_where_they_are_asked_for(
+    run: Run, tmp_path: Path
+) -> None:
+    place = tmp_path / "six.toml"
+    place.write_text(SIX)
+    line = ("tolerance", str(place), "--builds", "1000", "--quantity", "bearing", "--orders", "1")
+    said = run(*line).out
+    assert said.count("load on main bearing 7") >= 1
+    assert "hinged at each main bearing" in " ".join(said.split())
+    assert "Bearing loads, gas" not in said
+    rows = json.loads(run(*line, "--json").out)["orders"]
+    assert [row["signal"] for row in rows] == [f"bearing {number}" for number in range(1, 8)]
+    assert {row["unit"] for row in rows} == {"N"}
+    run(*line, "-o", "out.svg")
+    assert "load on main bearing 1" in (tmp_path / "out.svg").read_text()
+
+
 @pytest.mark.parametrize(
     ("words", "told"),
     [

@@ -27,7 +27,7 @@ from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.studies.scatter import OrderScatter, Scatter
-from crankstar.tables.scatter import NAMES
+from crankstar.tables.scatter import is_of, signal_text
 
 CLASSES = 48
 """Bars of a histogram."""
@@ -53,7 +53,7 @@ def rows_of(
     names = list(quantities) or ["force", "couple"]
     out: list[OrderScatter] = []
     for name in names:
-        own = [row for row in found.rows if row.signal == name and row.rms > 0]
+        own = [row for row in found.rows if is_of(row, name) and row.rms > 0]
         if orders:
             out += [row for row in own if any(abs(row.order - each) < 1e-9 for each in orders)]
         elif own:
@@ -93,7 +93,7 @@ def _distribution(found: Scatter, row: OrderScatter) -> Panel:
     width = half_width()
     top = HEADROOM * float(shares.max())
     name = _(
-        "{quantity}, order {order}", quantity=_(NAMES[row.signal]), order=order_text(row.order)
+        "{quantity}, order {order}", quantity=signal_text(row.signal), order=order_text(row.order)
     )
     x = field(
         "x:Q",

@@ -41,7 +41,11 @@ def tolerance(
     *,
     quantity: Annotated[
         str | None,
-        option("--quantity", "Also roll, torque, force.up, force.right, couple.pitch, couple.yaw."),
+        option(
+            "--quantity",
+            "Also roll, torque, force.up, force.right, couple.pitch, couple.yaw; bearing: the "
+            "loads on main bearings.",
+        ),
     ] = None,
     orders: Annotated[str | None, option("--orders", "Default: those up to 6 that occur.")] = None,
     typical: Annotated[bool, option("--typical")] = False,
@@ -122,6 +126,7 @@ def _scattered(
     """
     from crankstar.studies.builds import DEVIATION
     from crankstar.studies.fields import Source
+    from crankstar.studies.linear_law import BEARING
     from crankstar.studies.scatter import (
         BUILDS,
         FEWEST_BUILDS,
@@ -152,6 +157,7 @@ def _scattered(
             distribution=law,
             count=BUILDS if count is None else count,
             seed=1 if start is None else start,
+            bearings=BEARING in names,
             tell=lambda done, of: tell(
                 _("Building engines at random: {done} of {count} ...", done=done, count=of)
             ),
@@ -164,12 +170,13 @@ def _orders(orders: str | None) -> list[float] | None:
 
 
 def _signals(quantity: str | None) -> list[str]:
+    from crankstar.studies.linear_law import BEARING
     from crankstar.studies.scatter import SIGNALS
 
     names = [*dict.fromkeys(request.listed(quantity))]
     if quantity is not None and not names:
         raise RequestError("--quantity: give at least one quantity, such as force,couple")
-    return [choice("--quantity", name, SIGNALS) for name in names]
+    return [choice("--quantity", name, (*SIGNALS, BEARING)) for name in names]
 
 
 def _draw(

@@ -4,6 +4,7 @@
 |---|---|
 | `beams` | how the forces on a crankshaft are shared among its main bearings |
 | `bearings` | loads on main bearings and crank pins, the bending moment along a crankshaft |
+| `bearing_variants` | main-bearing loads of many engines at once |
 | `wear` | where journals and pins are pressed most and least |
 | `oil_film` | the orbit of a journal in its oil, and the least film |
 | `uneven` | the speed of the crankshaft over a cycle, and the flywheel that evens it |

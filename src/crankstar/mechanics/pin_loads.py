@@ -73,7 +73,7 @@ def pin_loads(machine: Mechanism, *, orders: Sequence[float] | None = None) -> P
     steady = steady * np.exp(1j * machine.bearing) * speed**2
 
     def spectrum(mean: Complex, forward: Complex, backward: Complex) -> Spectrum:
-        still = mean[..., None]
+        still = np.broadcast_to(mean[..., None], (*forward.shape[:-1], 1))
         return Spectrum(
             np.append(0.0, columns.orders),
             np.concatenate([still, forward], axis=-1),

@@ -3,7 +3,8 @@
 Every error is drawn by itself, normal with a standard deviation of a third of the bound (of 370
 parts one lies outside), or uniform between the bounds. Masses, angles and places enter exactly.
 Errors of the lengths that shape the motion enter to first order where they are small, which misses
-by their square; where one is large, every engine's motion is worked out.
+by their square; where one is large, every engine's motion is worked out. Bearing loads are of first
+order in all errors.
 """
 
 from __future__ import annotations
@@ -136,6 +137,9 @@ def _block(plan: _Plan, sizes: Real) -> dict[str, tuple[Real, Real]]:
     if plan.first_order:
         rest = sizes[:, plan.first_order]
         sums = {name: _added(own, plan, rest, name) for name, own in sums.items()}
+    for name in plan.lines.keys() - sums.keys():  # bearing loads
+        nominal, rates = plan.lines[name]
+        sums[name] = Vectors(*(a + sizes @ b for a, b in zip(nominal, rates, strict=True)))
     off = {
         name: Vectors(*(a - b for a, b in zip(own, plan.lines[name].nominal, strict=True)))
         for name, own in sums.items()

@@ -20,14 +20,16 @@ each error takes the sign that helps, and that engine's own directions are no wo
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from functools import partial
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from crankstar.dynamics.bearing_variants import bearing_forces, bearing_names
 from crankstar.engine.engine import Engine
-from crankstar.mechanics.balance import Scale
+from crankstar.mechanics.balance import Scale, default_reference
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, rolling_moment
 from crankstar.mechanics.mechanism import Mechanism, mechanism
 from crankstar.spectra import Complex, Real, Spectrum
@@ -38,6 +40,8 @@ STENCIL = ((1.0, 8 / 12), (-1.0, -8 / 12), (2.0, -1 / 12), (-2.0, 1 / 12))
 """Steps and weights of the central difference of fourth order."""
 SMALL = 1e-3
 """The step, as a share of the crank radius or in radians: law and rounding miss by 1e-12 alike."""
+PLACES = frozenset({"z", "unbalance_z"})
+"""The arrays of places along the crankshaft."""
 AT_ONCE = 48
 """Errors whose derivatives are worked out at once."""
 NOTHING = 1e-13
@@ -61,6 +65,8 @@ class Linear(NamedTuple):
 
 
 QUANTITIES = ("force", "couple", "roll", "torque")
+BEARING = "bearing"
+"""The load on a main bearing; its signals have its number."""
 
 
 def linear(
@@ -76,30 +82,85 @@ def linear(
     Derivatives are central differences of fourth order; what is linear they give exactly.
     """
     machine = mechanism(engine)
-    nominal = summed_parts(machine, orders=orders, reference=reference, scale=scale)
-    pushed = _pushed(machine, orders, reference, scale)
-    rows: dict[str, list[Vectors]] = {name: [] for name in QUANTITIES}
+    how: dict[str, Any] = {"orders": orders, "reference": reference, "scale": scale}
+    return derived(machine, errors, partial(summed_parts, **how), pushed=_pushed(machine, **how))
+
+
+def derived(
+    machine: Mechanism,
+    errors: Sequence[ErrorSource],
+    sums: Callable[[Mechanism], dict[str, Vectors]],
+    *,
+    pushed: Mapping[str, float],
+    small: frozenset[str] = frozenset(),
+) -> dict[str, Linear]:
+    """The quantities that `sums` gives of an engine, or of a batch, to first order in the errors.
+
+    Changes that are rounding beside what is `pushed` of a quantity are nought. `small`: arrays
+    beside those of the motion in which a quantity is straight for small steps alone.
+    """
+    nominal = sums(machine)
+    rows: dict[str, list[Vectors]] = {name: [] for name in nominal}
     for start in range(0, len(errors), AT_ONCE):
         own = errors[start : start + AT_ONCE]
-        steps = np.array([_step(error, machine) for error in own])
+        steps = np.array([_step(error, machine, small) for error in own])
         stepped = np.concatenate([np.diag(steps * step) for step, _weight in STENCIL])
-        found = sums_with(machine, own, stepped, orders=orders, reference=reference, scale=scale)
-        for name in QUANTITIES:
-            rows[name].append(_differences(found[name], steps, pushed[name]))
-    none = np.zeros((0, len(orders)), complex)
+        found = sums(moved(machine, own, stepped))
+        for name, parts in found.items():
+            shape = (len(stepped), parts.forward.shape[-1])
+            whole = Vectors(*(np.broadcast_to(part, shape) for part in parts))
+            rows[name].append(_differences(whole, steps, pushed[name]))
     return {
         name: Linear(
-            nominal[name],
+            own,
             Vectors(*map(np.concatenate, zip(*rows[name], strict=True)))
             if errors
-            else Vectors(none, none),
+            else Vectors(*(np.zeros((0, part.size), complex) for part in own)),
         )
-        for name in QUANTITIES
+        for name, own in nominal.items()
     }
 
 
-def _step(error: ErrorSource, machine: Mechanism) -> float:
-    """The step of an error, so that no length or angle of the motion goes by more than SMALL."""
+def bearing_lines(
+    engine: Engine, errors: Sequence[ErrorSource], *, orders: Sequence[float], scale: Scale
+) -> dict[str, Linear]:
+    """The load on each main bearing to first order in the errors, by its name.
+
+    >>> from crankstar.files.catalog import load
+    >>> [*bearing_lines(load("v2-90"), [], orders=[1.0], scale=Scale(1.0, 1.0, 1.0))]
+    ['bearing 1', 'bearing 2']
+    """
+    machine = mechanism(engine)
+    names = bearing_signals(engine)
+    reference = default_reference(engine)
+    force = _pushed(machine, orders=orders, reference=reference, scale=scale)["force"]
+
+    def sums(batch: Mechanism) -> dict[str, Vectors]:
+        found = bearing_forces(engine, batch, orders=orders)
+        return {
+            name: Vectors(*(scale.force * part[..., place, :] for part in found))
+            for place, name in enumerate(names)
+        }
+
+    pushed = dict.fromkeys(names, force)
+    return derived(machine, errors, sums, pushed=pushed, small=PLACES)  # spans end at bearings
+
+
+def bearing_signals(engine: Engine) -> tuple[str, ...]:
+    """The names of the loads on main bearings, the shaft in them where several have some."""
+    bearings = bearing_names(engine)
+    several = len({shaft for shaft, _number in bearings}) > 1
+    return tuple(
+        f"{BEARING} {shaft} {number}" if several else f"{BEARING} {number}"
+        for shaft, number in bearings
+    )
+
+
+def _step(error: ErrorSource, machine: Mechanism, small: frozenset[str]) -> float:
+    """The step of an error, so that no length or angle of the motion goes by more than SMALL.
+
+    Nor do the arrays named in `small`; in others all is linear.
+    """
     own = arrays_of(machine)
     radius = float(np.min(own["links.crank_radius"]))
     steps: list[float] = []
@@ -109,7 +170,7 @@ def _step(error: ErrorSource, machine: Mechanism) -> float:
             continue
         if name in ANGLES:
             steps.append(SMALL / greatest)
-        elif name.startswith("links."):
+        elif name.startswith("links.") or name in small:
             steps.append(SMALL * radius / greatest)
         else:
             size = float(np.abs(own[name]).max(initial=0.0)) or error.bound * greatest
@@ -177,7 +238,7 @@ def _summed(spectrum: Spectrum) -> Spectrum:
 
 
 def _pushed(
-    machine: Mechanism, orders: Sequence[float], reference: Reference, scale: Scale
+    machine: Mechanism, *, orders: Sequence[float], reference: Reference, scale: Scale
 ) -> dict[str, float]:
     """What all parts push together, of the greatest order; at an arm of a crank radius or more."""
     raw = part_spectra(machine, reference=reference, orders=orders)

@@ -25,9 +25,10 @@ from crankstar.studies.builds import DEVIATION, Builds, Distribution, Tell, buil
 from crankstar.studies.error_sources import ErrorSource, sources_of
 from crankstar.studies.fields import Source, source_of
 from crankstar.studies.linear_law import (
-    QUANTITIES,
     Linear,
     amplitudes,
+    bearing_lines,
+    bearing_signals,
     linear,
     named,
     variances,
@@ -139,6 +140,7 @@ def scatter(
     distribution: Distribution = "normal",
     count: int = BUILDS,
     seed: int = 1,
+    bearings: bool = False,
     estimate: bool = False,
     tell: Tell | None = None,
 ) -> Scatter:
@@ -148,7 +150,8 @@ def scatter(
     In N and N m at `speed` (rad/s; "file": that of the file), without one in units of m r w^2.
     `assume`: "typical" takes published tolerances for masses that the file gives none for.
     `distribution`: "normal" with a standard deviation of a third of the bound, or "uniform".
-    `count` engines are built at random, the same ones for the same `seed`.
+    `count` engines are built at random, the same ones for the same `seed`. `bearings`: the loads on
+    main bearings as well, signals "bearing 1" and so on.
     Raises ScatterError, EngineFileError, OrderError for an order that does not occur.
 
     Six pistons with 3 g scatter each (1 g of standard deviation), whatever the crank: order 1 has
@@ -169,6 +172,7 @@ def scatter(
         distribution=distribution,
         count=count,
         seed=seed,
+        bearings=bearings,
         tell=tell,
     )
 
@@ -183,6 +187,7 @@ def scatter_of(
     distribution: Distribution = "normal",
     count: int = BUILDS,
     seed: int = 1,
+    bearings: bool = False,
     tell: Tell | None = None,
 ) -> Scatter:
     """The scatter of the tree of a file. Raises as `scatter` does."""
@@ -202,11 +207,15 @@ def scatter_of(
     wanted = tuple(float(order) for order in sorted(set(wanted)))
     how: dict[str, Any] = {"orders": wanted, "reference": point, "scale": scale}
     lines = linear(own, sources.errors, **how)
+    signals = SIGNALS
+    if bearings:
+        lines |= bearing_lines(own, sources.errors, orders=wanted, scale=scale)
+        signals = (*SIGNALS, *bearing_signals(own))
     made = builds(
         own,
         sources.errors,
         lines,
-        signals=SIGNALS,
+        signals=signals,
         count=count,
         seed=seed,
         distribution=distribution,
@@ -330,7 +339,7 @@ def _rows(
     sigma = DEVIATION[distribution] * bounds
     rows: list[OrderScatter] = []
     least = _least(lines, bounds)
-    for signal in SIGNALS:
+    for signal in made.amplitudes:
         whole = signal.partition(".")[0]
         own = component(lines[whole], signal, sense=engine.sense)
         each = variances(own, sigma)
@@ -368,8 +377,7 @@ def component(own: Linear, signal: str, *, sense: int) -> Linear:
 def _least(lines: Mapping[str, Linear], bounds: Real) -> dict[str, float]:
     """Amplitudes below which there is nothing, beside the greatest of all orders."""
     out = {}
-    for name in QUANTITIES:
-        own = lines[name]
+    for name, own in lines.items():
         reach = amplitudes(own.nominal) + bounds @ amplitudes(own.rates)
         out[name] = VISIBLE * float(reach.max(initial=0.0))
     return out
@@ -386,4 +394,6 @@ def _shares(errors: Sequence[ErrorSource], each: Real) -> dict[str, float]:
 
 
 def _unit(units: Units, quantity: str) -> str:
-    return {"force": units.force, "couple": units.couple}.get(quantity, units.moment)
+    if quantity == "couple":
+        return units.couple
+    return units.moment if quantity in ("roll", "torque") else units.force

@@ -13,6 +13,7 @@ from crankstar.language.faults import listed
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
+from crankstar.studies.linear_law import BEARING
 from crankstar.studies.scatter import SIGNALS, OrderScatter, Scatter
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.headings import heading
@@ -29,7 +30,7 @@ NAMES = {
     "couple.pitch": N_("couple, pitch"),
     "couple.yaw": N_("couple, yaw"),
 }
-"""The signals as headings."""
+"""The signals as headings, but for those of bearings."""
 WHOLE = ("force", "couple", "roll")
 """What is shown to readers where no quantity is asked for; machines get all signals."""
 COLUMNS = 5
@@ -39,6 +40,21 @@ LARGER = 1.02
 SEEN = 5e-3
 """Share of the greatest scatter of a quantity from which an order is shown."""
 SMALL_SHARE = 0.0005
+
+
+def signal_text(signal: str) -> str:
+    """A signal as a heading.
+
+    >>> signal_text("couple.pitch"), signal_text("bearing 3")
+    ('couple, pitch', 'load on main bearing 3')
+    """
+    kind, _space, number = signal.partition(" ")
+    return _("load on main bearing {number}", number=number) if kind == BEARING else _(NAMES[kind])
+
+
+def is_of(row: OrderScatter, quantity: str) -> bool:
+    """Whether a row is of a quantity that was asked for: of `bearing` those of every bearing."""
+    return row.signal == quantity or row.signal.partition(" ")[0] == quantity
 
 
 def scatter_document(
@@ -71,7 +87,7 @@ def scatter_document(
 
 def rows_shown(found: Scatter, *, signals: Sequence[str]) -> list[OrderScatter]:
     """The orders of these signals, in the order of the signals."""
-    return [row for name in signals for row in found.rows if row.signal == name]
+    return [row for name in signals for row in found.rows if is_of(row, name)]
 
 
 def _visible(rows: Sequence[OrderScatter]) -> list[OrderScatter]:
@@ -117,7 +133,7 @@ def _order_table(rows: Sequence[OrderScatter]) -> Table:
     )
     body = tuple(
         (
-            _(NAMES[row.signal]),
+            signal_text(row.signal),
             row.signal,
             row.order,
             row.nominal,
@@ -157,7 +173,7 @@ def _share_table(found: Scatter, rows: Sequence[OrderScatter]) -> Table:
             Column(
                 _(
                     "{quantity}, order {order}",
-                    quantity=_(NAMES[row.signal]),
+                    quantity=signal_text(row.signal),
                     order=order_text(row.order),
                 ),
                 "%",
@@ -228,13 +244,13 @@ def sentences(found: Scatter, signals: Sequence[str] = WHOLE) -> list[str]:
     """What the scatter does to engines as they are built: the greatest of each signal."""
     lines: list[str] = []
     for name in signals:
-        own = [row for row in found.rows if row.signal == name]
+        own = [row for row in found.rows if is_of(row, name)]
         told = [row for row in own if row.one_in_20 > LARGER * row.nominal]
         if not told:
             continue
         row = max(told, key=lambda row: row.one_in_20 - row.nominal)
         values = {
-            "quantity": _(NAMES[name]),
+            "quantity": signal_text(row.signal),
             "size": _rounded(row.one_in_20, row.unit),
             "order": order_text(row.order),
             "worst": _rounded(row.worst, row.unit),
@@ -329,7 +345,16 @@ def _notes(found: Scatter) -> list[str]:
         lines.append(
             _("No force depends on {paths}, or its tolerance is 0.", paths=", ".join(found.idle))
         )
-    lines.append(_("Bearing loads, gas and the twist of the crankshaft are left out."))
+    if any(is_of(row, BEARING) for row in found.rows):
+        lines.append(
+            _(
+                "Bearing loads are those of inertia and weights on a crankshaft hinged at each "
+                "main bearing, to first order in the errors; the bearings stay where they are."
+            )
+        )
+        lines.append(_("Gas and the twist of the crankshaft are left out."))
+    else:
+        lines.append(_("Bearing loads, gas and the twist of the crankshaft are left out."))
     return lines
 
 
