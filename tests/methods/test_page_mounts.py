@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
-from tests.mounted_engines import FOUNDATION, HEAVY, MOUNTS, SOFT, standing
+from tests.mounted_engines import BLOCK, FOUNDATION, HEAVY, MOUNTS, SOFT, standing
 from tests.texts import SHORT, spoilt
 
 from crankstar import spectra
 from crankstar.dynamics.mount_analysis import mounts
 from crankstar.dynamics.mount_excitation import mount_excitation
-from crankstar.dynamics.mount_response import MountResponse, mount_response
+from crankstar.dynamics.mount_response import MountResponse, mount_response, rms
 from crankstar.dynamics.mounted_block import GRAVITY, mounted_block
 from crankstar.engine.engine import Engine
 from crankstar.engine.rigid_block import mount_axes
@@ -21,7 +21,7 @@ from crankstar.files import engine_of
 from crankstar.files.catalog import load
 from crankstar.language.shown_units import read_choice, shown_in
 from crankstar.page.exhibits import exhibit
-from crankstar.page.mount_records import Mounts
+from crankstar.page.mount_records import Mounts, MountVibration, Spring
 from crankstar.page.mounts import mount_numbers, mounts_shown
 from crankstar.page.orders import free_response
 from crankstar.page.records import Vectors
@@ -39,11 +39,54 @@ def sent(engine: Engine) -> Mounts:
     return shown
 
 
-def course(orders: Any, waves: Any) -> Real:
-    """Waves over the crank angle, as the page adds them up [wave, angle]."""
-    turning = np.exp(1j * np.multiply.outer(np.array(orders), THETA))
-    amplitudes = np.array([[complex(*pair) for pair in wave] for wave in waves])
-    return np.real(amplitudes @ turning)
+def course(orders: Any, amplitudes: Complex) -> Real:
+    """Waves [wave, order] over the crank angle, as the page adds them up [wave, angle]."""
+    return np.real(amplitudes @ np.exp(1j * np.multiply.outer(np.array(orders), THETA)))
+
+
+def waves(pairs: Any) -> Complex:
+    return np.array([[complex(*pair) for pair in wave] for wave in pairs])
+
+
+class Answer(NamedTuple):
+    """Motion [freedom, order], and force of each mount [mount, (up, right, along), order]."""
+
+    motion: Complex
+    forces: Complex
+
+
+def answered(shown: Mounts, vibration: MountVibration) -> Answer:
+    """The steady vibration from nothing but what the page is sent, order by order."""
+    driving = shown.driving
+    assert driving is not None
+    mass, speed = np.array(driving.mass), vibration.speed_rpm / RPM
+    arms = np.array([spring.arms for spring in driving.springs])
+    axes = np.array([mount.axes for mount in shown.mounts])
+    gas = np.zeros(len(shown.orders), complex)
+    if vibration.gas is not None:
+        gas = waves([vibration.gas])[0]
+    elif driving.gas_speeds:
+        gas = np.array(
+            [np.interp(speed, driving.gas_speeds, each) for each in waves(driving.gas).T]
+        )
+    push = np.zeros((len(mass), gas.size), complex)
+    push[:6] = speed**2 * waves(driving.inertia)
+    push[5] += gas
+    motion, forces = np.zeros_like(push), np.zeros((len(arms), 3, gas.size), complex)
+    for place, order in enumerate(shown.orders):
+        w = order * speed
+        rates = np.array([_rate(spring, w) for spring in driving.springs])
+        stiff = np.einsum("mai,ma,maj->ij", arms, rates, arms) - w**2 * mass
+        motion[:, place] = np.linalg.solve(stiff, push[:, place])
+        forces[:, :, place] = np.einsum("ma,mai->mi", rates * (arms @ motion[:, place]), axes)
+    return Answer(motion, forces)
+
+
+def _rate(spring: Spring, w: float) -> Complex:
+    at, factors = np.array([(0.0, 1.0), *spring.stiffening]).T
+    factor = np.interp(w, at, factors)
+    lossy = factor * (1 + 1j * spring.loss) * np.array(spring.stiffness)
+    return lossy + 1j * w * np.array(spring.damping)
 
 
 def shaken(engine: Engine, speed_rpm: float, point: str) -> MountResponse:
@@ -66,14 +109,15 @@ def test_a_vibration_is_that_of_all_orders_at_its_speed(
         whole = shaken(engine, vibration.speed_rpm, vibration.point)
         turning = np.exp(1j * np.multiply.outer(whole.orders, THETA))
         expected = np.real(whole.motion[0].T @ turning)
-        seen = course(shown.orders, vibration.motion)
+        answer = answered(shown, vibration)
+        seen = course(shown.orders, answer.motion)
         assert len(seen) == freedoms
         scale = np.abs(expected).max(axis=1, keepdims=True)
         assert np.all(np.abs(seen - expected) <= 1e-8 * scale + 1e-15)
         for index, mount in enumerate(whole.block.mounts):
             own: Complex = whole.mount_force[0, :, index] @ mount_axes(mount)
             force = np.real(own.T @ turning)
-            told = course(shown.orders, vibration.forces[index])
+            told = course(shown.orders, answer.forces[index])
             assert told == pytest.approx(force, abs=1e-8 * np.abs(force).max())
 
 
@@ -85,12 +129,9 @@ def test_forces_of_the_mounts_hold_and_shake_the_block() -> None:
         whole = shaken(engine, vibration.speed_rpm, vibration.point)
         push = np.real(whole.excitation.push[0].T @ _turning(whole.orders))
         rates = (np.array(shown.orders) * vibration.speed_rpm / RPM) ** 2
-        sped: list[Any] = [
-            [(-rate * a, -rate * b) for rate, (a, b) in zip(rates, wave, strict=True)]
-            for wave in vibration.motion[:3]
-        ]
-        ground = sum(course(shown.orders, force) for force in vibration.forces)
-        momentum = 165.0 * course(shown.orders, sped)
+        answer = answered(shown, vibration)
+        ground = course(shown.orders, answer.forces.sum(axis=0))
+        momentum = 165.0 * course(shown.orders, -rates * answer.motion[:3])
         assert momentum + ground == pytest.approx(push[:3], abs=1e-6 * np.abs(ground).max())
 
 
@@ -133,8 +174,8 @@ def test_over_the_speed_the_page_draws_what_the_command_writes() -> None:
     assert shown.over is not None
     for own, key, factor in (
         (shown.over.speeds_rpm, "speed_rpm", 1),
-        (shown.over.displacement, "displacement_rms", 1e6),
-        (shown.over.velocity, "velocity_rms", 1e3),
+        (shown.points[0].displacement, "displacement_rms", 1e6),
+        (shown.points[0].velocity, "velocity_rms", 1e3),
         (shown.over.force, "force_rms", 1),
     ):
         assert factor * np.array(own) == pytest.approx([row[key] for row in rows], rel=1e-8)
@@ -148,7 +189,9 @@ def test_on_soft_mounts_the_block_whirls_as_a_free_one(rotation: str) -> None:
     engine = standing(rotation=rotation, mounts=SOFT, gas=None, **HEAVY)
     shown = sent(engine)
     (vibration,) = [each for each in shown.vibrations if each.speed_rpm == pytest.approx(6500)]
-    assert not vibration.gas
+    assert vibration.gas is None
+    assert shown.driving is not None
+    assert shown.driving.gas == shown.driving.gas_speeds == ()
     free = free_response(engine, shown.orders, along=1.0)
     sense = 1 if engine.sense > 0 else -1
 
@@ -162,9 +205,9 @@ def test_on_soft_mounts_the_block_whirls_as_a_free_one(rotation: str) -> None:
         whole: Complex = ahead @ turning + back @ turning.conj()
         return np.array([np.real(whole), np.imag(whole)])
 
-    up, right, along, yaw, pitch, roll = course(shown.orders, vibration.motion)
+    up, right, along, yaw, pitch, roll = course(shown.orders, answered(shown, vibration).motion)
     shift, tilt = plane(free.shift), plane(free.tilt)
-    (turn,) = course(shown.orders, [free.turn])
+    (turn,) = course(shown.orders, waves([free.turn]))
     reach = max(np.abs(shift).max(), np.abs(tilt).max(), np.abs(turn).max())
     assert reach > 1e-6
     assert np.abs(tilt).max(axis=1) == pytest.approx(reach, rel=0.9), "pitch and yaw"
@@ -185,7 +228,7 @@ def test_peaks_are_sent_where_the_range_has_them() -> None:
     )
     shown = sent(engine)
     assert shown.over is not None
-    velocity, speeds = np.array(shown.over.velocity), np.array(shown.over.speeds_rpm)
+    velocity, speeds = np.array(shown.points[0].velocity), np.array(shown.over.speeds_rpm)
     peaks = [each.speed_rpm for each in shown.vibrations if each.peak]
     assert peaks
     for peak in peaks:
@@ -202,11 +245,36 @@ def test_without_mounts_nothing_is_sent_and_without_a_speed_no_vibration() -> No
     still = engine_of(spoilt(SHORT, block={"mass": "200 kg"}, mounts=MOUNTS))
     shown, numbers = sent(still), mount_numbers(still)
     assert shown.over is None
+    assert shown.driving is None
+    assert all(point.velocity == () for point in shown.points)
     assert shown.vibrations == shown.orders == ()
     assert len(shown.modes) == 6
     assert numbers is not None
     assert numbers.speeds.rows == ()
     assert "Without a speed nothing shakes it" in " ".join(numbers.notes)
+
+
+def test_points_are_those_of_the_file_then_centres_then_mounts() -> None:
+    grips = [
+        {"name": name, "up": up} for name, up in (("left grip", "1 m"), ("right grip", "0.9 m"))
+    ]
+    raft = {**FOUNDATION, "points": [{"name": "deck", "z": "0.5 m"}]}
+    engine = standing(block={**BLOCK, "points": grips}, foundation=raft)
+    shown, found = sent(engine), mounts(engine)
+    assert [(point.name, point.below) for point in shown.points] == [
+        ("left grip", False),
+        ("right grip", False),
+        ("centre of mass", False),
+        ("foundation: deck", True),
+        ("foundation: centre of mass", True),
+        ("left", False),
+        ("right", False),
+        ("rear", False),
+    ]
+    assert shown.points[0].place == found.point
+    assert found.over is not None
+    deck = found.over.velocity(shown.points[3].place, of=1)
+    assert shown.points[3].velocity == pytest.approx(rms(deck), rel=1e-8)
 
 
 def test_an_exhibit_has_the_mounts_in_chosen_units() -> None:

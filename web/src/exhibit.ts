@@ -544,17 +544,30 @@ export interface TorsionNumbers {
 export interface Mounts {
   /** of mass, of the block and of a foundation */
   centres: [number, number, number][]
-  /** the point of the block of which motion is told */
-  point: [number, number, number]
+  /** of which motion can be told; the first unless another is chosen */
+  points: MountedPoint[]
   mounts: MountShown[]
   modes: MountedMode[]
   torque_roll: MountAxis
   elastic: MountAxis
   /** null where no speed is known */
   over: MountsOverSpeed | null
-  /** of the vibrations */
+  /** of what shakes it */
   orders: number[]
+  /** null where no speed is known */
+  driving: Driving | null
   vibrations: MountVibration[]
+}
+/** A point of the block or of the foundation, and how it shakes over the range of speeds. */
+export interface MountedPoint {
+  name: string
+  place: [number, number, number]
+  /** whether it is of the foundation */
+  below: boolean
+  /** rms, m; empty where no speed is known */
+  displacement: number[]
+  /** rms, m/s */
+  velocity: number[]
 }
 /** A mount of the block, or one below the foundation. */
 export interface MountShown {
@@ -584,44 +597,70 @@ export interface MountAxis {
   point: [number, number, number]
   direction: [number, number, number]
 }
-/** What is shaken and passed on over the range of speeds. */
+/** What is passed on over the range of speeds. */
 export interface MountsOverSpeed {
   speeds_rpm: number[]
-  /** of the point of the block, rms, m */
-  displacement: number[]
-  /** of the point of the block, rms, m/s */
-  velocity: number[]
   /** on what the mounts stand on, rms, N */
   force: number[]
   /** of each mount of the block; null where nothing pushes */
   transmissibility: (number | null)[][]
 }
-/** The forced vibration in all orders at a speed. */
+/**
+ * What shakes the block, and what it has against it: at any speed the answer follows.
+ *
+ * -W^2 M + i W C + K(W) at W = k w, as in `dynamics.mounted_block`; the force of order k is that
+ * of the moving parts times w^2, and the gas on the roll.
+ */
+export interface Driving {
+  /** M of the freedoms, kg, kg m and kg m^2 */
+  mass: number[][]
+  springs: Spring[]
+  /** on each freedom of the block at 1 rad/s */
+  inertia: [number, number][][]
+  /** rad/s, rising, at which the gas is known; empty without gas */
+  gas_speeds: number[]
+  /** on the roll of the block at these, N m; straight between, kept beyond */
+  gas: [number, number][][]
+}
+/**
+ * A mount as a spring: what the freedoms do along its axes, and what it does against that.
+ *
+ * Angular frequencies in rad/s; straight between those that are given.
+ */
+export interface Spring {
+  arms: [number[], number[], number[]]
+  /** along each axis under a load that stands still, N/m */
+  stiffness: [number, number, number]
+  /** along each axis, N s/m */
+  damping: [number, number, number]
+  loss: number
+  /** frequency, and factor of the stiffness; from 1 at 0 */
+  stiffening: [number, number][]
+  /** frequency, and receptance of what it stands on along each axis, m/N */
+  foot: [number, [number, number], [number, number], [number, number]][]
+}
+/** A speed of note, at which the block may be shown. */
 export interface MountVibration {
   /** the operating point whose gas drives; empty without a name */
   point: string
-  /** whether there is gas, or the moving parts alone */
-  gas: boolean
+  /** of that point on the roll of the block, N m; null: as over the speeds */
+  gas: [number, number][] | null
   speed_rpm: number
   /** whether the block shakes more here than at speeds beside it */
   peak: boolean
-  /** of each freedom, m and rad */
-  motion: [number, number][][]
-  /** of each mount on what is below it, N: up, right, z */
-  forces: [[number, number][], [number, number][], [number, number][]][]
 }
 /** The numbers of the mounts as they are printed, in the units of the page. */
 export interface MountNumbers {
   displacement_unit: Unit3
   velocity_unit: Unit4
-  force_unit: Unit5
-  load_unit: Unit6
+  acceleration_unit: Unit5
+  force_unit: Unit6
+  heat_unit: Unit7
+  load_unit: Unit8
   mounts: Table
   modes: Table
   axes: Table
-  speeds: Table
-  /** of each vibration: by order, and the forces in the mounts */
-  vibrations: Table[][]
+  speeds: Table1
   notes: string[]
   doubts: string[]
 }
@@ -644,6 +683,25 @@ export interface Unit5 {
 export interface Unit6 {
   label: string
   factor: number
+}
+/** A unit as it is printed, and the factor to it from the number that is sent. */
+export interface Unit7 {
+  label: string
+  factor: number
+}
+/** A unit as it is printed, and the factor to it from the number that is sent. */
+export interface Unit8 {
+  label: string
+  factor: number
+}
+/** A table as it is printed: heads with units, rows, notes under it. */
+export interface Table1 {
+  title: string
+  heads: string[]
+  rows: string[][]
+  notes?: string[]
+  /** which columns hold numbers, which are aligned to the right */
+  numeric?: boolean[]
 }
 /** A figure of an engine: the `key` that it is requested by, and the properties to choose by. */
 export interface ChartKey {

@@ -1,5 +1,6 @@
-import type { Exhibit, MountedMode, Mounts, MountVibration } from './exhibit'
+import type { Exhibit, MountedMode, MountedPoint, Mounts, MountVibration } from './exhibit'
 import { roundFactor } from './magnification'
+import { type Answer, answerAt } from './mountResponse'
 import { type Coefficients, type Phase, phaseOf, signalAt, signalOf, turn } from './phasor'
 import type { Choices } from './state'
 
@@ -12,14 +13,20 @@ export interface MountChoice {
   readonly show: Show
   /** Number of the mode. */
   readonly mode: number
-  /** Which of the vibrations, from 0. */
+  /** Which of the speeds of note, from 0. */
   readonly vibration: number
+  /** A speed of one's own, rpm; null for one of note. */
+  readonly rpm: number | null
+  /** Which of the points, from 0. */
+  readonly point: number
   /** Magnification; null for one that is seen well. */
   readonly times: number | null
 }
 
 /** The freedoms of a body: up, right, along, yaw, pitch, roll. */
 export const SIX = 6
+/** Radians per second for each turn per minute. */
+export const PER_RPM = Math.PI / 30
 /** How far the corner of the engine that goes farthest goes in a mode, m. */
 export const UNIT = 1e-3
 /** Share of the engine's size that the usual magnification gives the greatest movement. */
@@ -52,6 +59,8 @@ export function mountChoiceOf(choices: Choices): MountChoice {
     show: SHOWS.find((each) => each === choices['mounts.show']) ?? 'still',
     mode: count(choices['mounts.mode'], 1),
     vibration: count(choices['mounts.at'], 0),
+    rpm: Number.parseFloat(choices['mounts.rpm'] ?? '') || null,
+    point: count(choices['mounts.point'], 0),
     times: count(choices['mounts.times'], 0) || null,
   }
 }
@@ -60,9 +69,25 @@ export function mountChoiceOf(choices: Choices): MountChoice {
 export const modeOf = ({ modes }: Mounts, number: number): MountedMode | undefined =>
   modes.find((mode) => mode.number === number) ?? modes[0]
 
-/** The vibration that is shown; the first without such a one. */
-export const vibrationOf = ({ vibrations }: Mounts, place: number): MountVibration | undefined =>
-  vibrations[place] ?? vibrations[0]
+/** The speed that is shown: a chosen one within the range, else of note, the first without such. */
+export function vibrationOf(
+  { vibrations, over }: Mounts,
+  { rpm, vibration }: Pick<MountChoice, 'rpm' | 'vibration'>,
+): MountVibration | undefined {
+  const [slowest, fastest] = [over?.speeds_rpm[0], over?.speeds_rpm.at(-1)]
+  if (rpm === null || slowest === undefined || fastest === undefined)
+    return vibrations[vibration] ?? vibrations[0]
+  const speed_rpm = Math.min(Math.max(rpm, slowest), fastest)
+  return { point: '', gas: null, speed_rpm, peak: false }
+}
+
+/** The point of which motion is told; the first without such a one. */
+export const pointOf = ({ points }: Mounts, { point }: Pick<MountChoice, 'point'>): MountedPoint =>
+  (points[point] ?? points[0]) as MountedPoint
+
+/** The steady vibration at a speed; null where no speed is known. */
+export const answerOf = (mounts: Mounts, { speed_rpm, gas }: MountVibration): Answer | null =>
+  mounts.driving && answerAt(mounts, mounts.driving, speed_rpm * PER_RPM, gas && signalOf(gas))
 
 /** How the block moves as chosen; null where it does not. */
 export function shakeOf(exhibit: Exhibit, choice: MountChoice): Shake | null {
@@ -114,15 +139,11 @@ function farthest({ shape }: MountedMode, corners: readonly Place[]): number {
 }
 
 function forced(mounts: Mounts, choice: MountChoice): Waves | null {
-  const vibration = vibrationOf(mounts, choice.vibration)
-  if (!vibration) return null
-  return {
-    orders: mounts.orders,
-    motion: vibration.motion.map(signalOf),
-    forces: vibration.forces.map((force) => force.map(signalOf)),
-    free: false,
-    rpm: vibration.speed_rpm,
-  }
+  const vibration = vibrationOf(mounts, choice)
+  const answer = vibration && answerOf(mounts, vibration)
+  if (!answer) return null
+  const { motion, forces } = answer
+  return { orders: mounts.orders, motion, forces, free: false, rpm: vibration.speed_rpm }
 }
 
 /** Runs through the angles of a cycle. */
@@ -166,20 +187,18 @@ class Going {
 
 type Six = [number, number, number, number, number, number]
 
-/** The waves of a point (up, right, z) of the block at a vibration: up, right, along, m. */
+/** The waves of a point of the block, or of a foundation, at a vibration: up, right, along, m. */
 export function pointWaves(
   { centres }: Mounts,
   motion: readonly Coefficients[],
-  point: readonly [number, number, number],
+  { place, below }: Pick<MountedPoint, 'place' | 'below'>,
 ): Coefficients[] {
-  const centre = centres[0] ?? [0, 0, 0]
-  const [u, r, z] = point.map((each, axis) => each - (centre[axis] as number)) as Place
+  const centre = centres[below ? 1 : 0] ?? [0, 0, 0]
+  const own = motion.slice(below ? SIX : 0)
+  const [u, r, z] = place.map((each, axis) => each - (centre[axis] as number)) as Place
   const sum = (...terms: readonly (readonly [number, number])[]): Coefficients =>
-    (motion[0] as Coefficients).map((_, index) =>
-      terms.reduce(
-        (all, [at, by]) => all + by * ((motion[at] as Coefficients)[index] as number),
-        0,
-      ),
+    (own[0] as Coefficients).map((_, index) =>
+      terms.reduce((all, [at, by]) => all + by * ((own[at] as Coefficients)[index] as number), 0),
     )
   return [sum([0, 1], [4, z], [5, -r]), sum([1, 1], [3, z], [5, u]), sum([2, 1], [3, -r], [4, -u])]
 }

@@ -147,6 +147,7 @@ const CHOSEN = /^[\w-]{1,120}$/
 const NAMED: Readonly<Record<string, RegExp>> = {
   'torque.load': /^[^\p{C}]{1,200}$/u,
   'twist.order': /^\d{1,3}(\.\d{1,6})?$/,
+  'mounts.rpm': /^\d{1,6}(\.\d{1,3})?$/,
 }
 const MOST_CHOICES = 32
 

@@ -1,10 +1,24 @@
 import { describe, expect, test } from 'vitest'
 import type { Mounts } from '../src/exhibit'
-import { groundWaves, mountChoiceOf, pointWaves, shakeOf, UNIT } from '../src/mounts'
-import { phaseOf, signalAt, signalOf, turn } from '../src/phasor'
+import {
+  answerOf,
+  groundWaves,
+  mountChoiceOf,
+  pointOf,
+  pointWaves,
+  shakeOf,
+  UNIT,
+  vibrationOf,
+} from '../src/mounts'
+import { phaseOf, signalAt, turn } from '../src/phasor'
 import { stateOf } from '../src/state'
 import { mounts, standing } from './mounted'
 import { exhibit } from './stage/engine'
+
+const SPEED = (800 * Math.PI) / 30
+const near = (value: number, within: number) => ({
+  asymmetricMatch: (other: unknown) => Math.abs(Number(other) - value) <= within,
+})
 
 const choice = (text: string) => mountChoiceOf(stateOf(text).choices)
 
@@ -19,11 +33,13 @@ describe('what is chosen', () => {
       show: 'forced',
       mode: 2,
       vibration: 3,
+      rpm: null,
+      point: 0,
       times: 50,
     })
-    expect(choice('mounts.show=fast&mounts.mode=-1&mounts.at=<b>&mounts.times=1e9')).toEqual(
-      choice(''),
-    )
+    expect(choice('mounts.rpm=812.5&mounts.point=1')).toMatchObject({ rpm: 812.5, point: 1 })
+    const nonsense = 'mounts.show=fast&mounts.mode=-1&mounts.at=<b>&mounts.times=1e9'
+    expect(choice(`${nonsense}&mounts.rpm=-3&mounts.point=x`)).toEqual(choice(''))
   })
 })
 
@@ -57,20 +73,44 @@ test('as it is driven it has all orders, and the greatest force of a mount over 
   expect(shake?.most).toBeLessThanOrEqual(most + 1e-12)
 })
 
+/** The vibration of the fixture. */
+function answer() {
+  const own = answerOf(mounts, mounts.vibrations[0] as Mounts['vibrations'][0])
+  if (!own) throw new Error('no speed')
+  return own
+}
+
+test("a speed of one's own is kept within the range that is known", () => {
+  const own = { ...mounts, over: { speeds_rpm: [700, 900], force: [], transmissibility: [] } }
+  const at = (rpm: number | null) => vibrationOf(own, { rpm, vibration: 7 })?.speed_rpm
+  expect([at(null), at(650), at(812.5), at(2000)]).toEqual([800, 700, 812.5, 900])
+  expect(vibrationOf(mounts, { rpm: 650, vibration: 0 })?.speed_rpm).toBe(800)
+})
+
+test('the block answers to what drives it as a mass on its springs', () => {
+  const { motion, through, heat } = answer()
+  expect(Array.from(motion[0] ?? [])).toEqual([2e-5, 0, 0, 0].map((each) => near(each, 1e-17)))
+  expect(Array.from(motion[5] ?? [])).toEqual([0, 0, 0, 1e-4].map((each) => near(each, 1e-16)))
+  const still = Math.hypot(
+    2e-5 * (2e5 - 10 * SPEED ** 2),
+    (0.4 / 0.16) * 1e-4 * (3.2e4 - (2.5 * SPEED) ** 2),
+  )
+  expect(through[0]).toBeCloseTo(Math.hypot(4, 8) / still, 12)
+  expect(heat).toEqual([0, 0])
+})
+
 test('a point of the block goes as the freedoms say', () => {
-  const [vibration] = mounts.vibrations
-  const motion = (vibration?.motion ?? []).map(signalOf)
-  const [up, right, along] = pointWaves(mounts, motion, [0.3, 0.5, 2])
-  expect(up).toEqual(Float64Array.of(2e-5, 0, 0, -0.5e-4))
-  expect(Array.from(right ?? [])).toEqual([0, 0, 0, expect.closeTo(0.2e-4, 15)])
+  const [up, right, along] = pointWaves(mounts, answer().motion, pointOf(mounts, { point: 1 }))
+  expect(Array.from(up ?? [])).toEqual([2e-5, 0, 0, -0.5e-4].map((each) => near(each, 1e-16)))
+  expect(Array.from(right ?? [])).toEqual([0, 0, 0, 0.2e-4].map((each) => near(each, 1e-16)))
   expect(Array.from(along ?? []).map((each) => each + 0)).toEqual([0, 0, 0, 0])
 })
 
 test('the force on the ground is that of the mounts that stand on it', () => {
-  const [vibration] = mounts.vibrations
-  const forces = (vibration?.forces ?? []).map((force) => force.map(signalOf))
-  expect(groundWaves(mounts, forces)[0]).toEqual(Float64Array.of(4, 0, 0, 0))
+  const { forces } = answer()
+  const ground = (own: Mounts) => Array.from(groundWaves(own, forces)[0] ?? [])
+  expect(ground(mounts)).toEqual([4, 0, 0, 0].map((each) => near(each, 1e-11)))
   const [left, right] = mounts.mounts as [Mounts['mounts'][0], Mounts['mounts'][0]]
   const based = { ...mounts, mounts: [left, { ...right, below: true }] }
-  expect(groundWaves(based, forces)[0]).toEqual(Float64Array.of(1, 0, 0, -4))
+  expect(ground(based)).toEqual([2, 0, 0, -4].map((each) => near(each, 1e-11)))
 })

@@ -114,6 +114,18 @@ def _stacked(loads: Real, cycles: Sequence[Cycle]) -> LoadedTorques:
     )
 
 
+def points_by_speed(engine: Engine) -> dict[float, str]:
+    """The operating points between which gas is interpolated, by speed; none unless two or more.
+
+    >>> from crankstar.files.catalog import load
+    >>> points_by_speed(load("honda-b18c"))
+    {}
+    """
+    points = () if engine.gas is None else engine.gas.points
+    known = {each.speed: each.name for each in points if each.speed is not None}
+    return known if len(known) > 1 else {}
+
+
 def gas_over_speeds(engine: Engine, speeds: Sequence[float] | Real, *, point: str = "") -> Spectrum:
     """The gas torque of the engine at each speed (rad/s), N m [speed, order]. Raises GasError.
 
@@ -122,10 +134,9 @@ def gas_over_speeds(engine: Engine, speeds: Sequence[float] | Real, *, point: st
     the load of the file itself where there are no two of them.
     """
     wanted = np.atleast_1d(np.asarray(speeds, float))
-    chosen = () if point or engine.gas is None else engine.gas.points
-    by_speed = {each.speed: each.name for each in chosen if each.speed is not None}
+    by_speed = {} if point else points_by_speed(engine)
     known = sorted(by_speed)
-    if len(known) < 2:
+    if not known:
         one = gas_torque(cycle(engine, point=point, speed=float(wanted[-1]))).total
         shape = (wanted.size, one.orders.size)
         return replace(

@@ -18,7 +18,8 @@
 | `torque` | gas and inertia torque over a working cycle, the exhaust as a sound |
 | `keys` | the figures and derivations that an engine has, by key |
 | `torsion` | modes, critical speeds and forced vibration of the crankshaft that twists |
-| `mounts` | modes of the block on its mounts, vibration over speed and at a speed |
+| `mount_driving` | what shakes the block on its mounts at any speed; its points |
+| `mounts` | modes of the block on its mounts, vibration over speed |
 | `figures` | a figure as Vega-Lite, a derivation as HTML, by key |
 | `exhibits` | Engine -> Exhibit, Exhibition; the engine with the recommended remedy |
 | `workshop_records` | what the workshop is sent |

@@ -1,12 +1,11 @@
-"""The block on its mounts, as the page has it: modes, axes, vibration over speed and at a speed.
+"""The block on its mounts, as the page has it: modes, axes, points, what shakes it at any speed.
 
 Nothing of mounts is loaded for an engine without `[[mounts]]`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from collections.abc import Iterator
 from functools import lru_cache
 from math import pi
 from typing import TYPE_CHECKING, NamedTuple, cast
@@ -17,6 +16,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.operating_points import GasError
+from crankstar.page.mount_driving import driving, place_of, points_of, short
 from crankstar.page.mount_records import (
     MountAxis,
     MountedMode,
@@ -30,7 +30,7 @@ from crankstar.page.mount_records import (
 from crankstar.page.printed import printed
 from crankstar.page.torque import cycles, wave_of
 from crankstar.page.unit_records import Table, Unit
-from crankstar.spectra import Complex, Real
+from crankstar.spectra import Real
 
 if TYPE_CHECKING:
     from crankstar.dynamics.mount_analysis import MountAnalysis
@@ -39,9 +39,9 @@ if TYPE_CHECKING:
     from crankstar.tables.table import Document
 
 MOST_POINTS, MOST_PEAKS = 6, 4
-"""Operating points, and speeds at which the block shakes most, whose vibration is sent."""
+"""Operating points, and speeds at which the block shakes most, that are offered."""
 LEAST = 1e-10
-"""Share of the greatest motion or force below which an order is left out."""
+"""Share of the greatest motion or force at every speed below which an order is left out."""
 RPM = 30 / pi
 
 
@@ -125,28 +125,29 @@ def mounts_shown(engine: Engine) -> Mounts | None:
     if known is None:
         return None
     found, driven = known
-    block = found.block
+    block, over = found.block, found.over
     axes = _axes(found)
-    kept = _kept(driven)
+    kept = _kept(over, driven)
     return Mounts(
-        centres=tuple(map(_place, block.centres)),
-        point=_place(found.point),
+        centres=tuple(map(place_of, block.centres)),
+        points=points_of(engine, found),
         mounts=tuple(
             MountShown(
                 name=mount.name,
                 place=(mount.up, mount.right, mount.z),
-                axes=cast("tuple[Place, Place, Place]", tuple(map(_place, axes[index]))),
+                axes=cast("tuple[Place, Place, Place]", tuple(map(place_of, axes[index]))),
                 below=index >= block.of_block,
-                load=_place(found.loads[index] @ axes[index]),
+                load=place_of(found.loads[index] @ axes[index]),
             )
             for index, mount in enumerate(block.mounts)
         ),
         modes=tuple(_mode(found, axes, index, mode) for index, mode in enumerate(found.modes)),
         torque_roll=_axis(found.torque_roll),
         elastic=_axis(found.elastic),
-        over=_over(found, found.over) if found.over is not None else None,
-        orders=tuple(driven[0].response.orders[kept].tolist()) if driven else (),
-        vibrations=tuple(_vibration(each, axes, kept) for each in driven),
+        over=None if over is None else _over(over),
+        orders=() if over is None else tuple(over.orders[kept].tolist()),
+        driving=None if over is None else driving(engine, over, kept),
+        vibrations=tuple(_vibration(each, kept) for each in driven),
     )
 
 
@@ -157,13 +158,8 @@ def _axes(found: MountAnalysis) -> Real:
     return np.array([mount_axes(each) for each in found.block.mounts])
 
 
-def _place(values: Iterable[float]) -> Place:
-    up, right, z = (float(each) + 0.0 for each in values)
-    return up, right, z
-
-
 def _axis(axis: Axis) -> MountAxis:
-    return MountAxis(point=_place(axis.point), direction=_place(axis.direction))
+    return MountAxis(point=place_of(axis.point), direction=place_of(axis.direction))
 
 
 def _mode(found: MountAnalysis, axes: Real, index: int, mode: MountMode) -> MountedMode:
@@ -176,52 +172,43 @@ def _mode(found: MountAnalysis, axes: Real, index: int, mode: MountMode) -> Moun
         damping=mode.damping,
         energy=tuple(mode.energy.tolist()),
         shape=tuple(mode.shape.tolist()),
-        forces=tuple(map(_place, np.einsum("ma,mai->mi", along, axes))),
+        forces=tuple(map(place_of, np.einsum("ma,mai->mi", along, axes))),
     )
 
 
-def _over(found: MountAnalysis, own: MountResponse) -> MountsOverSpeed:
+def _over(own: MountResponse) -> MountsOverSpeed:
     from crankstar.dynamics.mount_response import rms
 
-    through = own.transmissibility.T
     return MountsOverSpeed(
-        speeds_rpm=_short(own.speeds * RPM),
-        displacement=_short(rms(own.displacement(found.point))),
-        velocity=_short(rms(own.velocity(found.point))),
-        force=_short(rms(own.ground_force[..., :3])),
+        speeds_rpm=short(own.speeds * RPM),
+        force=short(rms(own.ground_force[..., :3])),
         transmissibility=tuple(
-            tuple(None if np.isnan(each) else _short([each])[0] for each in line)
-            for line in through
+            tuple(None if np.isnan(each) else short([each])[0] for each in line)
+            for line in own.transmissibility.T
         ),
     )
 
 
-def _short(values: Iterable[float]) -> tuple[float, ...]:
-    return tuple(float(f"{value:.9g}") for value in values)
-
-
-def _kept(driven: tuple[_Driven, ...]) -> Real:
-    """Which orders make up the vibrations, those of nothing but rounding left out."""
-    if not driven:
+def _kept(over: MountResponse | None, driven: tuple[_Driven, ...]) -> Real:
+    """Which orders shake the block, those of nothing but rounding left out."""
+    if over is None:
         return np.array([], bool)
-    out = np.zeros(driven[0].response.orders.size, bool)
-    for _point, _peak, at in driven:
-        flat = at.mount_force[0].reshape(out.size, -1)
-        for size in (np.abs(flat).max(axis=1), *np.abs(at.motion[0]).T):
-            out |= size > LEAST * max(float(size.max(initial=0.0)), 1e-300)
+    out = np.zeros(over.orders.size, bool)
+    for at in (over, *(each.response for each in driven)):
+        forces = at.mount_force.reshape(*at.motion.shape[:2], -1)
+        sizes = [np.abs(forces).max(axis=2), *np.moveaxis(np.abs(at.motion), 2, 0)]
+        for size in sizes:  # [speed, order]
+            out |= (size > LEAST * np.maximum(size.max(axis=1, keepdims=True), 1e-300)).any(axis=0)
     return out
 
 
-def _vibration(driven: _Driven, axes: Real, kept: Real) -> MountVibration:
+def _vibration(driven: _Driven, kept: Real) -> MountVibration:
     point, peak, at = driven
-    forces: Complex = np.einsum("kma,mai->mik", at.mount_force[0, kept], axes)
     return MountVibration(
         point=point,
-        gas=not at.excitation.without_gas,
+        gas=wave_of(at.excitation.gas[0, kept, 5]) if point else None,
         speed_rpm=float(at.speeds[0]) * RPM,
         peak=peak,
-        motion=tuple(map(wave_of, at.motion[0, kept].T)),
-        forces=tuple((wave_of(up), wave_of(right), wave_of(z)) for up, right, z in forces),
     )
 
 
@@ -234,9 +221,7 @@ def mount_numbers(engine: Engine) -> MountNumbers | None:
     from crankstar.tables.mounts import mounts_document
 
     found, driven = known
-    plain = mounts_document(engine, found)
-    still = replace(found, over=None)
-    at_speeds = [mounts_document(engine, replace(still, at=each.response)) for each in driven]
+    plain = mounts_document(engine, found, point_told=False)
     forces = [float(rms(each.response.ground_force[..., :3])[0]) for each in driven]
     notes, doubts = (
         tuple(line for part in plain.sentences if part.kind == kind for line in part.lines)
@@ -245,15 +230,14 @@ def mount_numbers(engine: Engine) -> MountNumbers | None:
     return MountNumbers(
         displacement_unit=_small("um", 1e6),
         velocity_unit=_small("mm/s", 1e3),
+        acceleration_unit=_small("m/s^2", 1.0),
+        heat_unit=_small("W", 1.0),
         force_unit=_unit(max(forces, default=1.0) or 1.0),
         load_unit=_unit(float(np.abs(found.loads).max())),
         mounts=_table(plain, "mounts"),
         modes=_table(plain, "modes"),
         axes=_table(plain, "axes"),
         speeds=_table(plain, "speeds"),
-        vibrations=tuple(
-            (_table(each, "orders"), _table(each, "mounts_at_speed")) for each in at_speeds
-        ),
         notes=notes,
         doubts=doubts,
     )
@@ -266,7 +250,7 @@ def _unit(largest: float) -> Unit:
 
 def _small(unit: str, count: float) -> Unit:
     """The unit for one of which there are `count` in SI."""
-    said = shown(unit, 1.0)
+    said = shown(unit, 1.0, prefixed=False)
     label = "µm" if said.unit == "um" else unit_text(said.unit)
     return Unit(label=label, factor=count * said.factor)
 

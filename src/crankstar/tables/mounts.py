@@ -45,10 +45,12 @@ def mounts_document(
     machine: bool = False,
     every: bool = False,
     every_order: bool = False,
+    point_told: bool = True,
 ) -> Document:
     """All of an analysis; `every` speed also for readers, else a few of many.
 
     `every_order`: also those of which next to nothing is left, because they are asked for.
+    `point_told`: with the point of which motion is told, which a page lets its reader choose.
     """
     parts: list[Table | Remarks] = [] if machine else [heading(engine)]
     modes = _mode_table(found, machine=machine)
@@ -62,7 +64,7 @@ def mounts_document(
     if found.at is not None:
         parts += [_order_table(found, found.at, every=every_order), _force_table(found.at)]
     if not machine:
-        parts += remarks(*_notes(engine, found), kind="note")
+        parts += remarks(*_notes(engine, found, point_told=point_told), kind="note")
         parts += remarks(*_doubts(engine, found), kind="doubt")
         parts += typical_remarks(engine)
     return Document(engine.name, tuple(parts), _facts(engine, found))
@@ -243,15 +245,16 @@ def _force_table(own: MountResponse) -> Table:
     return Table(title, columns, rows, key="mounts_at_speed")
 
 
-def _notes(engine: Engine, found: MountAnalysis) -> list[str]:
+def _notes(engine: Engine, found: MountAnalysis, *, point_told: bool) -> list[str]:
     """What it rests on, and what is left out."""
     sag = quantity_text(float(f"{-found.sag[0] * MM:.4g}"), "mm")
     lines = [_("Under its weight the block sits down by {sag} at its centre of mass.", sag=sag)]
     if found.over is None and found.at is None:
         lines.append(_("Without a speed nothing shakes it: give --speeds, or speed in the file."))
         return lines
-    point = told_point(engine, found.point)
-    lines.append(_("Vibration is that of the point {point}; see --at.", point=point))
+    if point_told:
+        point = told_point(engine, found.point)
+        lines.append(_("Vibration is that of the point {point}; see --at.", point=point))
     if found.range_assumed:
         lines.append(_("The range of speeds is taken about the one that is known; see --speeds."))
     lines.append(

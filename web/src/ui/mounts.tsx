@@ -11,10 +11,12 @@ interface Chosen {
   readonly show?: string
   readonly mode?: string
   readonly at?: string
+  readonly rpm?: string
+  readonly point?: string
   readonly times?: string
 }
 
-const OPENING: Readonly<Record<string, string>> = { show: 'still', mode: '1', at: '0' }
+const OPENING: Readonly<Record<string, string>> = { show: 'still', mode: '1', at: '0', point: '0' }
 
 /** What changes the choice. */
 export function useMounts(): (change: Chosen) => void {

@@ -113,10 +113,11 @@ describe('the block as it is driven', () => {
   test('presses on what is below by shares of the greatest force', () => {
     const road = shaking(exhibit, 'mounts.show=forced')
     const out = new Float64Array(6)
-    road.at(0, null)
+    road.at(0.2, null)
     road.forces(out)
-    expect(out[1]).toBeCloseTo(3 / road.shake.most, 12)
-    expect(out[4]).toBeCloseTo(1 / road.shake.most, 12)
+    const [straight, rolling] = [2 * Math.cos(0.2), 4 * Math.sin(0.5)]
+    expect(out[1]).toBeCloseTo((straight - rolling) / road.shake.most, 12)
+    expect(out[4]).toBeCloseTo((straight + rolling) / road.shake.most, 12)
     expect([out[0], out[2]]).toEqual([0, 0])
   })
 

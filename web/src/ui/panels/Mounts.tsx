@@ -1,9 +1,26 @@
 import { useMemo } from 'preact/hooks'
 import { Coded } from '../../coded'
-import type { Exhibit, MountNumbers, Mounts, MountVibration, Table } from '../../exhibit'
+import type {
+  Exhibit,
+  MountedPoint,
+  MountNumbers,
+  Mounts,
+  MountVibration,
+  Table,
+} from '../../exhibit'
 import { message, t } from '../../language/messages'
-import { groundWaves, modeOf, pointWaves, type Show, shakeOf, vibrationOf } from '../../mounts'
-import { signalOf } from '../../phasor'
+import type { Answer } from '../../mountResponse'
+import {
+  answerOf,
+  groundWaves,
+  type MountChoice,
+  modeOf,
+  pointOf,
+  pointWaves,
+  type Show,
+  shakeOf,
+  vibrationOf,
+} from '../../mounts'
 import { sizeText } from '../Bars'
 import { Choice } from '../Choice'
 import { Curves } from '../Curves'
@@ -13,6 +30,7 @@ import { Each } from '../Each'
 import { Magnification } from '../Magnification'
 import { MountViews } from '../MountViews'
 import { EnergyBars, LoadBars, OverSpeed, useMounts } from '../mounts'
+import { ForceTable, orderTable, PointTable } from '../mountTables'
 import type { Panel } from '../panel'
 
 export const mounts: Panel = {
@@ -21,6 +39,9 @@ export const mounts: Panel = {
   Content: MountsPanel,
   when: ({ shown }) => shown.value.some((exhibit) => exhibit.mounts),
 }
+
+/** Ranges of fewer turns per minute are gone through in tenths. */
+const FINE = 300
 
 const SHOW = {
   still: message('as it stands'),
@@ -44,7 +65,8 @@ function Choices({ exhibit, mounts: own }: { exhibit: Exhibit; mounts: Mounts })
   const chosen = useApp().mounts.value
   const choose = useMounts()
   const mode = modeOf(own, chosen.mode)
-  const isDriven = own.vibrations.length > 0
+  const driven = vibrationOf(own, chosen)
+  const isDriven = driven !== undefined
   const shows: Show[] = ['still', 'mode', ...(isDriven ? (['forced'] as const) : [])]
   const seen = useMemo(() => shakeOf(exhibit, chosen), [exhibit, chosen])
   return (
@@ -76,9 +98,12 @@ function Choices({ exhibit, mounts: own }: { exhibit: Exhibit; mounts: Mounts })
           <label class="slider at-speed">
             <span>{t('Driven at')}</span>
             <select
-              value={own.vibrations[chosen.vibration] ? chosen.vibration : 0}
-              onChange={(event) => choose({ at: event.currentTarget.value })}
+              value={
+                chosen.rpm !== null ? '' : own.vibrations[chosen.vibration] ? chosen.vibration : 0
+              }
+              onChange={(event) => choose({ at: event.currentTarget.value, rpm: '' })}
             >
+              {chosen.rpm !== null && driven && <option value="">{speedText(driven)}</option>}
               {own.vibrations.map((each, place) => (
                 <option key={place} value={place}>
                   {speedText(each)}
@@ -87,14 +112,68 @@ function Choices({ exhibit, mounts: own }: { exhibit: Exhibit; mounts: Mounts })
             </select>
           </label>
         )}
+        {isDriven && (
+          <label class="slider at-speed">
+            <span>{t('Point')}</span>
+            <select
+              value={own.points[chosen.point] ? chosen.point : 0}
+              onChange={(event) => choose({ point: event.currentTarget.value })}
+            >
+              {own.points.map(({ name }, place) => (
+                <option key={place} value={place}>
+                  {name}
+                </option>
+              ))}
+            </select>
+          </label>
+        )}
+        {driven && <Speed own={own} at={driven.speed_rpm} />}
       </div>
       {seen && (
         <>
           <Magnification times={seen.times} decades={6} chosen={(times) => choose({ times })} />
-          <p class="soft small">{meaning(own, chosen.show, chosen.vibration)}</p>
+          <p class="soft small">{meaning(own, chosen)}</p>
         </>
       )}
     </>
+  )
+}
+
+/** Any speed of the range, by a slider or as a number. */
+function Speed({ own, at }: { own: Mounts; at: number }) {
+  const choose = useMounts()
+  const [slowest = 0, fastest = 0] = [own.over?.speeds_rpm[0], own.over?.speeds_rpm.at(-1)]
+  const step = fastest - slowest < FINE ? 0.1 : 1
+  const [min, max] = [Math.ceil(slowest / step) * step, Math.floor(fastest / step) * step]
+  if (!(max > min)) return null
+  const text = (speed: number) => String(Number(speed.toFixed(1)))
+  const range = {
+    min: text(min),
+    max: text(max),
+    step,
+    value: text(Math.min(max, Math.max(min, at))),
+  }
+  const chosen = (speed: number) => {
+    if (Number.isFinite(speed)) choose({ rpm: text(Math.min(max, Math.max(min, speed))) })
+  }
+  return (
+    <div class="wide any-speed">
+      <span aria-hidden="true">{t('Speed')}</span>
+      <input
+        type="range"
+        {...range}
+        aria-label={t('Speed of the engine')}
+        aria-valuetext={t('{rpm} rpm', { rpm: text(at) })}
+        onInput={(event) => chosen(event.currentTarget.valueAsNumber)}
+      />
+      <input
+        type="number"
+        {...range}
+        aria-label={t('Speed of the engine, rpm')}
+        onChange={(event) => chosen(event.currentTarget.valueAsNumber)}
+      />
+      <span>{t('rpm')}</span>
+    </div>
   )
 }
 
@@ -106,7 +185,7 @@ function speedText({ point, speed_rpm, peak }: MountVibration): string {
 }
 
 /** What the stage shows, and how large that is. */
-function meaning(own: Mounts, show: Show, vibration: number): string {
+function meaning(own: Mounts, { show, rpm }: MountChoice): string {
   if (show === 'mode')
     return t(
       'A mode has no size of its own: the corner of the engine that goes farthest goes 1 mm to either side, times the magnification. It swings once a turn; arrows are the forces of the mounts at 1 mm.',
@@ -115,7 +194,10 @@ function meaning(own: Mounts, show: Show, vibration: number): string {
     'All orders that are chosen move it, magnified; arrows are the force of each mount on what is below it.',
   )
   const alone = t('Without gas: this is what the moving parts do alone.')
-  return vibrationOf(own, vibration)?.gas ? all : `${alone} ${all}`
+  const mixed = t('Between the operating points the gas is interpolated.')
+  const known = own.driving?.gas_speeds.length ?? 0
+  if (!known) return `${alone} ${all}`
+  return rpm !== null && known > 1 ? `${all} ${mixed}` : all
 }
 
 /** One engine on its mounts, or what it needs. */
@@ -140,10 +222,12 @@ interface Parts {
 }
 
 function Known({ exhibit, own, numbers }: Parts) {
-  const { vibration } = useApp().mounts.value
-  const place = own.vibrations[vibration] ? vibration : 0
-  const shown = own.vibrations[place]
-  const [orders, forces] = numbers.vibrations[place] ?? []
+  const chosen = useApp().mounts.value
+  const { vibration, rpm } = chosen
+  const shown = useMemo(() => vibrationOf(own, { vibration, rpm }), [own, vibration, rpm])
+  const answer = useMemo(() => (shown ? answerOf(own, shown) : null), [own, shown])
+  const point = pointOf(own, chosen)
+  const driven = shown && answer && { own, numbers, shown, answer }
   return (
     <div class="mounts-of">
       {numbers.doubts.length > 0 && (
@@ -157,11 +241,16 @@ function Known({ exhibit, own, numbers }: Parts) {
       <DataTable table={numbers.axes} />
       <LoadBars mounts={own} numbers={numbers} />
       <DataTable table={numbers.mounts} />
-      {own.over && <Over own={own} numbers={numbers} at={shown?.speed_rpm ?? null} />}
-      {shown && <Course exhibit={exhibit} own={own} numbers={numbers} shown={shown} />}
-      {forces && <DataTable table={forces} />}
-      {orders && <Folded table={orders} />}
-      {numbers.speeds.rows.length > 0 && <Folded table={numbers.speeds} />}
+      {own.over && <Over own={own} numbers={numbers} point={point} at={shown?.speed_rpm ?? null} />}
+      {driven && (
+        <>
+          <Course exhibit={exhibit} {...driven} point={point} />
+          <PointTable exhibit={exhibit} {...driven} />
+          <ForceTable exhibit={exhibit} {...driven} />
+          <Folded table={orderTable(driven, point)} />
+        </>
+      )}
+      {numbers.speeds.rows.length > 0 && <Folded table={numbers.speeds} of={own.points[0]?.name} />}
       <details class="torque-basis">
         <summary>{t('What this rests on')}</summary>
         <ul>
@@ -176,8 +265,13 @@ function Known({ exhibit, own, numbers }: Parts) {
   )
 }
 
+interface OverParts extends Omit<Parts, 'exhibit'> {
+  readonly point: MountedPoint
+  readonly at: number | null
+}
+
 /** Motion, force and transmissibility over the speed. */
-function Over({ own, numbers, at }: Omit<Parts, 'exhibit'> & { at: number | null }) {
+function Over({ own, numbers, point, at }: OverParts) {
   const { over } = own
   if (!over) return null
   const speeds = over.speeds_rpm
@@ -188,17 +282,17 @@ function Over({ own, numbers, at }: Omit<Parts, 'exhibit'> & { at: number | null
     <>
       <h3>{t('Over the speed, rpm')}</h3>
       <OverSpeed
-        label={t('Vibration of the point, rms')}
+        label={t('Vibration of the point {point}, rms', { point: point.name })}
         unit={numbers.velocity_unit}
         speeds={speeds}
-        lines={[{ key: 'velocity', label: t('velocity'), values: over.velocity }]}
+        lines={[{ key: 'velocity', label: t('velocity'), values: point.velocity }]}
         at={at}
       />
       <OverSpeed
-        label={t('Displacement of the point, rms')}
+        label={t('Displacement of the point {point}, rms', { point: point.name })}
         unit={numbers.displacement_unit}
         speeds={speeds}
-        lines={[{ key: 'displacement', label: t('displacement'), values: over.displacement }]}
+        lines={[{ key: 'displacement', label: t('displacement'), values: point.displacement }]}
         at={at}
       />
       <OverSpeed
@@ -223,13 +317,18 @@ function Over({ own, numbers, at }: Omit<Parts, 'exhibit'> & { at: number | null
   )
 }
 
+interface CourseParts extends Parts {
+  readonly shown: MountVibration
+  readonly answer: Answer
+  readonly point: MountedPoint
+}
+
 /** Motion of the point and force on the ground over a cycle, at the speed that is shown. */
-function Course({ exhibit, own, numbers, shown }: Parts & { shown: MountVibration }) {
-  const courses = useMemo(() => {
-    const motion = shown.motion.map(signalOf)
-    const forces = shown.forces.map((force) => force.map(signalOf))
-    return [pointWaves(own, motion, own.point), groundWaves(own, forces)] as const
-  }, [own, shown])
+function Course({ exhibit, own, numbers, shown, answer, point }: CourseParts) {
+  const courses = useMemo(
+    () => [pointWaves(own, answer.motion, point), groundWaves(own, answer.forces)] as const,
+    [own, answer, point],
+  )
   const names = [t('up'), t('right'), t('along')]
   const keys = ['axis-0', 'axis-1', 'axis-2']
   const series = courses.map((waves) =>
@@ -245,7 +344,7 @@ function Course({ exhibit, own, numbers, shown }: Parts & { shown: MountVibratio
   return (
     <>
       <Curves
-        label={t('Displacement of the point at {rpm} rpm', { rpm })}
+        label={t('Displacement of the point {point} at {rpm} rpm', { point: point.name, rpm })}
         unit={numbers.displacement_unit.label}
         factor={numbers.displacement_unit.factor}
         series={series[0] ?? []}
@@ -262,11 +361,12 @@ function Course({ exhibit, own, numbers, shown }: Parts & { shown: MountVibratio
   )
 }
 
-function Folded({ table }: { table: Table }) {
+function Folded({ table, of }: { table: Table; of?: string | undefined }) {
+  const notes = [...(of ? [t('Of the point {point}.', { point: of })] : []), ...(table.notes ?? [])]
   return (
     <details class="amplitudes">
       <summary>{table.title}</summary>
-      <DataTable table={{ ...table, title: '' }} />
+      <DataTable table={{ ...table, title: '', notes }} />
     </details>
   )
 }
