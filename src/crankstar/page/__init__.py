@@ -20,6 +20,7 @@
 | `torsion` | modes, critical speeds and forced vibration of the crankshaft that twists |
 | `mount_driving` | what shakes the block on its mounts at any speed; its points |
 | `mounts` | modes of the block on its mounts, vibration over speed |
+| `tolerances` | how engines built to the tolerances of their file scatter |
 | `figures` | a figure as Vega-Lite, a derivation as HTML, by key |
 | `exhibits` | Engine -> Exhibit, Exhibition; the engine with the recommended remedy |
 | `workshop_records` | what the workshop is sent |

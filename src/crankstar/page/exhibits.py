@@ -37,6 +37,7 @@ from crankstar.page.printed import printed
 from crankstar.page.proportions import proportions
 from crankstar.page.records import Exhibit, Exhibition, Fact, Scale
 from crankstar.page.scene import scene
+from crankstar.page.tolerances import tolerance_charts, tolerance_tables
 from crankstar.page.torque import exhaust, gas_needs, torque, torque_unit
 from crankstar.page.torsion import torsion_charts, torsion_needs, torsion_numbers, torsion_shown
 from crankstar.page.unit_records import Table, Unit, Units, UnitsOffered
@@ -163,10 +164,14 @@ def exhibit(
         torsion=torsion_shown(engine),
         torsion_needs=torsion_needs(engine),
         mounts=mounts_shown(engine),
-        charts=(*chart_keys(engine, remains.orders_pushed(result)), *torsion_charts(engine)),
+        charts=(
+            *chart_keys(engine, remains.orders_pushed(result)),
+            *torsion_charts(engine),
+            *tolerance_charts(engine, tree),
+        ),
         derivations=derivation_keys(remains.orders_pushed(result)),
         remedies=tuple(remedies),
-        **in_units(engine, over, relatives=relatives, known=known),
+        **in_units(engine, over, tree=tree, relatives=relatives, known=known),
     )
 
 
@@ -190,9 +195,17 @@ def _known(engine: Engine, over: Spread | None) -> _Known:
 
 
 def in_units(
-    engine: Engine, over: Spread | None, *, relatives: bool, known: _Known | None = None
+    engine: Engine,
+    over: Spread | None,
+    *,
+    tree: Mapping[str, Any],
+    relatives: bool,
+    known: _Known | None = None,
 ) -> dict[str, Any]:
-    """The parts of an exhibit that are in the units of the context: units, texts and numbers."""
+    """The parts of an exhibit that are in the units of the context: units, texts and numbers.
+
+    `tree` is that of the engine file.
+    """
     result, sums, ends, loads = known or _known(engine, over)
     units, scaling = units_of(engine, result, sums)
     subject_of = subjects()
@@ -206,6 +219,7 @@ def in_units(
         "torque_unit": torque_unit(engine),
         "torsion_numbers": torsion_numbers(engine),
         "mount_numbers": mount_numbers(engine),
+        "tolerances": tolerance_tables(engine, tree),
         "verdict": tuple(
             Fact(subject=fact.about, about=subject_of[fact.about], sentence=fact.sentence)
             for fact in facts

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from contextlib import suppress
 from fractions import Fraction
 from functools import lru_cache
@@ -13,6 +14,7 @@ from crankstar.files.box import Spread
 from crankstar.language.messages import MessageError, _, language
 from crankstar.language.quoting import one_line
 from crankstar.page.keys import BEFORE_AND_AFTER
+from crankstar.page.tolerances import SCATTER, drawn_scatter
 from crankstar.remedy import fitting
 
 if TYPE_CHECKING:
@@ -32,16 +34,24 @@ WIDTH = 300.0
 
 
 def chart(
-    engine: Engine, key: str, *, spread: Spread | None = None, beside: Engine | None = None
+    engine: Engine,
+    key: str,
+    *,
+    tree: Mapping[str, Any] | None = None,
+    spread: Spread | None = None,
+    beside: Engine | None = None,
 ) -> dict[str, Any]:
     """The figure as Vega-Lite, with the parameter `theta` (degrees) but without its slider.
 
     With a `spread` of the engine, an estimated one, its ranges are drawn. Its scale is one with
     that of the same figure of the engine `beside` it, where both are counted in the same unit.
+    `tree` is that of the engine file, for the figure of its tolerances.
     Raises NoSuchKeyError, or ChartError where the figure cannot be drawn.
     """
     if key == BEFORE_AND_AFTER:
         made = _before_and_after(engine, spread)
+    elif key == SCATTER:
+        made = _scatter(engine, tree or {})
     else:
         made = _single(engine, key, spread, beside)
     drawn = made.to_dict()
@@ -75,6 +85,16 @@ def _before_and_after(engine: Engine, spread: Spread | None) -> Any:
     own = spread and spread._replace(engine=before)
     with over_ranges([own, fitted_spread(spread, fitted, after)]):
         return side_by_side([before, after], "spectrum", speed=engine.speed)
+
+
+def _scatter(engine: Engine, tree: Mapping[str, Any]) -> Any:
+    from crankstar.charts import Canvas, drawn_on
+
+    with drawn_on(Canvas(WIDTH)):
+        made = drawn_scatter(engine, tree)
+    if made is None:
+        raise NoSuchKeyError("{key}: the file of this engine has no tolerances", key=SCATTER)
+    return made
 
 
 def _single(engine: Engine, key: str, spread: Spread | None, beside: Engine | None) -> Any:

@@ -21,10 +21,11 @@ from crankstar.page.exhibits import advised, exhibition, in_units, remedy_tables
 from crankstar.page.figures import chart, derivation
 from crankstar.page.keys import BEFORE_AND_AFTER
 from crankstar.page.records import Exhibit, Exhibition
+from crankstar.page.tolerances import SCATTER
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
 
-OF_FORCES = ("vector-star", "polygon", "hodograph", "over-turn", "spectrum")
+OF_FORCES = ("vector-star", "polygon", "hodograph", "over-turn", "spectrum", SCATTER)
 """Figures whose numbers are forces, couples or moments."""
 Tree = dict[str, Any]
 Tell = Callable[[int, int, str], None]
@@ -59,8 +60,8 @@ def held(
         keys += [(BEFORE_AND_AFTER, _("Spectrum, before and after"))] if more else []
         for key, label in keys:
             if not again or _has_units(key, subject.engine):
-                options = {"spread": subject.spread, "beside": subject.beside}
-                made = partial(chart, subject.engine, key, **options)
+                own = {"tree": subject.exhibit.file, "spread": subject.spread}
+                made = partial(chart, subject.engine, key, beside=subject.beside, **own)
                 jobs.append(_Job(shelves["charts"], key, label, made, choice()))
         for key in () if again else subject.exhibit.derivations:
             made = partial(derivation, subject.engine, key.key)
@@ -163,7 +164,12 @@ def _has_units(key: str, engine: Engine) -> bool:
 
 def _differences(subject: _Subject) -> Tree:
     """What of an exhibit is other in the units of the context."""
-    parts: Tree = in_units(subject.engine, subject.spread, relatives=subject.fitted_from is None)
+    parts: Tree = in_units(
+        subject.engine,
+        subject.spread,
+        tree=subject.exhibit.file,
+        relatives=subject.fitted_from is None,
+    )
     if subject.fitted_from is not None:
         before = subject.fitted_from
         parts["remedies"] = remedy_tables(before.engine, advised, before.spread)

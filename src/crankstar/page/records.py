@@ -350,6 +350,9 @@ class Exhibit(Shown):
     mount_numbers: MountNumbers | None
     charts: tuple[ChartKey, ...]
     derivations: tuple[DerivationKey, ...]
+    tolerances: tuple[Table, ...] = Field(
+        description="how engines built to the tolerances of the file scatter; empty without any"
+    )
     remedies: tuple[Table, ...] = Field(
         description="weights, shafts and remaining unbalance of a fitted engine; else empty"
     )

@@ -183,10 +183,12 @@ def _made(subject: Subject, request: Mapping[str, Any], beside: Subject | None) 
         remedy = fitting.recommended(engine)
         if remedy is not None:
             engine = with_source(engine, remedy.after)
-            over = exhibits.spread_of(engine, rewritten_by_parts(tree, engine))
+            tree = rewritten_by_parts(tree, engine)
+            over = exhibits.spread_of(engine, tree)
     key = str(request["key"])
     if what == "chart":
-        return figures.chart(engine, key, spread=over, beside=beside and beside.engine)
+        other = beside and beside.engine
+        return figures.chart(engine, key, tree=tree, spread=over, beside=other)
     if what == "derivation":
         return figures.derivation(engine, key)
     raise KeyError(what)

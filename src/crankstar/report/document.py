@@ -20,6 +20,7 @@ from crankstar.report import (
     remedies,
     sources,
     title,
+    tolerances,
     torsion,
     whirling,
 )
@@ -39,6 +40,7 @@ PAGES: tuple[tuple[str, pages.Page], ...] = (
     (N_("Writing the mounts ..."), mounts.mounts),
     (N_("Writing the loads on bearings ..."), bearings.bearings),
     (N_("Writing the free response ..."), whirling.free_response),
+    (N_("Writing the tolerances ..."), tolerances.tolerances),
     (N_("Writing the remedies ..."), remedies.remedies),
     (N_("Writing the comparison ..."), pages.beside),
     (N_("Writing the derivations ..."), pages.derivations),

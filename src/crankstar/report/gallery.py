@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import count
 from typing import Any
 
@@ -34,9 +35,14 @@ class Gallery:
 
     def figure(self, name: str, caption: str, kind: str = "", **options: Any) -> str:
         """A figure with a caption as HTML, its drawing still to come; empty without any."""
+        return self.drawn(name, caption, partial(self._chart, name, **options), kind)
+
+    def drawn(self, name: str, caption: str, draw: Callable[[], Chart], kind: str = "") -> str:
+        """The same of a figure that `draw` gives, on the canvas of a column unless it has one."""
         own = str(next(self._numbers))
         try:
-            chart = self._chart(name, **options)
+            with drawn_on(COLUMN):
+                chart = draw()
         except ChartError:
             return ""
         self._drawings[own] = svg_later(chart, f"{self._matter.engine.name}: {name}")

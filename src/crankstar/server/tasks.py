@@ -117,7 +117,7 @@ def chart(
         made, tree = engine_of(engine)
         over = exhibits.spread_of(made, tree)
         other = None if beside is None else _beside(beside)
-        return answered(figures.chart(made, key, spread=over, beside=other))
+        return answered(figures.chart(made, key, tree=tree, spread=over, beside=other))
 
 
 def _beside(engine: str | Tree) -> Engine:

@@ -1,13 +1,18 @@
-"""What a verdict says of engines built to the tolerances of their file."""
+"""Engines built to the tolerances of their file: their scatter, what a verdict says of it."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
-from typing import Any
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
 
 from crankstar.engine.engine import Engine
 from crankstar.files.tolerances import tolerances_of
 from crankstar.tables.verdict import Fact
+
+if TYPE_CHECKING:
+    from crankstar.studies.scatter import Scatter
 
 BUILDS = 20_000
 """Engines built at random: 5 % of them are a thousand."""
@@ -17,20 +22,43 @@ def with_built(
     facts: Sequence[Fact], tree: Mapping[str, Any], engine: Engine, *, speed: float | None
 ) -> Sequence[Fact]:
     """The facts of an engine with those of engines as built, where its file has tolerances."""
-    if not tolerances_of(tree):
+    found = as_built(engine, tree, speed=speed)
+    if found is None:
         return facts
-    from crankstar.studies.fields import Source
-    from crankstar.studies.scatter import ScatterError, scatter_of
     from crankstar.tables.scatter import sentences
 
-    try:
-        at = "file" if speed is None else speed
-        found = scatter_of(Source(engine.name, dict(tree), engine), speed=at, count=BUILDS)
-    except ScatterError:  # no force depends on what has tolerances
-        return facts
     own = [Fact("tolerances", sentence) for sentence in sentences(found)]
     last = max(
         (place for place, fact in enumerate(facts) if fact.about not in ("cure", "relatives")),
         default=-1,
     )
     return [*facts[: last + 1], *own, *facts[last + 1 :]]
+
+
+def as_built(
+    engine: Engine, tree: Mapping[str, Any], *, speed: float | None = None
+) -> Scatter | None:
+    """The scatter of an engine by the tree of its file; None without tolerances of note.
+
+    At `speed` (rad/s), else at that of the file. The same one again is not worked out again.
+
+    >>> from crankstar.files import engine_of
+    >>> from crankstar.files.catalog import load, tree_of
+    >>> as_built(load("i4"), tree_of("i4")[1]) is None
+    True
+    """
+    if not tolerances_of(tree):
+        return None
+    return _built(engine, json.dumps(tree, default=str), speed)
+
+
+@lru_cache(maxsize=8)
+def _built(engine: Engine, text: str, speed: float | None) -> Scatter | None:
+    from crankstar.studies.fields import Source
+    from crankstar.studies.scatter import ScatterError, scatter_of
+
+    at = "file" if speed is None else speed
+    try:
+        return scatter_of(Source(engine.name, json.loads(text), engine), speed=at, count=BUILDS)
+    except ScatterError:  # no force depends on what has tolerances
+        return None

@@ -12,6 +12,7 @@ import { remedies } from './Remedies'
 import { sound } from './Sound'
 import { stars } from './Stars'
 import { strokes } from './Strokes'
+import { tolerances } from './Tolerances'
 import { torque } from './Torque'
 import { twist } from './Twist'
 import { verdict } from './Verdict'
@@ -30,6 +31,7 @@ export const PANELS: readonly Panel[] = [
   mounts,
   strokes,
   sound,
+  tolerances,
   derivation,
   verdict,
   remedies,

@@ -1,0 +1,28 @@
+"""Engines built to the tolerances of the file: how they scatter, and which tolerance matters."""
+
+from __future__ import annotations
+
+from crankstar.language.messages import _
+from crankstar.report.gallery import Gallery
+from crankstar.report.markup import figures, parts_html, section
+from crankstar.report.subject import Subject
+from crankstar.tables.built_facts import as_built
+from crankstar.tables.scatter import scatter_document
+
+
+def tolerances(subject: Subject, gallery: Gallery) -> str:
+    """Empty where the engine file has no tolerances."""
+    found = as_built(subject.engine, subject.tree, speed=subject.speed)
+    if found is None:
+        return ""
+    from crankstar.charts.scatter import scatter_chart
+
+    _heading, *parts = scatter_document(found).parts  # it stands on the first page
+    caption = _(
+        "Left, how many engines have which amplitude; right, the share of each tolerance in the "
+        "variance."
+    )
+    drawn = gallery.drawn("scatter", caption, lambda: scatter_chart(found))
+    return section(
+        _("Built to tolerances"), parts_html(parts) + figures([drawn]), name="tolerances"
+    )

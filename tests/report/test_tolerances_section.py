@@ -1,0 +1,56 @@
+"""The section of a report on engines built to the tolerances of their file."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from tests.report.reading import Reader
+from tests.texts import SHORT, spoilt
+
+from crankstar.files import engine_of
+from crankstar.report import Subject, report
+from crankstar.tables.built_facts import as_built
+
+TREE: dict[str, Any] = spoilt(
+    SHORT,
+    speed="6000 rpm",
+    cylinder={
+        "bore": "86 mm",
+        "stroke": "86 mm +- 0.05 mm",
+        "rod_length": "143 mm",
+        "reciprocating_mass": "650 g +- 2 g",
+        "rotating_mass": "450 g +- 3 g",
+    },
+)
+
+
+def sections(tree: dict[str, Any]) -> tuple[str, list[str], dict[str, list[list[str]]]]:
+    text = report(Subject(engine_of(tree), tree, "crankstar report engine.toml"))
+    read = Reader(text)
+    return text, [tag.attributes.get("id", "") for tag in read.tags], read.tables
+
+
+def test_the_report_of_an_engine_with_tolerances_says_how_engines_scatter() -> None:
+    text, names, tables = sections(TREE)
+    assert "tolerances" in names
+    found = as_built(engine_of(TREE), TREE)
+    assert found is not None
+    row = found.of("force", 1.0)
+    (shown,) = [
+        cells
+        for title, body in tables.items()
+        if "Scatter of each order" in title
+        for cells in body
+        if cells[:2] == ["force", "1"]
+    ]
+    assert float(shown[3]) * (1e3 if shown[-1] == "kN" else 1) == pytest.approx(row.rms, rel=6e-4)
+    assert "The greatest part of that scatter" in text
+    assert text.count("of each tolerance in the variance") == 2, "of the figure, of the table"
+
+
+def test_a_report_without_tolerances_has_no_such_section() -> None:
+    plain = spoilt(SHORT, speed="6000 rpm")
+    assert as_built(engine_of(plain), plain) is None
+    _text, names, _tables = sections(plain)
+    assert "tolerances" not in names
