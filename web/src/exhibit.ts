@@ -96,6 +96,8 @@ export interface Exhibit {
   mount_numbers: MountNumbers | null
   charts: ChartKey[]
   derivations: DerivationKey[]
+  /** moments of a large two-stroke engine in its ship; empty of others */
+  marine: Table[]
   /** how engines built to the tolerances of the file scatter; empty without any */
   tolerances: Table[]
   /** weights, shafts and remaining unbalance of a fitted engine; else empty */

@@ -32,6 +32,7 @@ from crankstar.page.bearing_loads import (
 )
 from crankstar.page.cycle_records import StrokeColours, StrokeWindow
 from crankstar.page.keys import chart_keys, derivation_keys
+from crankstar.page.marine import marine_charts, marine_tables
 from crankstar.page.mounts import mount_numbers, mounts_shown
 from crankstar.page.printed import printed
 from crankstar.page.proportions import proportions
@@ -168,6 +169,7 @@ def exhibit(
             *chart_keys(engine, remains.orders_pushed(result)),
             *torsion_charts(engine),
             *tolerance_charts(engine, tree),
+            *marine_charts(engine),
         ),
         derivations=derivation_keys(remains.orders_pushed(result)),
         remedies=tuple(remedies),
@@ -220,6 +222,7 @@ def in_units(
         "torsion_numbers": torsion_numbers(engine),
         "mount_numbers": mount_numbers(engine),
         "tolerances": tolerance_tables(engine, tree),
+        "marine": marine_tables(engine, over),
         "verdict": tuple(
             Fact(subject=fact.about, about=subject_of[fact.about], sentence=fact.sentence)
             for fact in facts

@@ -20,6 +20,7 @@ from crankstar.mechanics.balance import balance
 from crankstar.page.exhibits import advised, exhibition, in_units, remedy_tables, spread_of
 from crankstar.page.figures import chart, derivation
 from crankstar.page.keys import BEFORE_AND_AFTER
+from crankstar.page.marine import FIGURE as GUIDE_MOMENTS
 from crankstar.page.records import Exhibit, Exhibition
 from crankstar.page.tolerances import SCATTER
 from crankstar.remedy import fitting
@@ -157,6 +158,8 @@ def _has_units(key: str, engine: Engine) -> bool:
     figure = key.split(":")[0]
     if figure == "shaft":
         return "pitch" not in engine.relative
+    if figure == GUIDE_MOMENTS:
+        return True
     if figure == "torsion-response":
         return "quantity=stress" in key
     return figure in OF_FORCES and balance(engine, speed=engine.speed).speed is not None

@@ -350,6 +350,9 @@ class Exhibit(Shown):
     mount_numbers: MountNumbers | None
     charts: tuple[ChartKey, ...]
     derivations: tuple[DerivationKey, ...]
+    marine: tuple[Table, ...] = Field(
+        description="moments of a large two-stroke engine in its ship; empty of others"
+    )
     tolerances: tuple[Table, ...] = Field(
         description="how engines built to the tolerances of the file scatter; empty without any"
     )

@@ -30,7 +30,7 @@ from crankstar.page.cycle_records import Chamber, Exhaust, Load, Pipe, Torque, W
 from crankstar.page.printed import printed
 from crankstar.page.unit_records import Unit
 from crankstar.spectra import Complex, Real, Spectrum
-from crankstar.tables.marine import large_engine_table
+from crankstar.tables.large_engines import large_engine_table
 from crankstar.tables.meshes import mesh_table
 from crankstar.tables.table import Table
 from crankstar.tables.torque import friction_torque, notes

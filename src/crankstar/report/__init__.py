@@ -13,6 +13,7 @@
 | `gas` | the gas cycle, torque over it, how evenly the engine runs |
 | `torsion` | torsional vibration of the crankshaft |
 | `mounts` | the engine on its mounts |
+| `marine` | a large two-stroke engine in its ship: external and guide-force moments |
 | `tolerances` | how engines built to the tolerances of the file scatter |
 | `bearings` | loads on the main bearings, bending of the crankshaft |
 | `whirling` | the paths of the crankshaft's ends in an unmounted engine |

@@ -24,6 +24,8 @@ PLACE, PLACES = "\ue001{}\ue001", re.compile("\ue001(\\d+)\ue001")
 """Stands for a drawing on a page."""
 COLUMN = Canvas(width=244.0, stretch=0.75)
 """A figure is as wide as half a page of A4, where its letters have 9 pt."""
+ACROSS = Canvas(width=610.0)
+"""For figures of the whole width, on paper at their own size."""
 
 
 class Gallery:
@@ -38,11 +40,10 @@ class Gallery:
         return self.drawn(name, caption, partial(self._chart, name, **options), kind)
 
     def drawn(self, name: str, caption: str, draw: Callable[[], Chart], kind: str = "") -> str:
-        """The same of a figure that `draw` gives, on the canvas of a column unless it has one."""
+        """The same of a figure that `draw` gives, on a canvas of its own."""
         own = str(next(self._numbers))
         try:
-            with drawn_on(COLUMN):
-                chart = draw()
+            chart = draw()
         except ChartError:
             return ""
         self._drawings[own] = svg_later(chart, f"{self._matter.engine.name}: {name}")

@@ -10,7 +10,7 @@ from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.html import paragraph
-from crankstar.tables.marine import large_engine_table
+from crankstar.tables.large_engines import large_engine_table, ship_engine
 from crankstar.tables.table import Remarks, Table
 from crankstar.tables.torque import torque_document
 
@@ -58,5 +58,7 @@ def _tables(subject: Subject) -> list[Table | Remarks]:
     document = torque_document(subject.engine, found, running=running)
     first, *parts = document.parts  # the heading of the engine stands on the first page
     own = parts if isinstance(first, Remarks) else [first, *parts]
+    if ship_engine(subject.engine, subject.at) is not None:
+        return own  # which has a section of its own
     guide = large_engine_table(subject.engine, found)
     return own if guide is None else [*own, guide]

@@ -8,12 +8,11 @@ from dataclasses import replace
 from fractions import Fraction
 
 from crankstar import derive
-from crankstar.charts.canvas import Canvas
 from crankstar.firing.strokes import working_cycle
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
-from crankstar.report.gallery import Gallery
+from crankstar.report.gallery import ACROSS, Gallery
 from crankstar.report.markup import figure, figures, parts_html, section
 from crankstar.report.subject import Quantity, Subject
 from crankstar.report.views import orthographic
@@ -37,8 +36,6 @@ CROWDED = 9
 Of many they stay in a column, one star below the other: more than half a page would not hold their
 numbers.
 """
-ACROSS = Canvas(width=610.0)
-"""For figures of the whole width, on paper at their own size."""
 LEVEL = re.compile(r"(?<=<h)[23](?=>)|(?<=</h)[23](?=>)")
 """The level of a heading of a derivation, which is in a section of the report."""
 PATHS = {

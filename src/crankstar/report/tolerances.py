@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from crankstar.charts.canvas import drawn_on
+from crankstar.charts.grammar import Chart
 from crankstar.language.messages import _
-from crankstar.report.gallery import Gallery
+from crankstar.report.gallery import ACROSS, Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.built_facts import as_built
@@ -17,12 +19,16 @@ def tolerances(subject: Subject, gallery: Gallery) -> str:
         return ""
     from crankstar.charts.scatter import scatter_chart
 
+    def chart() -> Chart:
+        with drawn_on(ACROSS):
+            return scatter_chart(found)
+
     _heading, *parts = scatter_document(found).parts  # it stands on the first page
     caption = _(
         "Left, how many engines have which amplitude; right, the share of each tolerance in the "
         "variance."
     )
-    drawn = gallery.drawn("scatter", caption, lambda: scatter_chart(found))
+    drawn = gallery.drawn("scatter", caption, chart, "wide")
     return section(
         _("Built to tolerances"), parts_html(parts) + figures([drawn]), name="tolerances"
     )

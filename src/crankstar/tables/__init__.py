@@ -54,6 +54,7 @@
 | `mounts` | an engine on its mounts: modes, axes, vibration and forces by speed |
 | `marine_doubts` | what is missing in a marine analysis, and what is hardly right |
 | `marine` | external and guide-force moments, and compensators |
+| `large_engines` | what views tell of large engines: guide-force moments, all that a ship needs |
 | `engine_family` | a family of engines with their firing orders, as a project guide |
 | `generating_sets` | uneven running of a generating set, and several on one foundation |
 | `diagnoses` | what faults change, and which fault explains a measurement |

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text
 from crankstar.mechanics import guide_moments as guides
@@ -20,8 +19,7 @@ from crankstar.mechanics.external_moments import (
     Wanted,
     unbalance_class,
 )
-from crankstar.mechanics.gas import Cycle
-from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
+from crankstar.mechanics.guide_moments import GuideMoments
 from crankstar.studies.marine import MarineAnalysis
 from crankstar.tables.headings import heading
 from crankstar.tables.marine_doubts import doubts, power_text
@@ -33,8 +31,6 @@ OF_GUIDES = {"moment": ("kN*m",), "power": ("kW",)}
 """The units of project guides, whatever the size of the engine."""
 CLASSED = (1.0, 2.0)
 """Orders for which the makers class the power-related unbalance."""
-LARGE_BORE = 0.2
-"""m, of engines that stand in ships and power plants: their guide-force moments matter."""
 SILENT = 1e-9
 """Share of the greatest moment below which one has no phase to tell."""
 
@@ -222,16 +218,6 @@ def _guide_places(
         if not every
         else {float(order): place for place, order in enumerate(guide.orders)}
     )
-
-
-def large_engine_table(engine: Engine, cycle: Cycle) -> Table | None:
-    """The guide-force moments of an engine of LARGE_BORE with one crankshaft; None of others."""
-    if (engine.first.bore or 0.0) < LARGE_BORE:
-        return None
-    try:
-        return guide_table(guide_moments(engine, cycle))
-    except MarineError:
-        return None
 
 
 def _speed_table(found: MarineAnalysis) -> Table:

@@ -6,6 +6,7 @@ import { cylinders } from './Cylinders'
 import { derivation } from './Derivation'
 import { edit } from './Edit'
 import { forces } from './Forces'
+import { marine } from './Marine'
 import { mounts } from './Mounts'
 import { orders } from './Orders'
 import { remedies } from './Remedies'
@@ -31,6 +32,7 @@ export const PANELS: readonly Panel[] = [
   mounts,
   strokes,
   sound,
+  marine,
   tolerances,
   derivation,
   verdict,
