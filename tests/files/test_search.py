@@ -276,6 +276,28 @@ def test_a_checkpoint_of_another_search_is_refused(run: Run, refused: Callable[.
     assert "another search" in refused("search", "8", "--checkpoint", "kept")
 
 
+@pytest.mark.parametrize(
+    ("place", "said"),
+    [
+        ("none/kept", "Name another file with --checkpoint"),
+        (".", "it is a directory"),
+        ("other", "not a checkpoint of a search"),
+    ],
+)
+def test_a_checkpoint_that_cannot_be_is_refused_before_anything_is_compiled(
+    refused: Callable[..., str],
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    place: str,
+    said: str,
+) -> None:
+    monkeypatch.setattr(search_job.estimates, "estimate", lambda _: pytest.fail("compiled"))
+    (tmp_path / "other").write_text("engine = 1\n")
+    told = " ".join(refused("search", "7", "--checkpoint", place).split())
+    assert said in told
+    assert place == "other" or not (tmp_path / place).is_file()
+
+
 def test_rows_name_their_units() -> None:
     from fractions import Fraction
 

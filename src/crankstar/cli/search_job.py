@@ -30,6 +30,9 @@ def answer_of(search: Search, work: Work, *, workers: int | None) -> Answer:
     """The answer. Raises SearchError, and RequestError where it takes long without consent."""
     question = search.question
     halves.check(question)
+    path = Path(work.checkpoint) if work.checkpoint else None
+    # one that is there may be of another search: nothing is compiled for it
+    kept = opened(path, question) if path is not None and path.exists() else None
     with working(_("Getting ready (the first search is compiled for about ten seconds) ...")):
         seconds = aside(lambda: estimates.estimate(question))
     count = workers or os.cpu_count() or 1
@@ -41,7 +44,8 @@ def answer_of(search: Search, work: Work, *, workers: int | None) -> Answer:
             duration=duration(seconds / count),
             count=count,
         )
-    kept = opened(Path(work.checkpoint), question) if work.checkpoint else None
+    if path is not None and kept is None:
+        kept = opened(path, question)
     with ExitStack() as stack:
         with working(_("Starting workers ...")):
             alone = workers == 1 or (workers is None and seconds < ALONE_SECONDS)

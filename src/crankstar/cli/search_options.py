@@ -7,6 +7,7 @@ from pathlib import PurePath
 from typing import Annotated, Literal
 
 from crankstar.cli.options import Csv, Json, option
+from crankstar.cli.output import writable
 from crankstar.options.values import RequestError, refusal
 
 
@@ -29,7 +30,10 @@ class Work:
     yes: Annotated[bool, option("--yes")] = False
 
     def check(self, output: str | None) -> None:
-        """Refuse empty names, and a checkpoint that is the output. Raises RequestError."""
+        """Refuse empty names, and a checkpoint that is the output or cannot be written.
+
+        Raises RequestError, OutputError.
+        """
         for name, text in (("--checkpoint", self.checkpoint), ("--scheduler", self.scheduler)):
             if text is not None and not text.strip():
                 raise refusal(name, text, "it is empty; leave it out")
@@ -37,6 +41,8 @@ class Work:
             f"{output}"
         ):
             raise refusal("-o", f"{output}", "this is the checkpoint; name another file")
+        if self.checkpoint is not None:
+            writable(self.checkpoint, option="--checkpoint")
 
 
 @dataclass(frozen=True)
