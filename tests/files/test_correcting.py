@@ -109,6 +109,7 @@ def test_a_request_that_cannot_be_met_is_one_sentence(
         ("check, , ,", "check, , 90,", 'line 5, column "at [deg]": this run is without'),
         ("4.1, 75", "-4.1, 75", "an amplitude is not negative"),
         ("phase 2 [deg]", "angle 2 [deg]", "is not known"),
+        ("phase 2 [deg]", "colour", "name columns run, trial, at, bearing 1, phase 1, bearing 2"),
     ],
 )
 def test_a_mistake_in_the_runs_is_told_with_its_place(

@@ -193,5 +193,8 @@ class Columns:
 
 
 def _usual(known: Mapping[str, str]) -> dict[str, str]:
-    """The first of the headings of each name."""
-    return {name: head for head, name in reversed([*known.items()])}
+    """The first of the headings of each name, in their order."""
+    found: dict[str, str] = {}
+    for head, name in known.items():
+        found.setdefault(name, head)
+    return found
