@@ -41,6 +41,7 @@ NAMES = {
     "at z = {z}",
     "escape",
     "page up, page down",
+    "rpm",
     "zero",
     "{angle} deg",
     "{name} of {owner}",

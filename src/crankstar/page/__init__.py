@@ -13,6 +13,7 @@
 | `gears` | gear wheels between shafts |
 | `scene` | Engine -> Scene: the place of every part |
 | `orders` | vectors of every order, the table of orders, the free response |
+| `shown_units` | the units of an engine on the page, and those that are offered |
 | `printed` | documents as tables of printed cells |
 | `bearing_loads` | loads on main bearings and crank pins |
 | `torque` | gas and inertia torque over a working cycle, the exhaust as a sound |

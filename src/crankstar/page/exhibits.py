@@ -8,7 +8,7 @@ from functools import partial
 from math import lcm, pi
 from typing import Any, NamedTuple
 
-from crankstar import __version__, files, spectra
+from crankstar import __version__, files
 from crankstar.charts.strokes import STROKE_COLOURS
 from crankstar.dynamics.bearings import BearingLoads, bearing_loads
 from crankstar.engine.copies import throws_of_weights, with_values
@@ -18,9 +18,7 @@ from crankstar.firing.strokes import WorkingCycle, working_cycle
 from crankstar.language.faults import EngineError
 from crankstar.language.glossary import terms
 from crankstar.language.kept import alike
-from crankstar.language.messages import N_, _
-from crankstar.language.numbers import unit_text
-from crankstar.language.shown_units import SYSTEMS, choice, choice_text, dimension, shown
+from crankstar.language.messages import _
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import Balance, balance, scales
 from crankstar.page import orders as vectors
@@ -38,10 +36,11 @@ from crankstar.page.printed import printed
 from crankstar.page.proportions import proportions
 from crankstar.page.records import Exhibit, Exhibition, Fact, Scale
 from crankstar.page.scene import scene
+from crankstar.page.shown_units import offered, units_of
 from crankstar.page.tolerances import tolerance_charts, tolerance_tables
 from crankstar.page.torque import exhaust, gas_needs, torque, torque_unit
 from crankstar.page.torsion import torsion_charts, torsion_needs, torsion_numbers, torsion_shown
-from crankstar.page.unit_records import Table, Unit, Units, UnitsOffered
+from crankstar.page.unit_records import Table
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
 from crankstar.remedy.sizing import Remedied, resized
@@ -51,11 +50,6 @@ from crankstar.tables.ranges import estimated_paths, merged, ranged_lines
 from crankstar.tables.table import Document
 from crankstar.tables.verdict import subjects, verdict
 from crankstar.tables.verdict_ranges import ranged_facts
-
-LENGTHS = (Unit(label="µm", factor=1e6), Unit(label="mm", factor=1e3))
-"""The units of small lengths of a drawing with sizes, from metres."""
-LABELS = {"si": N_("SI"), "us": N_("US customary")}
-"""What readers know the systems of units by."""
 
 
 def exhibition(
@@ -304,64 +298,6 @@ def spread_of(engine: Engine, tree: Mapping[str, Any]) -> Spread | None:
     """The engine over the ranges of the estimated values of its file; None where it has none."""
     ends = spread(dict(tree), name=engine.name)
     return None if ends is None else ends._replace(engine=engine)
-
-
-def units_of(engine: Engine, result: Balance, sums: remains.Sums) -> tuple[Units, vectors.Scaling]:
-    """The units in which a page shows an engine, and the factors to them.
-
-    Force, couple and moments each have the one unit that fits their peak over a turn.
-    """
-    own = result.units
-    force = shown(own.force, spectra.peak(sums.force).value)
-    couple = shown(own.couple, spectra.peak(sums.couple).value)
-    moment = shown(own.moment, max(spectra.peak(each).value for each in (sums.roll, sums.torque)))
-    lengths = (Unit(label=_(engine.across), factor=1.0),)
-    if "radius" not in engine.relative:
-        long = shown("mm", 1.0)  # a lone m is the relative mass
-        chosen = Unit(label=unit_text(long.unit), factor=1000.0 * long.factor)
-        lengths = (chosen,) if "length" in choice() else LENGTHS
-    return (
-        Units(
-            chosen=choice_text(choice()),
-            force=unit_text(force.unit),
-            couple=unit_text(couple.unit),
-            roll=unit_text(moment.unit),
-            length=engine.across,
-            force_factor=force.factor,
-            couple_factor=couple.factor,
-            roll_factor=moment.factor,
-            counted=(unit_text(own.force), unit_text(own.couple)),
-            lengths=lengths,
-            mass=_unit("m" if "mass" in engine.relative else "kg", _heaviest(engine)),
-            inertia=_unit("m*r^2" if "mass" in engine.relative else "kg*m^2"),
-            pressure=_told("Pa", 1e6),
-            power=_told("W", 1e5),
-        ),
-        vectors.Scaling(force.factor, couple.factor, moment.factor),
-    )
-
-
-def _unit(unit: str, largest: float = 1.0) -> Unit:
-    """SI, or of the chosen units the one that fits."""
-    said = shown(unit, largest, prefixed=dimension(unit)[0] in choice())
-    return Unit(label=unit_text(said.unit), factor=said.factor)
-
-
-def _told(unit: str, usual: float) -> Unit:
-    """The unit for readers of a quantity of about this size."""
-    said = shown(unit, usual)
-    return Unit(label=unit_text(said.unit), factor=said.factor)
-
-
-def _heaviest(engine: Engine) -> float:
-    return max(cylinder.reciprocating_mass for cylinder in engine.cylinders)
-
-
-def offered() -> tuple[UnitsOffered, ...]:
-    """The choices of units that a page offers by name: the systems, and that of the context."""
-    own = choice_text(choice())
-    names = dict.fromkeys((*SYSTEMS, own))
-    return tuple(UnitsOffered(name=name, label=_(LABELS.get(name, name))) for name in names)
 
 
 def _scale(engine: Engine) -> Scale:

@@ -17,9 +17,9 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import balance, of_parts
-from crankstar.page.exhibits import units_of
 from crankstar.page.proportions import proportions
 from crankstar.page.records import Scene
+from crankstar.page.shown_units import units_of
 from crankstar.pictures.motions import turns_of
 from crankstar.spectra import Complex, Spectrum
 
