@@ -21,8 +21,6 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from scipy.linalg import eigh
-from scipy.optimize import brentq
 
 from crankstar.dynamics.mounted_block import SIX, MountedBlock
 from crankstar.engine.rigid_block import gathered
@@ -81,6 +79,8 @@ def mount_modes(block: MountedBlock) -> tuple[MountMode, ...]:
     >>> [round(each.speed, 9) for each in modes if each.energy[0] > 0.99]
     [50.0]
     """
+    from scipy.linalg import eigh  # late: it takes longer to load than all figures
+
     plain = eigh(block.stiffness, block.mass)
     return tuple(_mode(block, plain, index) for index in range(block.freedoms))
 
@@ -104,11 +104,15 @@ def _mode(block: MountedBlock, plain: tuple[Real, Real], index: int) -> MountMod
 
 def _crossing(gap: Callable[[float], float], *, top: float) -> float:
     """Where a mode that moves with the stiffness meets the frequency of that stiffness."""
+    from scipy.optimize import brentq  # late, as above
+
     return float(brentq(gap, 0.0, top, xtol=1e-12 * top))  # pyright: ignore[reportArgumentType]
 
 
 def _at(block: MountedBlock, speed: float) -> tuple[Real, Real]:
     """The modes of the stiffness that the mounts have at a frequency (rad/s)."""
+    from scipy.linalg import eigh  # late, as above
+
     along = block.along * block.stiffening(speed)[:, None]
     values, shapes = eigh(gathered(block.arms, values=along), block.mass)
     return np.sqrt(np.maximum(values, 0.0)), shapes
