@@ -188,7 +188,7 @@ function systemOf(
   return rows
 }
 
-/** The solution of a linear system by elimination with pivots; nought where it has none. */
+/** The solution of a linear system by elimination with pivots. */
 function solved(system: readonly Float64Array[], right: Float64Array): Float64Array {
   const size = right.length
   const rows = system.map((row, index) => Float64Array.of(...row, right[index] as number))

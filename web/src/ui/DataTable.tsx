@@ -25,7 +25,7 @@ export function DataTable({ table }: { table: Table }) {
                   {heads.map((head, column) =>
                     head ? (
                       <th key={column} scope="col" class={numeric[column] ? 'right' : ''}>
-                        <Term word={head.replace(/\s*[[(].*$/, '')}>{head}</Term>
+                        <Heading text={head} />
                       </th>
                     ) : (
                       <td key={column} />
@@ -57,5 +57,16 @@ export function DataTable({ table }: { table: Table }) {
         </p>
       ))}
     </section>
+  )
+}
+
+/** A heading, explained where the glossary has it; its unit stays on one line. */
+function Heading({ text }: { text: string }) {
+  const [words = '', unit] = text.split(/(?=\[)/)
+  return (
+    <Term word={text.replace(/\s*[[(].*$/, '')}>
+      {words}
+      {unit && <span class="unit">{unit}</span>}
+    </Term>
   )
 }
