@@ -10,6 +10,9 @@ from pathlib import Path
 import pytest
 from tests.commands import Run
 
+from crankstar.files import changed, tree_text
+from crankstar.files.catalog import tree_of
+
 
 @pytest.mark.parametrize(
     ("name", "cycle"),
@@ -60,3 +63,15 @@ def test_cylinders_with_exhausts_of_their_own_have_one_row_together(run: Run) ->
     assert rows[0]["pulses"]["1"] == pytest.approx(sqrt(2))
     (row,) = json.loads(run("strokes", "single", "--json").out)["exhaust_orders"]
     assert set(row["pulses"].values()) == {1}
+
+
+@pytest.mark.parametrize("verb", ["strokes", "show", "verdict", "check"])
+def test_crankshafts_of_different_speed_have_no_firing_order_in_any_verb(
+    run: Run, tmp_path: Path, verb: str
+) -> None:
+    name, tree = tree_of("kr250-racer")
+    other = changed(tree, {"layout.cranks[2].speed_ratio": "1/3"}, name=name)
+    (tmp_path / "x.toml").write_text(tree_text(other), encoding="utf-8")
+    told = " ".join("".join(run(verb, "x.toml")[1:]).split())
+    assert "cylinder 2 is at top dead centre every 1080 deg" in told
+    assert "1-2" not in told

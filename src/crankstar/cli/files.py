@@ -119,7 +119,6 @@ def _twice(tree: Mapping[str, Any]) -> list[str]:
 
 def _good(name: str, engine: Engine) -> str:
     """The line on a file without a mistake: the engine, its pistons, its firing intervals."""
-    from crankstar.firing.intervals import firing
     from crankstar.tables.headings import firing_text
 
     count = len(engine.cylinders)
@@ -127,7 +126,7 @@ def _good(name: str, engine: Engine) -> str:
         "{name}, {count} piston", "{name}, {count} pistons", count, name=engine.name, count=count
     )
     if engine.firing_order:
-        fires = firing_text(firing(engine))
+        fires = firing_text(engine)
         engine_text = _("{engine}; fires {firing}", engine=engine_text, firing=fires)
     file = _("standard input") if name == STANDARD_INPUT else one_line(name)
     return _("{file}: good ({engine})", file=file, engine=engine_text)

@@ -125,14 +125,10 @@ def working_cycle(engine: Engine) -> WorkingCycle:
     """
     if not engine.firing_order:
         raise EngineError([Fault(("firing_order",), "strokes.no-firing-order")])
+    if astray := without_common_cycle(engine):
+        raise EngineError([astray])
     fired = firing(engine)
     tops, bottoms = dead_centres(engine), bottom_dead_centres(engine)
-    turn = fired.cycle_deg / (2 if engine.cycle == "four-stroke" else 1)
-    astray = [number for number, top in tops.items() if abs(top.period_deg - turn) > EVEN]
-    if astray:
-        period = tops[astray[0]].period_deg
-        values = {"numbers": astray, "period": period, "cycle_name": engine.cycle, "turn": turn}
-        raise EngineError([Fault(("cylinders",), "strokes.different-periods", values)])
     events = timing(engine.valves, cycle=engine.cycle)
     angles = dict(zip(fired.order, fired.angles_deg, strict=True))
     chambers = tuple(
@@ -140,6 +136,27 @@ def working_cycle(engine: Engine) -> WorkingCycle:
         for number in engine.chambers
     )
     return WorkingCycle(fired, events, chambers)
+
+
+def without_common_cycle(engine: Engine) -> Fault | None:
+    """Why the chambers have no cycle in common: some come to top dead centre more or less often.
+
+    >>> from crankstar.files.catalog import load
+    >>> without_common_cycle(load("kr250-racer"))
+    """
+    turn = engine.cycle_angle / (2 if engine.cycle == "four-stroke" else 1)
+    periods = {number: top.period_deg for number, top in dead_centres(engine).items()}
+    astray = [number for number, period in periods.items() if abs(period - turn) > EVEN]
+    if not astray:
+        return None
+    values = {
+        "count": len(astray),
+        "numbers": astray,
+        "period": periods[astray[0]],
+        "cycle_name": engine.cycle,
+        "turn": turn,
+    }
+    return Fault(("cylinders",), "strokes.different-periods", values)
 
 
 def _strokes(

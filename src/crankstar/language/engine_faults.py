@@ -205,11 +205,13 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is missing, and the stroke of each cylinder depends on it; give it, as in "
         "firing_order = [1, 3, 4, 2] (`crankstar orders` lists the orders that the crank can fire)"
     ),
-    "strokes.different-periods": N_(
+    "strokes.different-periods": Plural(
+        "{where}: cylinder {numbers} is at top dead centre every {period} deg of the reference "
+        "crankshaft, the strokes of a {cycle_name} engine need it every {turn} deg; all "
+        "crankshafts must turn equally fast",
         "{where}: cylinders {numbers} are at top dead centre every {period} deg of the reference "
         "crankshaft, the strokes of a {cycle_name} engine need it every {turn} deg; all "
-        "crankshafts must "
-        "turn equally fast"
+        "crankshafts must turn equally fast",
     ),
     "valves.angle": N_(
         "{where} is {value} deg; it must lie between -180 and 180 deg, such as {example} deg"

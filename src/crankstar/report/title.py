@@ -7,7 +7,6 @@ from math import degrees, pi
 from typing import NamedTuple
 
 from crankstar.engine.engine import Engine
-from crankstar.firing.intervals import firing
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.remedy import loads
@@ -90,7 +89,7 @@ def _data(subject: Subject) -> list[Datum]:
         cylinders = _("{cylinders}, {pistons} pistons", cylinders=count, pistons=pistons)
     fires = _("not in the engine file")
     if engine.firing_order:
-        fires = firing_text(firing(engine))
+        fires = firing_text(engine)
     bearings = _span(degrees(cylinder.bearing) for cylinder in engine.cylinders)
     out = [
         Datum(_("Cylinders"), cylinders),

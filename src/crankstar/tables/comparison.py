@@ -9,7 +9,6 @@ from math import pi
 from typing import NamedTuple
 
 from crankstar.engine.engine import Engine
-from crankstar.firing.intervals import firing
 from crankstar.language.kept import of_any
 from crankstar.language.messages import _
 from crankstar.language.numbers import NEGLIGIBLE
@@ -349,7 +348,7 @@ def _engines(compared: _Compared) -> Table:
     rows: list[tuple[Value, ...]] = []
     for name, own, result in zip(compared.names, compared.shown, compared.results, strict=True):
         engine = own.engine
-        fires = firing_text(firing(engine)) if engine.firing_order else _("no order given")
+        fires = firing_text(engine) if engine.firing_order else _("no order given")
         speed = (_rpm(result),) if compared.real else ()
         rows.append((name, fires, *speed, len(unverified(engine))))
     return Table(_("Engines"), tuple(heads), tuple(rows))

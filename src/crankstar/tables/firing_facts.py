@@ -54,9 +54,7 @@ class Pulses(NamedTuple):
 def layout_sentence(engine: Engine) -> str:
     """Firing, throws and main bearings."""
     cranks = [(shaft.name, _throws(engine, shaft)) for shaft in engine.shafts if shaft.throws]
-    parts = (
-        [_("Fires {firing}.", firing=firing_text(firing(engine)))] if engine.firing_order else []
-    )
+    parts = [_("Fires {firing}.", firing=firing_text(engine))] if engine.firing_order else []
     if len({throws for _name, throws in cranks}) > 1:
         parts += [
             _("Crankshaft {name}: {throws}.", name=name, throws=text) for name, text in cranks

@@ -6,7 +6,9 @@ from math import degrees
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import EVENTS, Timing, timing
-from crankstar.firing.intervals import Firing, firing
+from crankstar.firing.intervals import firing
+from crankstar.firing.strokes import without_common_cycle
+from crankstar.language.faults import listed
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.tables.table import Remarks
@@ -67,7 +69,7 @@ def heading_lines(engine: Engine) -> list[str]:
         )
     ]
     if engine.firing_order:
-        lines.append(_("Fires {firing}.", firing=firing_text(firing(engine))))
+        lines.append(_("Fires {firing}.", firing=firing_text(engine)))
     return lines
 
 
@@ -99,8 +101,21 @@ def rotation_text(engine: Engine) -> str:
     )
 
 
-def firing_text(fired: Firing) -> str:
-    """The firing order and its intervals: `1-3-4-2 every 180 deg`."""
+def firing_text(engine: Engine) -> str:
+    """The firing order and its intervals: `1-3-4-2 every 180 deg`; why, if it has no cycle."""
+    if astray := without_common_cycle(engine):
+        values = astray.values
+        return _n(
+            "in no common cycle, as cylinder {numbers} is at top dead centre every {period} deg, "
+            "not every {turn} deg",
+            "in no common cycle, as cylinders {numbers} are at top dead centre every {period} deg, "
+            "not every {turn} deg",
+            values["count"],
+            numbers=listed(values["numbers"]),
+            period=number(values["period"]),
+            turn=number(values["turn"]),
+        )
+    fired = firing(engine)
     order = "-".join(map(str, fired.order))
     if fired.even:
         every = number(fired.intervals_deg[0])
