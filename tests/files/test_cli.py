@@ -553,8 +553,17 @@ BAD_LINES = [
     (["analyze", ""], '"": 1 mistake\n  there is no such engine'),
     (["list", "--layout", " "], '--layout " ": choose from'),
     (["plot", "X", ""], 'chart "": choose from '),
-    (["plot", "X", "spectrum", "-o", ""], '-o "": the name must end in'),
-    (["page", "X", "-o", ""], '"": cannot be written'),
+    *(
+        ([verb, *words, "-o", ""], '-o "": it is empty; leave it out')
+        for verb, *words in (
+            ["plot", "X", "spectrum"],
+            ["page", "X"],
+            ["animate", "X"],
+            ["site", "X"],
+            ["site", "X", ""],
+        )
+    ),
+    (["match", "X", "w.csv", "--engine-file="], '--engine-file "": it is empty'),
     (["analyze", "\x1b[31m"], "?[31m: 1 mistake\n  there is no such engine"),
     (["analyze", "n" * 100_000], "there is no such engine"),
     (["analyze", "v8-flatplane"], "did you mean v8-flat-plane"),
@@ -619,7 +628,6 @@ def test_faults_of_engines_and_speed_are_reported_together(
     [
         ("folder", "it is a directory"),
         (".", "it is a directory"),
-        ("", "it is a directory"),
         ("none/out.txt", "No such file or directory"),
         ("mine.toml/out.txt", "Not a directory"),
         ("/dev/full", "No space left on device"),

@@ -132,7 +132,7 @@ def test_a_browser_that_cannot_be_started_is_told_of(tmp_path: Path) -> None:
     [
         (["single", "-o", "x.docx"], "the name must end in .html, .pdf"),
         (["single", "-o", "x"], "the name must end in .html, .pdf"),
-        (["single", "-o", ""], '-o "": the name must end in .html, .pdf'),
+        (["single", "-o", ""], '-o "": it is empty'),
         (["single", "-o", "/nowhere/x.html"], "cannot be written"),
         (["nothing", "-o", "x.html"], "there is no such engine"),
         (["single", "--beside", "nothing", "-o", "x.html"], "there is no such engine"),

@@ -20,7 +20,7 @@ from crankstar.language import spelling
 from crankstar.language.messages import LANGUAGES, N_, MessageError, _, language, speak, spoken
 from crankstar.language.quoting import one_line, seen
 from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice, shown_in
-from crankstar.options.refusals import RequestError
+from crankstar.options.refusals import RequestError, refuse_empty
 from crankstar.options.values import NEEDED
 from crankstar.options.vocabulary import OPTIONS
 from crankstar.search.faults import SearchError
@@ -248,11 +248,17 @@ def _takes_words(option: str) -> bool:
 
 
 def _refuse_source(words: Sequence[str]) -> None:
-    """Refuse to write on a file that the command reads. Raises OutputError."""
+    """Refuse to write on a file that the command reads, or without a name.
+
+    Raises OutputError, RequestError.
+    """
     apart = [re.sub("^-o(?=[^=])", "-o=", word) for word in words]
     parts = [part for word in apart for part in word.split("=", 1) if _may_be_a_file(part)]
     for option, place in pairwise(parts):
-        if option not in WRITTEN or not (is_file(place) or option in ("--engine-file", "--save")):
+        if option not in WRITTEN:
+            continue
+        refuse_empty({option: place})
+        if not (is_file(place) or option in ("--engine-file", "--save")):
             continue
         real = os.path.realpath(place)
         if [os.path.realpath(part) for part in parts].count(real) > 1:

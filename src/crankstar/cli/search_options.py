@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 
 from crankstar.cli.options import Csv, Json, option
 from crankstar.cli.output import writable
-from crankstar.options.values import RequestError, refusal
+from crankstar.options.refusals import RequestError, refusal, refuse_empty
 
 
 def not_compiled(error: ImportError) -> RequestError:
@@ -34,9 +34,7 @@ class Work:
 
         Raises RequestError, OutputError.
         """
-        for name, text in (("--checkpoint", self.checkpoint), ("--scheduler", self.scheduler)):
-            if text is not None and not text.strip():
-                raise refusal(name, text, "it is empty; leave it out")
+        refuse_empty({"--checkpoint": self.checkpoint, "--scheduler": self.scheduler})
         if None not in (output, self.checkpoint) and PurePath(f"{self.checkpoint}") == PurePath(
             f"{output}"
         ):
@@ -76,3 +74,14 @@ class Sequenced:
     ] = None
     why: Annotated[str | None, option("--why")] = None
     judge: Annotated[str | None, option("--judge")] = None
+
+    def check(self) -> None:
+        """Refuse empty texts. Raises RequestError."""
+        refuse_empty(
+            {
+                "--bank": self.bank,
+                "--orders": self.crank_orders,
+                "--why": self.why,
+                "--judge": self.judge,
+            }
+        )

@@ -60,6 +60,7 @@ def search(
     """Find better cranks: all arrangements of evenly spaced throws, searched with proof."""
     from crankstar.options import search as options
 
+    sequenced.check()
     more = SequenceWords(**asdict(sequenced))
     if is_sequenced(words, more):
         from crankstar.cli import sequencing

@@ -53,6 +53,13 @@ def refuse_unused(
     )
 
 
+def refuse_empty(options: Mapping[str, str | None]) -> None:
+    """Refuse options whose text is empty, as that of an unset variable. Raises RequestError."""
+    for name, text in options.items():
+        if text is not None and not text.strip():
+            raise refusal(name, text, "it is empty; leave it out")
+
+
 def choice(option: str, text: str, choices: Collection[str]) -> str:
     """One of these words. Raises RequestError."""
     if text not in choices:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
+from crankstar.options.refusals import refuse_empty
 from crankstar.options.search import SPELLINGS, amplitude, fraction, gap, limit, measure, order
 from crankstar.options.shapes import STRAIGHT, mode_asked, mode_shape
 from crankstar.options.values import choice, degrees, listed, refuse_unused
@@ -72,6 +73,7 @@ def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -
         },
         beside="--minimise twist, --bank, --orders, --why, --judge",
     )
+    refuse_empty({"--minimise": words.minimise, "--zero": words.zero})
     faults = Faults()
     shaft = _shaft(about, words, more, faults)
     if shaft is None:
@@ -99,7 +101,7 @@ def _judges(text: str | None, engine: Engine | None) -> tuple[Judge, ...]:
         refuse_unused({"--judge": text}, without=_("an engine"))
     from crankstar.studies.judged_orders import JUDGES  # late: a search of stars needs no gas
 
-    named = dict.fromkeys(choice("--judge", each, JUDGES) for each in listed(text))
+    named = dict.fromkeys(choice("--judge", each, JUDGES) for each in listed(text) or [text])
     return tuple(judge for judge in JUDGES if judge in named)
 
 
