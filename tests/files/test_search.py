@@ -278,6 +278,39 @@ def test_every_mistake_is_told_at_once(refused: Callable[..., str]) -> None:
         assert any(f"--{option}" in line for line in said), said
 
 
+@pytest.mark.parametrize(
+    ("spoil", "told"),
+    [
+        (lambda whole: whole, ""),
+        (lambda whole: whole[: len(whole) // 2], "1 damaged line was passed over"),
+        (lambda whole: whole[:100] + b"\n\0" + whole[100:], "2 damaged lines were passed over"),
+        (lambda _whole: b"", "held no whole line; the search starts at the beginning"),
+        (lambda whole: whole[:20], "held no whole line"),
+    ],
+)
+@pytest.mark.parametrize("options", [[], ["--bank", "120"]])
+def test_what_is_damaged_in_a_checkpoint_is_told(
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    options: list[str],
+    spoil: Callable[[bytes], bytes],
+    told: str,
+) -> None:
+    file = tmp_path / "kept"
+    answers: list[str] = []
+    for written in (None, spoil):
+        if written is not None:
+            file.write_bytes(written(file.read_bytes()))
+        with pytest.raises(SystemExit) as ended:
+            cli.main(["search", "6", *options, "--checkpoint", str(file)])
+        assert ended.value.code == 0
+        printed = capsys.readouterr()
+        answers.append(printed.out)
+    assert answers[0] == answers[1]
+    assert told in printed.err
+    assert bool(told) == bool(printed.err)
+
+
 def test_a_checkpoint_of_another_search_is_refused(run: Run, refused: Callable[..., str]) -> None:
     run(*SEVEN, "--checkpoint", "kept")
     assert "another search" in refused("search", "8", "--checkpoint", "kept")

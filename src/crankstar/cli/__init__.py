@@ -20,6 +20,7 @@
 | `deriving` | derive, errata |
 | `firing` | orders, vees |
 | `search_options` | the options of search |
+| `checkpoints` | the file in which a search is kept, and what of it is damaged |
 | `search_job` | a search run, reported and kept in a file |
 | `sequencing` | search, where star and firing order are searched together |
 | `searching` | search |

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, nullcontext
 from pathlib import Path
 
+from crankstar.cli.checkpoints import kept
 from crankstar.cli.output import progress, working
 from crankstar.cli.search_options import Work
 from crankstar.language.messages import _
@@ -14,7 +15,6 @@ from crankstar.language.numbers import duration
 from crankstar.options.values import RequestError
 from crankstar.search import equivalence, estimates, executors, halves
 from crankstar.search.answer import Answer, answer_to
-from crankstar.search.checkpoint import opened
 from crankstar.search.interrupts import aside
 from crankstar.search.options import Search
 from crankstar.search.progress import note
@@ -30,9 +30,9 @@ def answer_of(search: Search, work: Work, *, workers: int | None) -> Answer:
     """The answer. Raises SearchError, and RequestError where it takes long without consent."""
     question = search.question
     halves.check(question)
-    path = Path(work.checkpoint) if work.checkpoint else None
     # one that is there may be of another search: nothing is compiled for it
-    kept = opened(path, question) if path is not None and path.exists() else None
+    there = work.checkpoint is not None and Path(work.checkpoint).exists()
+    checkpoint = kept(work.checkpoint, question) if there else None
     with working(_("Getting ready (the first search is compiled for about ten seconds) ...")):
         seconds = aside(lambda: estimates.estimate(question))
     count = workers or os.cpu_count() or 1
@@ -44,8 +44,7 @@ def answer_of(search: Search, work: Work, *, workers: int | None) -> Answer:
             duration=duration(seconds / count),
             count=count,
         )
-    if path is not None and kept is None:
-        kept = opened(path, question)
+    checkpoint = checkpoint or kept(work.checkpoint, question)
     with ExitStack() as stack:
         with working(_("Starting workers ...")):
             alone = workers == 1 or (workers is None and seconds < ALONE_SECONDS)
@@ -54,7 +53,7 @@ def answer_of(search: Search, work: Work, *, workers: int | None) -> Answer:
         answer = answer_to(
             question,
             workers=pool,
-            checkpoint=kept,
+            checkpoint=checkpoint,
             watch=lambda now: show(now.done, now.blocks, note(now)),
         )
     if isinstance(question.ask, All) and len(answer.rows) >= question.ask.size:

@@ -6,7 +6,6 @@ import os
 from contextlib import ExitStack
 from dataclasses import asdict
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from crankstar.cli.options import Looks, engine_with_tree, write_engine
@@ -127,12 +126,13 @@ def _front(question: Any, workers: int, work: Work) -> Any:
         )
     with working(_("Getting ready (the first search is compiled for about ten seconds) ...")):
         try:
-            from crankstar.search import checkpoint, executors
+            from crankstar.cli.checkpoints import kept
+            from crankstar.search import executors
             from crankstar.search.progress import note
             from crankstar.search.sequence_fronts import sequence_front
         except ImportError as error:
             raise not_compiled(error) from None
-    kept = checkpoint.opened(Path(work.checkpoint), question) if work.checkpoint else None
+    checkpoint = kept(work.checkpoint, question)
     with ExitStack() as stack:
         with working(_("Starting workers ...")):
             shared = executors.cluster(work.scheduler) if work.scheduler else None
@@ -141,7 +141,7 @@ def _front(question: Any, workers: int, work: Work) -> Any:
         return sequence_front(
             question,
             workers=pool,
-            checkpoint=kept,
+            checkpoint=checkpoint,
             watch=lambda now: show(now.done, now.blocks, note(now)),
         )
 

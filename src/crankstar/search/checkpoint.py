@@ -2,10 +2,10 @@
 
 Lines of JSON: first which search it is, then a line for each block range that is done, with the
 regions in which it was searched and a checksum. A line that broke off (the machine went down while
-it was written) or is damaged is skipped: its range is done again. So is one that overlaps an
-earlier one: no block is counted twice, even if two processes write to the file at once. SQLite
-would be shorter, but cannot read what is left of a truncated file, and its locks fail on network
-disks.
+it was written) or is damaged is skipped and counted: its range is done again. So is one that
+overlaps an earlier one: no block is counted twice, even if two processes write to the file at once.
+SQLite would be shorter, but cannot read what is left of a truncated file, and its locks fail on
+network disks.
 """
 
 from __future__ import annotations
@@ -43,10 +43,15 @@ class Asked(Protocol):
 
 @dataclass(frozen=True)
 class Checkpoint:
-    """The file of a search."""
+    """The file of a search.
+
+    `damaged`: how many of its lines were passed over; None of a file that was there and had no
+    whole line.
+    """
 
     path: Path
     question: Asked
+    damaged: int | None = 0
 
     def write(self, body: dict[str, Any]) -> None:
         """Write a part that is done, its span under `blocks`, with a checksum.
@@ -108,11 +113,12 @@ def opened(path: Path, question: Asked) -> Checkpoint:
     with _refused(path, "checkpoint-unreadable"):
         if path.exists() and not path.is_file():
             raise error("checkpoint", "checkpoint-directory", file=str(path))
-        written = path.read_bytes() if path.exists() else b""
-    first, _, _ = written.partition(b"\n")
+        there = path.exists()
+        written = path.read_bytes() if there else b""
+    first, *lines = written.removesuffix(b"\n").split(b"\n")
     if header.startswith(written):
         _append(path, header[len(written) :])
-        return Checkpoint(path, question)
+        return Checkpoint(path, question, None if there and written != header else 0)
     tree = _tree(first)
     if tree.get("crankstar_search") != FORMAT:
         raise error("checkpoint", "checkpoint-foreign", file=str(path))
@@ -120,7 +126,7 @@ def opened(path: Path, question: Asked) -> Checkpoint:
         raise error("checkpoint", "checkpoint-other", file=str(path))
     # what broke off becomes a line of its own
     _append(path, b"" if written.endswith(b"\n") else b"\n")
-    return Checkpoint(path, question)
+    return Checkpoint(path, question, sum(not _body(line) for line in lines))
 
 
 def left(blocks: int, done: list[Span], size: int) -> Iterator[Span]:
@@ -163,11 +169,14 @@ def _bodies(path: Path) -> Iterator[dict[str, Any]]:
     """The block ranges of a file that are as they were written."""
     with _refused(path, "checkpoint-unreadable"), path.open("rb") as file:
         file.readline()
-        for line in file:
-            tree = _tree(line)
-            body = tree.get("done")
-            if isinstance(body, dict) and tree.get("sum") == crc32(_text(body)):
-                yield body
+        yield from filter(None, map(_body, file))
+
+
+def _body(line: bytes) -> dict[str, Any]:
+    """A block range as it was written; an empty one where the line is damaged."""
+    tree = _tree(line)
+    body = tree.get("done")
+    return body if isinstance(body, dict) and tree.get("sum") == crc32(_text(body)) else {}
 
 
 def _tree(line: bytes) -> dict[str, Any]:
