@@ -875,6 +875,17 @@ def test_a_terminal_that_knows_only_ascii_is_served(file: str, tmp_path: Path) -
     assert "?" not in result.out
 
 
+@pytest.mark.parametrize("language", ["ja", "ru"])
+def test_a_language_that_the_terminal_lacks_letters_for_is_doubted_in_ascii(
+    file: str, tmp_path: Path, language: str
+) -> None:
+    line = f"C check {file} --language {language}"
+    result = shell(line, tmp_path, LC_ALL="C", PYTHONIOENCODING="ascii", PYTHONUTF8="0")
+    assert result.code == 0
+    assert f"ascii, cannot show the language {language}; set PYTHONUTF8=1" in result.err
+    assert shell(line, tmp_path, PYTHONUTF8="1").err == ""
+
+
 def test_the_command_itself_is_installed(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text(EXPLICIT, encoding="utf-8")
     script = Path(sys.executable).parent / "crankstar"

@@ -17,7 +17,16 @@ from crankstar.cli.output import OutputError, abandon, complain, is_file
 from crankstar.cli.system_language import of_system
 from crankstar.files import STANDARD_INPUT
 from crankstar.language import spelling
-from crankstar.language.messages import LANGUAGES, N_, MessageError, _, language, speak, spoken
+from crankstar.language.messages import (
+    LANGUAGES,
+    N_,
+    NAMES,
+    MessageError,
+    _,
+    language,
+    speak,
+    spoken,
+)
 from crankstar.language.quoting import one_line, seen
 from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice, shown_in
 from crankstar.options.refusals import RequestError, refuse_empty
@@ -121,6 +130,7 @@ def _code(words: list[str]) -> int:
     try:
         wanted = _language(words)
         speak(wanted or language(), named=wanted is not None)
+        _doubt_encoding()
         with shown_in(_units(words)):
             if not words and _gallery():
                 raise SystemExit(0)
@@ -188,6 +198,24 @@ def _language(words: list[str]) -> str | None:
             languages=", ".join(LANGUAGES),
         )
     return wanted
+
+
+def _doubt_encoding() -> None:
+    """Say so, in English, where standard output has no letters for the language of the context."""
+    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
+    try:
+        NAMES[language()].encode(encoding)
+    except UnicodeEncodeError:
+        wanted = language()
+        with spoken(LANGUAGES[0]):
+            complain(
+                _(
+                    "crankstar: the encoding of the terminal, {encoding}, cannot show the language "
+                    "{language}; set PYTHONUTF8=1, or take --language en",
+                    encoding=encoding,
+                    language=wanted,
+                )
+            )
 
 
 def _units(words: list[str]) -> Choice:
