@@ -446,6 +446,8 @@ def marine(tmp_path: Path) -> str:
         ("M2 <= 1.2 MN m", "M2 ≤ 1.2 MN m"),
         ("M2=1200000", "M2 ≤ 1.2 MN m"),
         ("M2V=1200 kNm", "M2V ≤ 1.2 MN m"),
+        ('M2="1200 kN m"', "M2 ≤ 1.2 MN m"),
+        ("M2 <= '1.2 MN m'", "M2 ≤ 1.2 MN m"),
     ],
 )
 def test_a_limit_may_have_a_unit_and_is_told_in_that_of_the_table(

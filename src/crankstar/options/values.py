@@ -42,11 +42,15 @@ def listed(text: str | None) -> list[str]:
 def bounded(text: str) -> tuple[str, str]:
     """The name and the greatest value of a quantity in a limit; empty where it has none.
 
-    >>> bounded("M1V=800 kN m"), bounded("couple <= 50%")
-    (('M1V', '800 kN m'), ('couple', '50%'))
+    The value may stand in quotes, as in TOML.
+
+    >>> bounded("M1V=800 kN m"), bounded("couple <= 50%"), bounded('M1="800 kN m"')
+    (('M1V', '800 kN m'), ('couple', '50%'), ('M1', '800 kN m'))
     """
     name, _equals, value = re.sub("<=|≤", "=", text).partition("=")
-    return name.strip(), value.strip()
+    value = value.strip()
+    quoted = re.fullmatch(r"(['\"])(.*)\1", value)
+    return name.strip(), quoted[2].strip() if quoted else value
 
 
 @contextmanager
