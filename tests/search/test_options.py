@@ -32,7 +32,10 @@ def test_a_quantity_is_called_by_the_name_that_was_typed(name: str) -> None:
 @pytest.mark.parametrize(
     ("about", "words", "path", "code"),
     [
-        ("v8-cross-plane", {}, "", "not-in-line"),
+        ("v8-cross-plane", {}, "", "shared-pins"),
+        ("boxer-6", {}, "", "not-in-line"),
+        ("ducati-90", {}, "", "one-throw"),
+        ("radial-9", {}, "", "one-throw"),
         ("single", {}, "", "one-cylinder"),
         ("i6", {"gaps": "1"}, "gaps", "engine-gaps"),
         ("i6", {"cycle": "two-stroke"}, "cycle", "engine-cycle"),

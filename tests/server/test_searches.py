@@ -103,7 +103,7 @@ def test_the_cranks_of_an_engine_keep_its_cylinders(server: Server) -> None:
     [
         ({}, "", "an engine or a number of cylinders"),
         ({"engine": "i4", "cylinders": 4}, "", "an engine or a number of cylinders"),
-        ({"engine": "v8-cross-plane"}, "", "do not stand in line"),
+        ({"engine": "v8-cross-plane"}, "", "stand two on a throw"),
         ({"engine": "no such"}, "engine", "no such engine"),
         ({"cylinders": 1}, "cylinders", "at least 2"),
         ({"cylinders": 7, "minimise": "M1--fix --best"}, "minimise", '"M1--fix --best"'),

@@ -29,8 +29,7 @@ from crankstar.options import charts as chart_request
 from crankstar.options import values as request
 from crankstar.options.forms import ENGINES, PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
 from crankstar.options.values import RequestError, refusal
-from crankstar.options.words import SearchWords, SequenceWords
-from crankstar.options.words import sequenced as is_sequenced
+from crankstar.options.words import SearchWords, SequenceWords, sequence_options
 
 if TYPE_CHECKING:
     from crankstar.search.answer import Answer
@@ -62,7 +61,7 @@ def search(
 
     sequenced.check()
     more = SequenceWords(**asdict(sequenced))
-    if is_sequenced(words, more):
+    if sequence_options(words, more):
         from crankstar.cli import sequencing
 
         about_engine = {"settings": settings, "speed": speed, "estimate": estimate}

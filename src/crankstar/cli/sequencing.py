@@ -19,7 +19,7 @@ from crankstar.options import sequences
 from crankstar.options import values as request
 from crankstar.options.forms import ENGINES, PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
 from crankstar.options.values import RequestError, refusal
-from crankstar.options.words import SearchWords, SequenceWords
+from crankstar.options.words import SearchWords, SequenceWords, sequence_options
 
 MOST_THREADS = 64
 LONG_STARS = 1_000_000_000
@@ -39,7 +39,9 @@ def searched(
     form: Form,
 ) -> int | None:
     """Find the front over stars and firing sequences, and show it or write a row."""
-    _refused(form, speed=speed, estimate=estimate)
+    given = {"--speed": speed, "--estimate": estimate}
+    request.refuse_unused(given, beside=sequence_options(words, more))
+    _check_row(form)
     work.check(form.output)
     kind = _kind(form)
     paper = None
@@ -80,10 +82,8 @@ def searched(
     return 130
 
 
-def _refused(form: Form, *, speed: str | None, estimate: bool) -> None:
-    """Refuse what only the other searches have. Raises RequestError."""
-    given: dict[str, Any] = {"--speed": speed, "--estimate": estimate}
-    request.refuse_unused(given, beside="--minimise twist, --bank, --orders, --why, --judge")
+def _check_row(form: Form) -> None:
+    """Refuse what a row does not take. Raises RequestError."""
     if form.row is not None:
         given = {"--csv": form.csv, "--json": form.json, "--chart": form.chart}
         request.refuse_unused(given, beside="--row")

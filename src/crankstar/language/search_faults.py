@@ -40,6 +40,11 @@ SENTENCES: dict[str, str | Plural] = {
     "gap-count": N_("{given} gaps are given; {cylinders} cylinders have {wanted}."),
     # stars of an engine
     "one-cylinder": N_("{engine} has one cylinder; a star needs two."),
+    "one-throw": N_("{engine} has one throw; a star needs two."),
+    "shared-pins": N_(
+        "The cylinders of {engine} stand two on a throw; on the command line {minimise} "
+        "M1,M2,twist searches their stars and firing orders."
+    ),
     "not-in-line": N_(
         "The cylinders of {engine} do not stand in line, each on a throw of its own; give the "
         "number of throws instead."
@@ -271,8 +276,8 @@ SENTENCES: dict[str, str | Plural] = {
         'A cluster needs dask.distributed; install it with: pip install "crankstar[cluster]"'
     ),
     "no-scheduler": N_(
-        "No dask scheduler answers at {address} within {seconds} s; start one with: dask "
-        "scheduler, and give its address, as in tcp://host:8786"
+        "No dask scheduler answers at {address}; start one with: dask scheduler, and give its "
+        "address, as in tcp://host:8786"
     ),
     "no-workers": N_(
         "The scheduler at {address} has no workers; start one with: dask worker {address}"

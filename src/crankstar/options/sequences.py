@@ -14,7 +14,7 @@ from crankstar.options.refusals import refuse_empty
 from crankstar.options.search import SPELLINGS, amplitude, fraction, gap, limit, measure, order
 from crankstar.options.shapes import STRAIGHT, mode_asked, mode_shape
 from crankstar.options.values import choice, degrees, listed, refuse_unused
-from crankstar.options.words import TWIST, SearchWords, SequenceWords
+from crankstar.options.words import TWIST, SearchWords, SequenceWords, sequence_options
 from crankstar.search.faults import Faults, SearchError, error
 from crankstar.search.options import GREATEST_ORDER, Measure
 from crankstar.search.sequence_engines import shaft_of_engine
@@ -71,14 +71,15 @@ def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -
             "--all": words.all,
             "--all-with": words.all_with,
         },
-        beside="--minimise twist, --bank, --orders, --why, --judge",
+        beside=sequence_options(words, more),
     )
     refuse_empty({"--minimise": words.minimise, "--zero": words.zero})
+    engine = about if isinstance(about, Engine) else None
+    judges = _judges(more.judge, engine)
     faults = Faults()
     shaft = _shaft(about, words, more, faults)
     if shaft is None:
         raise SearchError(faults)
-    engine = about if isinstance(about, Engine) else None
     asked = _Asked(shaft, words, more, faults, engine)
     goals, caps, why = asked.goals(), asked.caps(), None
     few = asked.neighbours_at_most()
@@ -87,7 +88,6 @@ def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -
             why = shaft.fired_in(order(more.why))
     if faults:
         raise SearchError(faults)
-    judges = _judges(more.judge, engine)
     size = {"size": MOST_WAYS} if judges else {}
     question = SequenceQuestion(shaft, tuple(goals), tuple(caps), few, **size)
     return Sequences(question, engine, why, asked.mode, judges)

@@ -63,11 +63,17 @@ class SequenceWords:
     judge: str | None = None
 
 
-def sequenced(words: SearchWords, more: SequenceWords) -> bool:
-    """Whether star and firing sequence are searched together: a bank, twist or an order to judge.
+def sequence_options(words: SearchWords, more: SequenceWords) -> str:
+    """The options that ask for star and firing sequence together, as typed; empty without any.
 
-    >>> sequenced(SearchWords(minimise="M1,twist"), SequenceWords())
-    True
+    >>> sequence_options(SearchWords(minimise="M1,twist"), SequenceWords(bank="90"))
+    '--minimise twist, --bank'
     """
-    goals = listed(words.minimise or "")
-    return TWIST in goals or any((more.bank, more.crank_orders, more.why, more.judge))
+    given = {
+        "--minimise twist": TWIST in listed(words.minimise or ""),
+        "--bank": more.bank,
+        "--orders": more.crank_orders,
+        "--why": more.why,
+        "--judge": more.judge,
+    }
+    return ", ".join(name for name, value in given.items() if value)

@@ -17,6 +17,7 @@ for couples the weights are q_j z_j. N and N m at a speed, else units of m r w^2
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from math import hypot, pi, radians, sqrt
@@ -35,6 +36,7 @@ from crankstar.mechanics.guide_moments import MarineError, guide_moments
 from crankstar.mechanics.operating_points import GasError
 from crankstar.search.engines import firing_order
 from crankstar.search.faults import SearchError, error, fault
+from crankstar.search.sequence_engines import shaft_of_engine
 from crankstar.search.stars import Star, Stars
 from crankstar.search.sums import Objective, Side, VectorSum, couple, force, sizes, twisting
 from crankstar.spectra import Spectrum
@@ -50,6 +52,14 @@ IN_PHASE = "{name} (pistons in phase)"
 """Names of sums that leave out the rotating parts, or also what offsets shift the pistons by."""
 
 
+def _in_vee(engine: Engine) -> bool:
+    """Whether star and firing sequence of an engine can be searched together."""
+    with suppress(SearchError):
+        shaft_of_engine(engine)
+        return True
+    return False
+
+
 def stars_of(engine: Engine) -> Stars:
     """All stars of the cylinders of an in-line engine, at their places (in m, or in pitches).
 
@@ -59,11 +69,15 @@ def stars_of(engine: Engine) -> Stars:
     bearings = {round(cylinder.bearing, 9) for cylinder in cylinders}
     throws = {cylinder.throw for cylinder in cylinders}
     name = engine.name
+    if len(cylinders) > 1 == len(throws):
+        raise error("", "one-throw", engine=name)
     faults = [fault("", "one-cylinder", engine=name)] if len(cylinders) < 2 else []
     if engine.shaft(engine.first.shaft).speed_ratio != 1:
         faults.append(fault("", "geared", engine=name))
     in_line = len({cylinder.shaft for cylinder in cylinders}) == len(bearings) == 1
     if not in_line or len(throws) < len(cylinders):
+        if _in_vee(engine):
+            raise error("", "shared-pins", engine=name)
         faults.append(fault("", "not-in-line", engine=name))
     if any(cylinder.articulated or cylinder.chamber for cylinder in cylinders):
         faults.append(fault("", "slave-rods", engine=name))

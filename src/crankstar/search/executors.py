@@ -207,8 +207,7 @@ def cluster(address: str) -> Iterator[Workers]:
         client = Client(address, timeout=SCHEDULER_SECONDS, set_as_default=False)
     # whatever a foreign server makes of it
     except (Exception, MemoryError):  # noqa: BLE001
-        seconds = f"{SCHEDULER_SECONDS:.0f}"
-        raise error("scheduler", "no-scheduler", address=address, seconds=seconds) from None
+        raise error("scheduler", "no-scheduler", address=address) from None
     try:
         try:
             client.wait_for_workers(1, timeout=SCHEDULER_SECONDS)

@@ -89,7 +89,9 @@ def _greatest(found: TorsionAnalysis, own: Response, what: str, order: float | N
         return float(np.degrees(peak.max()))
     modulus = np.array([each.modulus or np.nan for each in found.chain.sections])
     if np.all(np.isnan(modulus)):
-        raise SweepError("torsion_stress needs the diameter of a shaft: give torsion.diameter")
+        raise SweepError(
+            "shear stress of torsion needs the diameter of a shaft: give torsion.diameter"
+        )
     if place is not None:
         return float(np.nanmax(np.abs(own.torque[:, place]) / modulus))
     return greatest_stress(own, modulus)
