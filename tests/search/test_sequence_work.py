@@ -337,6 +337,24 @@ def test_mirror_images_are_judged_once_where_a_function_says_that_they_are_alike
     ]
 
 
+@pytest.mark.parametrize(
+    ("names", "code"),
+    [
+        (["", "x"], "function-name"),
+        ([" "], "function-name"),
+        (["a\nb"], "function-name"),
+        (["M1"], "named-twice"),
+        (["x", "x"], "named-twice"),
+    ],
+)
+def test_the_goals_of_a_question_have_names_of_their_own(names: list[str], code: str) -> None:
+    about = asked(6, "M1,M2")
+    functions = [function_goal(name, lambda _fired: 0.0) for name in names]
+    with pytest.raises(SearchError) as raised:
+        dataclasses.replace(about, goals=(*about.goals, *functions))
+    assert [fault.code for fault in raised.value.faults] == [code]
+
+
 def test_what_a_function_cannot_do_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     six = shaft_of(6)
     couples = SequenceQuestion(six, (Goal("M1", (couple(six, 1),)),))

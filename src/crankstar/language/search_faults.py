@@ -213,6 +213,9 @@ SENTENCES: dict[str, str | Plural] = {
     "no-objective": N_("A list of the best needs an objective."),
     "several-objectives": N_("A list of the best has one objective; combine several into one."),
     "list-size": N_("A list of {given} stars is not possible; ask for at least 1."),
+    "function-name": N_(
+        "{given}: a function is named in one line of printable signs, as the heading of its column."
+    ),
     "function-limit": N_("{name}: the limit is not a number."),
     "function-failed": N_("{name} fails for the star {star}: {error}"),
     "function-value": N_("{name} is {given} for the star {star}; it must be a finite number."),

@@ -180,9 +180,6 @@ class _Asked:
                 if self.words.minimise is not None or one.scale > NOTHING:
                     self._varies(one)
                     out.append(Goal(one.name, (one,)))
-        for name in dict.fromkeys(names):
-            if names.count(name) > 1:
-                self.faults.add("minimise", "named-twice", name=name, count=names.count(name))
         if TWIST not in names and self.more.crank_orders is not None:
             self.faults.add("orders", "orders-unused")
         torsions = any(one.kind == "T" for goal in out for one in goal.sums)

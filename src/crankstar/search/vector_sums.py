@@ -35,6 +35,7 @@ from math import cos, inf, isfinite, isnan, radians
 from typing import Literal
 
 from crankstar.derive.algebra import cyclotomic
+from crankstar.language.quoting import seen
 from crankstar.search.faults import SearchError, error, fault
 from crankstar.search.shafts import Fired, Shaft, followed
 
@@ -253,7 +254,8 @@ def function_goal(
     """A Python function of a star with its sequence as a goal; less is better.
 
     It is called for every order within the limits, so these must leave few enough. greatest: orders
-    with more are left out; symmetric: whether it is the same for mirror images.
+    with more are left out; symmetric: whether it is the same for mirror images; name: one line that
+    no other goal of the question has.
 
     >>> from crankstar.search.shafts import shaft_of
     >>> six = shaft_of(6)
@@ -303,6 +305,17 @@ class SequenceQuestion:
             fault("", "function-limit", name=each.name)
             for each in self.functions
             if isnan(each.greatest)
+        ]
+        names = [goal.name for goal in self.goals]
+        faults += [
+            fault("minimise", "named-twice", name=name, count=names.count(name))
+            for name in dict.fromkeys(names)
+            if names.count(name) > 1
+        ]
+        faults += [
+            fault("", "function-name", given=seen(each.name))
+            for each in self.functions
+            if not each.name.strip() or not each.name.isprintable()
         ]
         if faults:
             raise SearchError(faults)
