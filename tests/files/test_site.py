@@ -167,3 +167,12 @@ def test_a_site_that_is_interrupted_leaves_nothing(tmp_path: Path, sent: list[in
     finally:
         process.kill()
     assert [*tmp_path.iterdir()] == []
+
+
+def test_a_site_in_a_write_protected_directory_is_refused_before_it_is_drawn(
+    refused: Callable[..., str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    told = refused("site", "single", "-o", "docs")
+    assert "docs cannot be written" in told
+    assert "name another place with -o" in told

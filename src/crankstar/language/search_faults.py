@@ -293,6 +293,10 @@ SENTENCES: dict[str, str | Plural] = {
     "checkpoint-other": N_(
         "{file} is the checkpoint of another search; name another file, or repeat that search."
     ),
-    "checkpoint-unreadable": N_("The checkpoint {file} cannot be read ({error})."),
-    "checkpoint-unwritable": N_("The checkpoint {file} cannot be written ({error})."),
+    "checkpoint-unreadable": N_(
+        "The checkpoint {file} cannot be read ({error}); name another file with {checkpoint}."
+    ),
+    "checkpoint-unwritable": N_(
+        "The checkpoint {file} cannot be written ({error}); name another file with {checkpoint}."
+    ),
 }

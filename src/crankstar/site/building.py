@@ -48,6 +48,12 @@ def check_place(place: Path) -> None:
         raise SiteError(
             "{folder}: there is no directory to write it in", folder=one_line(str(place))
         )
+    if not os.access(place.parent, os.W_OK):
+        raise SiteError(
+            "{folder} cannot be written, since the directory in which it is to stand is "
+            "write-protected; name another place with -o",
+            folder=one_line(str(place)),
+        )
     if not place.exists() and not place.is_symlink():
         return
     if not place.is_dir():
