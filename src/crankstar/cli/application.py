@@ -29,6 +29,7 @@ from crankstar.language.messages import (
 )
 from crankstar.language.quoting import one_line, seen
 from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice, shown_in
+from crankstar.options.forms import STANDARD_OUTPUT
 from crankstar.options.refusals import RequestError, refuse_empty
 from crankstar.options.values import NEEDED
 from crankstar.options.vocabulary import OPTIONS
@@ -276,16 +277,15 @@ def _takes_words(option: str) -> bool:
 
 
 def _refuse_source(words: Sequence[str]) -> None:
-    """Refuse to write on a file that the command reads, or without a name.
+    """Refuse to write on a file that the command reads, twice on one, or without a name.
 
     Raises OutputError, RequestError.
     """
     apart = [re.sub("^-o(?=[^=])", "-o=", word) for word in words]
     parts = [part for word in apart for part in word.split("=", 1) if _may_be_a_file(part)]
-    for option, place in pairwise(parts):
-        if option not in WRITTEN:
-            continue
-        refuse_empty({option: place})
+    written = [(option, place) for option, place in pairwise(parts) if option in WRITTEN]
+    _refuse_twice(written)
+    for option, place in written:
         if not (is_file(place) or option in ("--engine-file", "--save")):
             continue
         real = os.path.realpath(place)
@@ -294,6 +294,21 @@ def _refuse_source(words: Sequence[str]) -> None:
                 "{file} is read by this command and would be lost; name another file with {option}",
                 file=one_line(place),
                 option=option,
+            )
+
+
+def _refuse_twice(written: Sequence[tuple[str, str]]) -> None:
+    """Refuse an option without a name of a file, and two of the same. Raises RequestError."""
+    seen_at: dict[str, str] = {}
+    for option, place in written:
+        refuse_empty({option: place})
+        other = seen_at.setdefault(os.path.realpath(place), option)
+        if other != option and place not in STANDARD_OUTPUT:
+            raise RequestError(
+                "{first} and {second} name the same file, {file}; name another with one of them",
+                first=other,
+                second=option,
+                file=one_line(place),
             )
 
 
