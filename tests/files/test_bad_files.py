@@ -67,7 +67,7 @@ def test_the_files_that_are_spoilt_below_are_good(text: str) -> None:
     ("text", "words"),
     [
         ("this is = = not toml", "line 1, column 6): this is = = not toml"),
-        ("<html><body>\x7f</body></html>", "line 1, column 1"),
+        ("<html><body>\x7f</body></html>", "is a page (HTML)"),
         (
             'name = "x"\n[cylinder]\nstroke = 82.5 mm\n',
             'stands in quotation marks, as in "82.5 mm"',

@@ -563,6 +563,8 @@ BAD_LINES = [
             ["site", "X", ""],
         )
     ),
+    (["match", "X", "w.csv", "--engine-file", "z.toml", "-o", "./z.toml"],
+        "--engine-file and -o name the same file"),
     (["match", "X", "w.csv", "--engine-file="], '--engine-file "": it is empty'),
     (["analyze", "\x1b[31m"], "?[31m: 1 mistake\n  there is no such engine"),
     (["analyze", "n" * 100_000], "there is no such engine"),
@@ -586,6 +588,42 @@ def test_a_bad_command_line_is_refused_in_a_sentence(
     message = refused(*(file if word == "X" else word for word in arguments))
     assert words in message
     assert len(message) < 1500
+
+
+@pytest.mark.parametrize(
+    ("wanted", "content", "found"),
+    [
+        *(
+            (wanted, content, found)
+            for content, found in (
+                ("<svg xmlns='x'></svg>", "a picture (SVG)"),
+                ("<?xml version='1.0'?>\n<svg></svg>", "a picture (SVG)"),
+                ("<!doctype html><title>x</title>", "a page (HTML)"),
+            )
+            for wanted in ("an engine file", "a list with headings")
+        ),
+        ("an engine file", "no., piston [g]\n1, 412.3\n2, 411", "a list (CSV)"),
+        ("an engine file", "no;piston [g]\n1;412,3", "a list (CSV)"),
+        ("a list with headings", EXPLICIT, "an engine file"),
+        ("a list with headings", None, "a directory"),
+        ("an engine file", None, "a directory"),
+    ],
+)
+def test_a_file_of_another_kind_is_said_to_be_one(
+    refused: Callable[..., str], wanted: str, content: str | None, found: str
+) -> None:
+    if content is None:
+        Path("x").mkdir()
+    else:
+        Path("x").write_text(content, encoding="utf-8")
+    if wanted == "an engine file":
+        verbs = [["analyze", "x"], ["compare", "i4", "x"]]
+    else:
+        verbs = [["match", "i4", "x"], ["diagnose", "i4", "x"]]
+    for verb in verbs:
+        told = refused(*verb)
+        assert f"is {found}" in told
+        assert wanted in told or content is None
 
 
 def test_an_option_is_proposed_only_where_it_is_like_the_typed_one(

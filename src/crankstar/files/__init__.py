@@ -11,6 +11,7 @@
 | `cells` | the cells of that form to a tree, with every fault |
 | `workbook` | that form in an .xlsx file, written and read |
 | `traces` | a measured pressure from the CSV file that an engine file names |
+| `kinds` | what a file is that is no engine file, or no list |
 | `lists` | a list of values with headings: CSV or spreadsheet |
 | `columns` | the columns of a list read as values, every mistake told at once |
 | `vibrations` | amplitudes of vibration in a list |

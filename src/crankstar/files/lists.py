@@ -20,7 +20,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from crankstar.files.errors import on_one_screen
+from crankstar.files.kinds import kind_of
 from crankstar.files.workbook import PROTECTED, UNREADABLE, ZIP
+from crankstar.language.file_faults import KINDS
 from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import one_line
 
@@ -95,6 +97,10 @@ def read_list(place: str) -> Listed:
     try:
         with Path(place).open("rb") as opened:
             raw = opened.read(GREATEST_LIST + 1)
+    except IsADirectoryError:
+        raise ListError(
+            "{file} is a directory; name a list in it, CSV or a spreadsheet", file=one_line(place)
+        ) from None
     except (OSError, ValueError):
         raise ListError(
             "{file}: there is no such file, or it cannot be read", file=one_line(place)
@@ -111,6 +117,12 @@ def read_list(place: str) -> Listed:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise ListError("{file} is no text in UTF-8; save the list as CSV", file=name) from None
+    if (found := kind_of(text)) not in (None, "list"):
+        raise ListError(
+            "{file} is {found}; a list with headings is wanted, CSV or a spreadsheet",
+            file=name,
+            found=_(KINDS[found]),
+        )
     return list_of(text, name=name)
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from crankstar.files.errors import EngineFileError, refused
+from crankstar.files.kinds import kind_of
 from crankstar.files.mistakes import Tree
 from crankstar.files.traces import with_trace
 from crankstar.files.workbook import PROTECTED, ZIP, workbook_tree
@@ -107,6 +108,8 @@ def tree_of(text: str, *, name: str = "the engine") -> Tree:
         )
     except tomllib.TOMLDecodeError as error:
         _no_other_json(name, text)
+        if found := kind_of(text):
+            raise refused(name, "other-kind", found=found) from None
         raise _not_toml(name, text, str(error)) from None
     except json.JSONDecodeError as error:
         raise refused(name, "not-json", reason=str(error)) from None

@@ -34,7 +34,15 @@ _DIMENSIONS = {
     "mass per length": N_("a mass per length"),
     "other": N_("another kind of quantity"),
 }
+KINDS = {
+    "picture": N_("a picture (SVG)"),
+    "page": N_("a page (HTML)"),
+    "list": N_("a list (CSV)"),
+    "engine": N_("an engine file"),
+}
+"""Kinds of files, where one of another kind is wanted."""
 NAMED: dict[str, dict[str, str]] = {
+    "found": KINDS,
     "dimension": _DIMENSIONS,
     "measured": _DIMENSIONS,
     "side": {"intake": N_("intake"), "exhaust": N_("exhaust")},
@@ -333,6 +341,10 @@ SENTENCES: dict[str, str | Plural] = {
     "file.json-no-object": N_(
         "{where} is JSON, but not an object; an engine file in JSON starts with a brace, as in "
         "{example}"
+    ),
+    "file.other-kind": N_(
+        "{where} is {found}; an engine file is wanted, in TOML, JSON or Excel (.xlsx), or the name "
+        "of an engine, which `crankstar list` lists"
     ),
     "file.too-deep": N_(
         "{where} is nested too deeply; an engine file has at most {greatest} levels"
