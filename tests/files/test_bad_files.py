@@ -119,6 +119,15 @@ def test_an_unknown_key_is_told_with_the_one_that_was_meant(
     assert told(text) == {place: f'is not a key of an engine file; did you mean "{told_of}"?'}
 
 
+@pytest.mark.parametrize(("head", "place"), [("[layout]", "layout.cylinders"), ("", "cylinders")])
+def test_a_number_of_cylinders_is_told_what_sets_it(head: str, place: str) -> None:
+    text = SHORT.replace(head, f"{head}\ncylinders = 8\n", 1)
+    assert told(text) == {
+        place: "cannot set the number of cylinders; there are as many as firing_order, or "
+        "layout.throws, lists"
+    }
+
+
 def test_an_unknown_key_deep_inside_is_told_with_its_place() -> None:
     text = SHORT.replace('bearing = "-45', 'baering = "-45')
     assert told(text) == {

@@ -116,6 +116,8 @@ def _path(mistake: Any) -> Path:
 def _fault(mistake: Any, path: Path, model: type[Record], tree: Tree) -> Fault:
     """What a validation error of pydantic means to the one who wrote the file."""
     kind, context = mistake["type"], mistake.get("ctx", {})
+    if path in _COUNTS and isinstance(_at(tree, path), int | float):
+        return _counted(path, tree)
     if kind == "extra_forbidden":
         return _unknown_key(path, model)
     if kind == "invalid_key":
@@ -145,6 +147,17 @@ def _fault(mistake: Any, path: Path, model: type[Record], tree: Tree) -> Fault:
     if kind == "too_short":
         return Fault(path, "too-few", {"size": size, "count": context["min_length"]})
     return Fault(path, "invalid", values | {"message": mistake["msg"]})
+
+
+_COUNTS = {("cylinders",), ("layout", "cylinders")}
+"""Where a number of cylinders is written, though it follows from what lists them."""
+
+
+def _counted(path: Path, tree: Tree) -> Fault:
+    """What lists the cylinders, each on its throw, in the layout of a file."""
+    lists = {"radial": "layout.rows", "tandem": "layout.cranks"}
+    key = lists.get(str(_at(tree, ("layout", "type"))), "layout.throws")
+    return Fault(path, "cylinders.counted", {"key": key})
 
 
 def _with_example(fault: Fault, sample: str) -> Fault:

@@ -159,6 +159,10 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "key.belongs-in": N_("{where} is not a key of this table; it belongs in {table}: {path}"),
     "key.unknown": N_("{where} is not a key of an engine file; there are: {keys}"),
+    "cylinders.counted": N_(
+        "{where} cannot set the number of cylinders; there are as many as firing_order, or {key}, "
+        "lists"
+    ),
     "key.no-text": N_("{where} has the key {value}; keys are text of whole characters"),
     "provenance.misspelt": N_("{where} names no value of this file; did you mean {meant}?"),
     "provenance.range": N_(
