@@ -345,7 +345,8 @@ def _mounted(draw: Draw, engine: Engine) -> Engine:
     stood = [
         Mount(name=f"{n}", right=x, z=z, stiffness=stiffness) for n, (x, z) in enumerate(corners)
     ]
-    raft = Foundation(mass=500, inertia_up=80, inertia_right=70, inertia_z=60, mounts=tuple(stood))
+    below = tuple(with_values(each, name=f"below {each.name}") for each in stood)
+    raft = Foundation(mass=500, inertia_up=80, inertia_right=70, inertia_z=60, mounts=below)
     return with_values(engine, mounts=tuple(stood), foundation=draw(maybe(st.just(raft))))
 
 

@@ -14,6 +14,7 @@
 | `mount_faults` | the sentence of each fault of a block, its mounts and its foundation |
 | `tolerance_faults` | the sentence of each fault of a tolerance |
 | `torsion_faults` | the sentence of each fault of a chain that twists |
+| `value_faults` | the sentence of each fault of a value and its unit |
 | `file_faults` | the sentence of each fault of an engine file |
 | `search_faults` | the sentence of each fault of a search |
 | `server_faults` | the sentence of each fault of a question to the server |

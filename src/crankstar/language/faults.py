@@ -1,7 +1,7 @@
 """Faults: what is wrong with an engine, a file or a question, as a record; and its sentence.
 
 Rooms above name a code and the values that belong to it; the sentences stand in the tables of
-`engine_faults`, `file_faults` and `search_faults`, marked for translation. Each host says where a
+`engine_faults`, `file_faults` and others, marked for translation. Each host says where a
 fault is in its own words: `where(path)` in an engine file, an option on the command line, a field
 in a dialog.
 """
@@ -23,6 +23,7 @@ from crankstar.language import (
     server_faults,
     tolerance_faults,
     torsion_faults,
+    value_faults,
 )
 from crankstar.language.messages import MessageError, Plural, _, _n
 from crankstar.language.quoting import one_line
@@ -34,6 +35,7 @@ SENTENCES: dict[str, str | Plural] = {
     **mount_faults.SENTENCES,
     **tolerance_faults.SENTENCES,
     **torsion_faults.SENTENCES,
+    **value_faults.SENTENCES,
     **search_faults.SENTENCES,
     **server_faults.SENTENCES,
 }

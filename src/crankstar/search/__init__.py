@@ -8,6 +8,7 @@
 | `engines` | a star as an Engine |
 | `shafts` | throws with one rod or two that fire evenly: star and sequence |
 | `vector_sums` | forces, couples and torsion of a shaft with its sequence, and goals |
+| `sequence_engines` | a star with its sequence as an Engine, and back |
 | `engine_stars` | the stars of a real engine, in newtons |
 | `question` | stars, objectives and limits of a search |
 | `proof` | exact zeros and equal lengths, in whole numbers |
@@ -37,7 +38,6 @@
 | `sequence_rows` | orders found, merged in any sequence |
 | `sequence_work` | the stars in parts, and the work on one |
 | `sequence_fronts` | the front over stars and sequences, and what beats an order |
-| `sequence_engines` | a star with its sequence as an Engine, and back |
 | `uneven_sequences` | uneven angles of a star with its firing sequence |
 | `options` | options of a search as values, and its question |
 """
