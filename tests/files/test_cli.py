@@ -565,6 +565,8 @@ BAD_LINES = [
     ),
     (["match", "X", "w.csv", "--engine-file", "z.toml", "-o", "./z.toml"],
         "--engine-file and -o name the same file"),
+    (["animate", "X", "--arrows", "none,force"], "--arrows none,force: none stands alone"),
+    (["animate", "X", "--arrows", "x"], "--arrows x: choose from force, couple, none"),
     (["match", "X", "w.csv", "--engine-file="], '--engine-file "": it is empty'),
     (["analyze", "\x1b[31m"], "?[31m: 1 mistake\n  there is no such engine"),
     (["analyze", "n" * 100_000], "there is no such engine"),

@@ -265,6 +265,10 @@ def test_what_cannot_be_searched_is_refused(
     assert told in " ".join(refused("search", *words).split())
 
 
+def test_a_row_behind_the_last_is_refused(refused: Callable[..., str]) -> None:
+    assert refused("search", "6", "--row", "500").endswith("the answer has 1 row\n")
+
+
 def test_more_stars_than_can_be_listed_are_refused(
     refused: Callable[..., str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -388,6 +392,19 @@ def test_couples_are_counted_with_their_harmonic_where_it_is_not_known(run: Run)
     out = run(*SEVEN).out
     assert re.search(r"\[m r ω² a\] +\[m r ω² A2 a\]", out)
     assert "A2" not in run("search", "man-s90mc-c").out
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["7"], "succession. stars: how many have these values; classes: these without mirror"),
+        (["2"], "stars: how many have these values"),
+        (["2", "--minimise", "twist"], "2 cylinders, four-stroke: Pareto front of twist"),
+        (["2", "--minimise", "twist"], "Fired evenly: 1 star, with 1 firing order on each;"),
+    ],
+)
+def test_columns_and_counts_are_told_in_words(run: Run, words: list[str], told: str) -> None:
+    assert told in " ".join(run("search", *words).out.split())
 
 
 @pytest.mark.parametrize("cylinders", ["2", "3", "4"])

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 
 from crankstar.cli.options import Csv, Json, option
 from crankstar.cli.output import writable
+from crankstar.language.messages import _n
 from crankstar.options.refusals import RequestError, refusal, refuse_empty
 
 
@@ -18,6 +19,12 @@ def not_compiled(error: ImportError) -> RequestError:
         '"crankstar[search]"',
         error=error,
     )
+
+
+def no_such_row(row: int, count: int) -> RequestError:
+    """What is said where the answer ends before a row."""
+    rows = _n("the answer has {count} row", "the answer has {count} rows", count, count=count)
+    return RequestError(f"--row {row}: {rows}")
 
 
 @dataclass(frozen=True)

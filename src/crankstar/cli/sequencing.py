@@ -10,7 +10,7 @@ from typing import Any
 
 from crankstar.cli.options import Looks, engine_with_tree, write_engine
 from crankstar.cli.output import complain, display, progress, working, writable, write_result
-from crankstar.cli.search_options import Form, Work, not_compiled
+from crankstar.cli.search_options import Form, Work, no_such_row, not_compiled
 from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
@@ -18,7 +18,7 @@ from crankstar.options import search as options
 from crankstar.options import sequences
 from crankstar.options import values as request
 from crankstar.options.forms import ENGINES, PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
-from crankstar.options.values import RequestError, refusal
+from crankstar.options.values import RequestError
 from crankstar.options.words import SearchWords, SequenceWords, sequence_options
 
 MOST_THREADS = 64
@@ -188,7 +188,7 @@ def _show_row(front: Any, engine: Any, best: dict[Any, Any], form: Form, tree: A
 
     row = form.row or 1
     if row > len(front.points):
-        raise refusal("--row", row, "the answer has {count} rows", count=len(front.points))
+        raise no_such_row(row, len(front.points))
     shown, shaft, later = front.points[row - 1].fired, front.question.shaft, ()
     fired = best.get(shown, shown)
     if form.uneven is not None:

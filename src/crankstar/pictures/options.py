@@ -40,7 +40,10 @@ def picture(
         given["width"], given["height"] = _size(size)
     if arrows is not None:
         words = [] if arrows.strip() == "none" else [word.strip() for word in arrows.split(",")]
-        given["arrows"] = tuple(request.choice("--arrows", word, KINDS) for word in words)
+        if len(words) > 1 and "none" in words:
+            raise request.refusal("--arrows", arrows, "none stands alone; leave the others out")
+        choices = (*KINDS, "none")
+        given["arrows"] = tuple(request.choice("--arrows", word, choices) for word in words)
     if orders is not None and orders.strip() != "all":
         given["orders"] = tuple(request.orders(orders, []) or ())
     return Picture(**given)

@@ -180,7 +180,10 @@ def _notes(listing: Listing, shown: int, own: int | None) -> list[str]:
         )
     if count == 1 and listing.engine.cycle == "two-stroke":
         out.append(
-            _("A two-stroke cylinder fires at every top dead centre, so there is no other order.")
+            _(
+                "A two-stroke cylinder fires at every top dead centre, so there is no other order; "
+                "`crankstar search` finds other cranks."
+            )
         )
     if own is not None:
         out.append(_("* the order of the file."))

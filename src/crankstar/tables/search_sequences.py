@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _
+from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
 from crankstar.search.sequence_fronts import Point, SequenceFront
 from crankstar.search.shafts import Fired, followed
@@ -68,7 +68,7 @@ def search_sequences(
 def heading(question: SequenceQuestion) -> str:
     """What was asked."""
     shaft = question.shaft
-    kind = str(shaft.cylinders)
+    kind = _n("{count} cylinder", "{count} cylinders", shaft.cylinders, count=shaft.cylinders)
     if shaft.rods == 2:
         kind = f"V{shaft.cylinders}, {abs(float(shaft.bank_angle_deg)):g} deg"
     limits = ", ".join(
@@ -92,18 +92,18 @@ def heading(question: SequenceQuestion) -> str:
 def census(question: SequenceQuestion) -> str:
     """How many stars there are, and how many firing orders on each."""
     shaft = question.shaft
-    counts = {"stars": f"{shaft.count:,}", "sequences": f"{shaft.sequences:,}"}
+    size, each = shaft.count, shaft.sequences
+    counts = {
+        "stars": _n("{count} star", "{count} stars", size, count=f"{size:,}"),
+        "orders": _n("{count} firing order", "{count} firing orders", each, count=f"{each:,}"),
+    }
     if shaft.rods == 2:
         return _(
-            "Two rods on each pin: {stars} stars fire evenly, with {sequences} firing orders on "
-            "each; mirror images are counted.",
+            "Two rods on each pin, fired evenly: {stars}, with {orders} on each; mirror images are "
+            "counted.",
             **counts,
         )
-    return _(
-        "{stars} stars fire evenly, with {sequences} firing orders on each; mirror images are "
-        "counted.",
-        **counts,
-    )
+    return _("Fired evenly: {stars}, with {orders} on each; mirror images are counted.", **counts)
 
 
 def certificate(front: SequenceFront) -> str:

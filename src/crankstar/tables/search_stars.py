@@ -9,7 +9,7 @@ from crankstar.derive.algebra import radicals as radical
 from crankstar.derive.algebra.formula import has_decimal
 from crankstar.derive.algebra.typeset import text as formula_text
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import N_, _, _n
+from crankstar.language.messages import N_, _, _n, passage
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.search import engine_stars
@@ -49,6 +49,7 @@ def search_stars(
     rows = tuple(_row(answer, place, row) for place, row in enumerate(shown, 1))
     table = Table("", tuple(_columns(question)), rows, key="rows")
     lines = [
+        _legend(question),
         *left_out(question),
         *as_it_is(answer, engine),
         *sentences(answer, shown=len(shown), hints=hints),
@@ -56,6 +57,16 @@ def search_stars(
     doubt = () if engine is None else typical_remarks(engine)
     parts = (*doubt, *remarks(census(question.stars)), table, Remarks(tuple(lines)))
     return Document(heading(question, _tops(answer)), parts, _facts(answer))
+
+
+def _legend(question: Question) -> str:
+    """What the last columns count."""
+    counted = _(
+        "stars: how many have these values; classes: these without mirror images and reversals."
+    )
+    if any(objective.name == "neighbours" for objective in question.objectives):
+        return counted
+    return passage([_("neighbours: cylinders side by side that fire in succession."), counted])
 
 
 def _tops(answer: Answer) -> dict[str, float]:
