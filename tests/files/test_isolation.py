@@ -189,8 +189,10 @@ def test_the_forces_of_all_mounts_are_minimised_together() -> None:
 
 
 def test_impossible_limits_are_refused_with_how_far_they_are_missed() -> None:
-    with pytest.raises(RemedyError, match="misses one by"):
+    with pytest.raises(RemedyError, match=r"misses the limit of sag by \d"):
         best(four(UNEVEN), limits=MountLimits(stiffness=(2e4, 3e4), sag=1e-3))
+    with pytest.raises(RemedyError, match="misses the limit of highest frequency by"):
+        best(four(UNEVEN), limits=MountLimits(stiffness=(2e4, 3e4), sag=1.0, frequencies=(0, 0.5)))
     with pytest.raises(RemedyError, match="nothing is free"):
         best(four(UNEVEN), limits=MountLimits(sag=1e-2))
     with pytest.raises(RemedyError, match="without a speed"):

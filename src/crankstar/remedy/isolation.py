@@ -42,6 +42,7 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import Mount
 from crankstar.engine.records import Provenance
+from crankstar.language.messages import _
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.spectra import Real
 
@@ -141,11 +142,12 @@ def isolated(
     search = _Search(engine, found, aim, limits)
     ends: list[float] = []
     best: tuple[float, Real] | None = None
-    nearest: float = np.inf
+    nearest, missing = np.inf, ""
     for place, start in enumerate(_starts(search, starts), 1):
         x = search.led(start)
         missed = search.missed(x)
-        nearest = min(nearest, missed)
+        if missed < nearest:
+            nearest, missing = missed, search.missing(x)
         value = search.value(x) if missed <= KEPT else np.nan
         ends.append(value)
         if value == value and (best is None or value < best[0]):
@@ -155,7 +157,8 @@ def isolated(
     if best is None:
         raise RemedyError(
             "no mounts within these limits keep to the sag and the band of frequencies: the "
-            "nearest that was found misses one by {share} %; widen a limit",
+            "nearest that was found misses the limit of {limit} by {share} %; widen it",
+            limit=missing,
             share=f"{100 * nearest:.3g}",
         )
     after = _fitted(engine, search.mounts(best[1]), search.free, aim)
@@ -267,6 +270,14 @@ class _Search:
     def missed(self, x: Real) -> float:
         """The greatest share by which a limit is missed."""
         return max(0.0, -float(self.kept(x).min(initial=0.0)))
+
+    def missing(self, x: Real) -> str:
+        """The limit that is missed most, in words; empty where all are kept."""
+        kept, names = self.kept(x), [_("sag")] if self.limits.sag is not None else []
+        if self.limits.frequencies is not None:
+            lowest = [_("lowest frequency")] if self.limits.frequencies[0] else []
+            names += [*lowest, _("highest frequency")]
+        return names[int(kept.argmin())] if kept.min(initial=0.0) < 0 else ""
 
     def changed(self, x: Real) -> float:
         """What a change costs, of the value of the file: the least of those as good is taken."""

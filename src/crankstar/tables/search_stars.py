@@ -282,7 +282,12 @@ def census(stars: Stars) -> str:
         "ends": f"{ends:,}",
     }
     if stars.fixed:
-        return _("{throws}: {stars} stars with the fixed throws.", **values)
+        return _n(
+            "{throws}: {stars} star with the fixed throws.",
+            "{throws}: {stars} stars with the fixed throws.",
+            stars.count,
+            **values,
+        )
     if stars.symmetric:
         return _(
             "{throws}: {stars} lengthwise symmetric stars; {mirrored} not counting mirror images.",
@@ -294,7 +299,12 @@ def census(stars: Stars) -> str:
             "reversals either.",
             **values,
         )
-    return _("{throws}: {stars} stars; {mirrored} not counting mirror images.", **values)
+    return _n(
+        "{throws}: {stars} star; {mirrored} not counting mirror images.",
+        "{throws}: {stars} stars; {mirrored} not counting mirror images.",
+        stars.count,
+        **values,
+    )
 
 
 def closed_form(objective: Objective, row: AnswerRow) -> str:
@@ -354,7 +364,12 @@ def certificate(answer: Answer, hints: Hints = TYPED) -> str:
     if answer.contradicted:
         return _("Proved: no star keeps these limits ({met} of {of} searched, {blocks}).", **values)
     if not regions or proof.met >= proof.of:
-        return _("Proved complete: all {of} stars were searched, {blocks}.", **values)
+        return _n(
+            "Proved complete: {of} star was searched, {blocks}.",
+            "Proved complete: all {of} stars were searched, {blocks}.",
+            proof.of,
+            **values,
+        )
     if proof.whole:
         return _(
             "Proved complete: all stars with {regions} were searched ({met} of {of}, {blocks}).",
