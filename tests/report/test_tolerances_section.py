@@ -7,22 +7,11 @@ from typing import Any
 import pytest
 from tests.report.reading import Reader
 from tests.texts import SHORT, spoilt
+from tests.tolerant import TOLERANT
 
 from crankstar.files import engine_of
 from crankstar.report import Subject, report
 from crankstar.tables.built_facts import as_built
-
-TREE: dict[str, Any] = spoilt(
-    SHORT,
-    speed="6000 rpm",
-    cylinder={
-        "bore": "86 mm",
-        "stroke": "86 mm +- 0.05 mm",
-        "rod_length": "143 mm",
-        "reciprocating_mass": "650 g +- 2 g",
-        "rotating_mass": "450 g +- 3 g",
-    },
-)
 
 
 def sections(tree: dict[str, Any]) -> tuple[str, list[str], dict[str, list[list[str]]]]:
@@ -32,9 +21,9 @@ def sections(tree: dict[str, Any]) -> tuple[str, list[str], dict[str, list[list[
 
 
 def test_the_report_of_an_engine_with_tolerances_says_how_engines_scatter() -> None:
-    text, names, tables = sections(TREE)
+    text, names, tables = sections(TOLERANT)
     assert "tolerances" in names
-    found = as_built(engine_of(TREE), TREE)
+    found = as_built(engine_of(TOLERANT), TOLERANT)
     assert found is not None
     row = found.of("force", 1.0)
     (shown,) = [

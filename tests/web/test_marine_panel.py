@@ -10,9 +10,8 @@ import pytest
 from playwright.sync_api import Page, expect
 from tests.marine import SEVEN, WEIGHTED
 from tests.report.reading import Reader
-from tests.web.browsing import barriers, too_wide
 from tests.web.engine_page import opened
-from tests.web.overflow import overflows
+from tests.web.everyone import SCREENS, Scheme, read_by_everyone
 
 from crankstar import cli
 from crankstar.files import engine_of
@@ -112,16 +111,8 @@ def test_an_engine_of_a_car_has_no_such_panel(built_page: Any, page: Page) -> No
 
 
 @pytest.mark.many(first=1)
-@pytest.mark.parametrize(
-    ("width", "scheme"), [(320, "dark"), (390, "light"), (1024, "dark"), (1440, "light")]
-)
+@pytest.mark.parametrize(("width", "scheme"), SCREENS)
 def test_the_panel_of_a_ship_is_read_by_everyone_on_every_screen(
-    path: Path, page: Page, width: int, scheme: Any
+    path: Path, page: Page, width: int, scheme: Scheme
 ) -> None:
-    page.set_viewport_size({"width": width, "height": 844})
-    page.emulate_media(color_scheme=scheme)
-    opened(page, path, "a=30&tab=marine")
-    expect(page.locator("[role=tabpanel] .figures svg")).to_have_count(1)
-    assert too_wide(page) == []
-    assert overflows(page) == []
-    assert barriers(page) == []
+    read_by_everyone(page, path, "a=30&tab=marine", width=width, scheme=scheme, figures=1)

@@ -12,9 +12,8 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
 from tests.mounted_engines import BLOCK, FOUNDATION, standing
-from tests.web.browsing import barriers, too_wide
 from tests.web.engine_page import EIGHT, handle
-from tests.web.overflow import overflows
+from tests.web.everyone import SCREENS, Scheme, read_by_everyone
 from tests.web.test_mounts_panel import _text, cells, checked, number, opened, read
 
 from crankstar import cli
@@ -158,16 +157,10 @@ def test_speed_and_point_are_chosen_by_keys_typed_and_linked(tmp_path: Path, pag
 
 
 @pytest.mark.many(first=1)
-@pytest.mark.parametrize(
-    ("width", "scheme"), [(320, "dark"), (390, "light"), (1024, "light"), (1440, "dark")]
-)
+@pytest.mark.parametrize(("width", "scheme"), SCREENS)
 def test_any_speed_is_read_by_everyone_on_every_screen(
-    tmp_path: Path, page: Page, width: int, scheme: Any
+    tmp_path: Path, page: Page, width: int, scheme: Scheme
 ) -> None:
-    page.set_viewport_size({"width": width, "height": 800})
-    page.emulate_media(color_scheme=scheme)
     path, _engine = written(tmp_path, based=width == 320)
-    opened(page, path, "a=30&tab=mounts&mounts.show=forced&mounts.rpm=3210&mounts.point=1")
-    assert too_wide(page) == []
-    assert overflows(page) == []
-    assert barriers(page) == []
+    state = "a=30&tab=mounts&mounts.show=forced&mounts.rpm=3210&mounts.point=1"
+    read_by_everyone(page, path, state, width=width, scheme=scheme)

@@ -16,10 +16,9 @@ from PIL import Image
 from playwright.sync_api import Page, expect
 from scipy.spatial.transform import Rotation
 from tests.mounted_engines import BLOCK, FOUNDATION, HEAVY, SOFT, standing
-from tests.web.browsing import barriers, too_wide
 from tests.web.engine_page import CARD, EIGHT, HANDLE, handle
 from tests.web.engine_page import opened as at_once
-from tests.web.overflow import overflows
+from tests.web.everyone import Scheme, read_by_everyone
 from tests.web.test_twist_panel import FLAT
 
 from crankstar import cli
@@ -398,13 +397,9 @@ def test_what_moves_the_block_is_reached_by_keys_and_linked(tmp_path: Path, page
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize(("width", "scheme"), [(390, "light"), (320, "dark"), (1280, "dark")])
 def test_the_panel_of_mounts_is_read_by_everyone_on_every_screen(
-    tmp_path: Path, page: Page, width: int, scheme: Any
+    tmp_path: Path, page: Page, width: int, scheme: Scheme
 ) -> None:
-    page.set_viewport_size({"width": width, "height": 800})
-    page.emulate_media(color_scheme=scheme)
     path, _engine = written_of(tmp_path, based=width == 320)
     for show in ("mode", "forced"):
-        opened(page, path, f"a=30&tab=mounts&mounts.show={show}")
-        assert too_wide(page) == []
-        assert overflows(page) == []
-        assert barriers(page) == []
+        state = f"a=30&tab=mounts&mounts.show={show}"
+        read_by_everyone(page, path, state, width=width, scheme=scheme)

@@ -8,31 +8,15 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Page, expect
-from tests.texts import SHORT, spoilt
-from tests.web.browsing import barriers, too_wide
+from tests.tolerant import TOLERANT
 from tests.web.engine_page import opened
-from tests.web.overflow import overflows
+from tests.web.everyone import SCREENS, Scheme, read_by_everyone
 
 from crankstar import cli
 from crankstar.files import engine_of
 from crankstar.page.library import held
 from crankstar.page.standalone import document
 from crankstar.tables.built_facts import BUILDS
-
-TOLERANT: dict[str, Any] = spoilt(
-    SHORT,
-    name="four with tolerances",
-    firing_order=[1, 3, 4, 2],
-    speed="6000 rpm",
-    cylinder={
-        "bore": "86 mm",
-        "stroke": "86 mm +- 0.05 mm",
-        "rod_length": "143 mm",
-        "reciprocating_mass": "650 g +- 2 g",
-        "rotating_mass": "450 g +- 3 g",
-    },
-    layout={"type": "inline", "bore_pitch": "94 mm +- 0.1 mm"},
-)
 
 
 @pytest.fixture(scope="module")
@@ -88,19 +72,11 @@ def test_an_engine_without_tolerances_has_no_such_panel(built_page: Any, page: P
 
 
 @pytest.mark.many(first=1)
-@pytest.mark.parametrize(
-    ("width", "scheme"), [(320, "dark"), (390, "light"), (1024, "dark"), (1440, "light")]
-)
+@pytest.mark.parametrize(("width", "scheme"), SCREENS)
 def test_the_panel_of_tolerances_is_read_by_everyone_on_every_screen(
-    path: Path, page: Page, width: int, scheme: Any
+    path: Path, page: Page, width: int, scheme: Scheme
 ) -> None:
-    page.set_viewport_size({"width": width, "height": 844})
-    page.emulate_media(color_scheme=scheme)
-    opened(page, path, "a=30&tab=tolerances")
-    expect(page.locator("[role=tabpanel] .figures svg")).to_have_count(1)
-    assert too_wide(page) == []
-    assert overflows(page) == []
-    assert barriers(page) == []
+    read_by_everyone(page, path, "a=30&tab=tolerances", width=width, scheme=scheme, figures=1)
 
 
 def test_the_panel_is_reached_by_keys(path: Path, page: Page) -> None:

@@ -1,8 +1,7 @@
 import { message, t } from '../../language/messages'
 import { useExhibit } from '../context'
-import { DataTable } from '../DataTable'
-import { Figure } from '../Figure'
 import type { Panel } from '../panel'
+import { Told } from '../Told'
 
 export const marine: Panel = {
   key: 'marine',
@@ -15,27 +14,8 @@ export const marine: Panel = {
 /** What a large two-stroke engine does to its ship: external moments, guide-force moments. */
 function MarinePanel() {
   const exhibit = useExhibit()
-  const { marine: tables, charts } = exhibit
-  if (!tables.length)
-    return (
-      <p class="needs">
-        {t(
-          'This is of large two-stroke engines in line, with masses, sizes, speed and gas in their file.',
-        )}
-      </p>
-    )
-  return (
-    <div class="stacked">
-      {tables.map((table, place) => (
-        <DataTable key={place} table={table} />
-      ))}
-      <div class="figures">
-        {charts
-          .filter(({ figure }) => figure === 'guide-moments')
-          .map(({ key, label }) => (
-            <Figure key={key} exhibit={exhibit} chart={key} label={label} />
-          ))}
-      </div>
-    </div>
+  const needs = t(
+    'This is of large two-stroke engines in line, with masses, sizes, speed and gas in their file.',
   )
+  return <Told exhibit={exhibit} figure="guide-moments" tables={exhibit.marine} needs={needs} />
 }
