@@ -19,6 +19,8 @@ void translator.init({
 })
 
 const chosen = signal('en')
+/** Sentences without values in that language: a page shows hundreds, again with every edit. */
+const plain = new Map<string, string>()
 
 /** The language of the page; a component that shows a message is drawn again when it changes. */
 export const language = {
@@ -32,6 +34,7 @@ export const language = {
     if (known !== 'en' && !translator.hasResourceBundle(known, SPACE))
       translator.addResourceBundle(known, SPACE, CATALOGS[known]())
     void translator.changeLanguage(known)
+    plain.clear()
     chosen.value = known
   },
 }
@@ -43,14 +46,17 @@ type Values<Text extends string> = [Names<Text>] extends [never]
   ? []
   : [values: Readonly<Record<Names<Text>, string | number>>]
 
-function translated(text: string, options: TOptions): string {
+function translated(text: string, options?: TOptions): string {
   void chosen.value // who shows it is drawn again in another language
-  return translator.t(text, options)
+  if (options) return translator.t(text, options)
+  const sentence = plain.get(text) ?? translator.t(text)
+  plain.set(text, sentence)
+  return sentence
 }
 
 /** The sentence in the language of the page, with a value for each `{name}` in it. */
 export function t<Text extends string>(text: Text, ...[values]: Values<Text>): string {
-  return translated(text, { replace: values ?? {} })
+  return translated(text, values && { replace: values })
 }
 
 /** One of two sentences, or of as many as the language has, by a number that both may show. */
