@@ -568,6 +568,7 @@ BAD_LINES = [
     (["animate", "X", "--arrows", "none,force"], "--arrows none,force: none stands alone"),
     (["animate", "X", "--arrows", "x"], "--arrows x: choose from force, couple, none"),
     (["match", "X", "w.csv", "--engine-file="], '--engine-file "": it is empty'),
+    (["fault", "X", "--cut", "3", "--point", ""], '--point "": it is empty; leave it out'),
     (["analyze", "\x1b[31m"], "?[31m: 1 mistake\n  there is no such engine"),
     (["analyze", "n" * 100_000], "there is no such engine"),
     (["analyze", "v8-flatplane"], "did you mean v8-flat-plane"),

@@ -279,6 +279,10 @@ def test_a_check_run_says_whether_the_coefficients_hold(
         (("next.csv", "--coefficients", "bad.csv"), "bad.csv: 2 mistakes"),
         (("next.csv", "--coefficients", "alike.csv"), "do not tell the two planes apart"),
         (("next.csv", "--coefficients", "half.csv"), "there is no line of plane 2"),
+        (("next.csv", "--coefficients", "next.csv"), 'there are no columns "plane", "unbalance"'),
+        (("known.csv", "--coefficients", "known.csv"), 'there is no column "run"'),
+        (("open.csv", "--coefficients", "known.csv"), "open.csv"),
+        (("still.csv", "--coefficients", "known.csv"), "there is nothing to correct"),
         (("runs.csv", "--save-coefficients", "runs.csv"), "would be lost"),
         (("runs.csv", "--save-coefficients", "x.toml"), "must end in .csv"),
         (("runs.csv", "--save-coefficients", "new.csv", "-o", "none/x.txt"), "no such directory"),
@@ -299,6 +303,8 @@ def test_coefficients_that_cannot_be_used_are_told(
         "bad": "\n".join([head, one.replace("1000", "-3"), two.replace("2,", "3,", 1)]),
         "alike": "\n".join([head, one, one.replace("1,", "2,", 1)]),
         "half": "\n".join([head, one]),
+        "open": NEXT.replace("run,", 'run,"', 1),
+        "still": f"{NEXT.splitlines()[0]}\ninitial, 0, 0, 0, 0\n",
     }
     for name, text in lists.items():
         (tmp_path / f"{name}.csv").write_text(text, encoding="utf-8")

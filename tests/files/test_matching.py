@@ -197,7 +197,7 @@ def test_nothing_is_written_where_one_of_the_files_cannot_be(
 ) -> None:
     line = ("match", "triple.toml", "w.csv", "--engine-file", "new.toml")
     assert "no such directory" in refused(*line, "-o", "none/x.csv")
-    assert "would be lost" in refused(*line[:-1], "x.json", "-o", "x.json")
+    assert "name the same file" in refused(*line[:-1], "x.json", "-o", "x.json")
     assert not (tmp_path / "new.toml").exists()
     assert not (tmp_path / "x.json").exists()
     (tmp_path / "own-3.toml").mkdir()

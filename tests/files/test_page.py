@@ -145,7 +145,7 @@ def test_a_page_without_a_place_is_named_after_the_engine(run: Run, tmp_path: Pa
     assert (tmp_path / "i4.html").read_bytes() == first
 
 
-@pytest.mark.parametrize("place", ["", "missing/folder/page.html", "."])
+@pytest.mark.parametrize("place", ["missing/folder/page.html", "."])
 def test_a_place_that_cannot_be_written_is_told_of_before_anything_is_drawn(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:

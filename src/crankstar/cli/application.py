@@ -40,6 +40,8 @@ FILES = ("--before", "--beside", "--checkpoint", "--engine-file", "--output", "-
 """Options that take a file."""
 WRITTEN = ("-o", "--output", "--engine-file", "--save")
 """Options that take a file which is written."""
+NAMING = (*WRITTEN, "--point")
+"""Options that name something, which an empty text does not."""
 LANGUAGE = ("--language", "--lang")
 """The option of the language, and its short name."""
 LEAST_WIDTH = 20
@@ -277,13 +279,16 @@ def _takes_words(option: str) -> bool:
 
 
 def _refuse_source(words: Sequence[str]) -> None:
-    """Refuse to write on a file that the command reads, twice on one, or without a name.
+    """Refuse empty names, and to write on a file that the command reads, or twice on one.
 
     Raises OutputError, RequestError.
     """
     apart = [re.sub("^-o(?=[^=])", "-o=", word) for word in words]
     parts = [part for word in apart for part in word.split("=", 1) if _may_be_a_file(part)]
     written = [(option, place) for option, place in pairwise(parts) if option in WRITTEN]
+    for option, name in pairwise(parts):
+        if option in NAMING:
+            refuse_empty({option: name})
     _refuse_twice(written)
     for option, place in written:
         if not (is_file(place) or option in ("--engine-file", "--save")):
@@ -298,10 +303,9 @@ def _refuse_source(words: Sequence[str]) -> None:
 
 
 def _refuse_twice(written: Sequence[tuple[str, str]]) -> None:
-    """Refuse an option without a name of a file, and two of the same. Raises RequestError."""
+    """Refuse two options that name one file. Raises RequestError."""
     seen_at: dict[str, str] = {}
     for option, place in written:
-        refuse_empty({option: place})
         other = seen_at.setdefault(os.path.realpath(place), option)
         if other != option and place not in STANDARD_OUTPUT:
             raise RequestError(

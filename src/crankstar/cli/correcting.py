@@ -177,6 +177,8 @@ def _of_runs(
         lambda: trial_runs(read_list(place), known=known),
         *([lambda: coefficients_of(read_list(coefficients))] if coefficients is not None else []),
     )
+    if not runs.initial.any():
+        raise RequestError("the initial run has no vibration: there is nothing to correct")
     if coefficients is not None:
         matrix = in_units_of(others[0], runs.shown, option="--coefficients", given=coefficients)
     else:

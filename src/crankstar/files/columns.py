@@ -69,12 +69,19 @@ class Columns:
         self.mistakes.append(Mistake(0, told))
 
     def refuse(self, row: Row, name: str, why: str) -> None:
-        """Note a mistake of a cell, `why` being a sentence in the language of the context."""
+        """Note a mistake of a cell, `why` being a sentence in the language of the context.
+
+        A column that is not there has been told of, or is none that is needed.
+        """
+        if name not in self:
+            return
         told = _("{where}: {why}", where=self.place(row, name), why=why)
         self.mistakes.append(Mistake(row.line, told))
 
     def refuse_head(self, name: str, why: str) -> None:
         """Note a mistake of a heading, once."""
+        if name not in self:
+            return
         column = self._places[name]
         if column not in self._told:
             self._told.add(column)

@@ -43,7 +43,6 @@ def _is_list(text: str) -> bool:
     lines = [line for line in text[:5000].splitlines() if line.strip() and line[0] != "#"][:2]
     if len(lines) < 2 or any("=" in line or line.lstrip()[0] in "[{<" for line in lines):
         return False
-    return any(
-        len(first) == len(second) > 1
-        for first, second in (csv.reader(lines, delimiter=sign) for sign in ",;\t")
-    )
+    rows = [[*csv.reader(lines, delimiter=sign)] for sign in ",;\t"]
+    # an open quote joins both lines
+    return any(len(found) == 2 and len(found[0]) == len(found[1]) > 1 for found in rows)

@@ -128,7 +128,7 @@ def share_left(matrix: Complex, initial: Complex, check: Complex) -> float:
     """
     moves = np.linalg.norm(matrix, axis=1)
     left, before = (float(np.linalg.norm(each / moves)) for each in (check, initial))
-    return left / before if before else 0.0
+    return left / before
 
 
 def effects(initial: Complex, runs: Complex) -> Real:
