@@ -234,6 +234,10 @@ def test_peaks_are_sent_where_the_range_has_them() -> None:
     for peak in peaks:
         place = int(np.argmin(np.abs(speeds - peak)))
         assert velocity[place] == velocity[place - 1 : place + 2].max()
+        down = [velocity[:place][::-1], velocity[place + 1 :]]
+        ends = [np.append(np.flatnonzero(side > velocity[place]), side.size)[0] for side in down]
+        foot = max(side[: int(end) + 1].min() for side, end in zip(down, ends, strict=True))
+        assert velocity[place] - foot > 0.1 * velocity.max(), "it stands out of what is beside it"
     assert speeds[velocity.argmax()] == pytest.approx(
         max(peaks, key=lambda p: velocity[int(np.argmin(np.abs(speeds - p)))])
     )

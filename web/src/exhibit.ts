@@ -650,7 +650,7 @@ export interface MountVibration {
   /** of that point on the roll of the block, N m; null: as over the speeds */
   gas: [number, number][] | null
   speed_rpm: number
-  /** whether the block shakes more here than at speeds beside it */
+  /** whether the block is in resonance here: shakes more than at speeds beside it */
   peak: boolean
 }
 /** The numbers of the mounts as they are printed, in the units of the page. */

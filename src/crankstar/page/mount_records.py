@@ -64,7 +64,9 @@ class MountVibration(Shown):
         description="of that point on the roll of the block, N m; null: as over the speeds"
     )
     speed_rpm: float
-    peak: bool = Field(description="whether the block shakes more here than at speeds beside it")
+    peak: bool = Field(
+        description="whether the block is in resonance here: shakes more than at speeds beside it"
+    )
 
 
 class MountsOverSpeed(Shown):

@@ -39,14 +39,16 @@ if TYPE_CHECKING:
     from crankstar.tables.table import Document
 
 MOST_POINTS, MOST_PEAKS = 6, 4
-"""Operating points, and speeds at which the block shakes most, that are offered."""
+"""Operating points, and resonances, that are offered."""
+PROMINENT = 0.1
+"""How far a resonance stands out of the velocity beside it, of the greatest at any speed."""
 LEAST = 1e-10
 """Share of the greatest motion or force at every speed below which an order is left out."""
 RPM = 30 / pi
 
 
 class _Driven(NamedTuple):
-    """The vibration at a speed with the gas of a point, where it may shake most."""
+    """The vibration at a speed with the gas of a point; whether it is a resonance."""
 
     point: str
     peak: bool
@@ -72,7 +74,9 @@ def _standing(engine: Engine) -> _Standing | None:
 
 
 def _vibrations(engine: Engine, found: MountAnalysis) -> Iterator[_Driven]:
-    """At the speeds of points, else of the file; at the ends of the range; where it shakes most."""
+    """At the speeds of points, else of the file; at the ends of the range; at resonances."""
+    from scipy.signal import find_peaks
+
     from crankstar.dynamics.mount_excitation import mount_excitation
     from crankstar.dynamics.mount_response import mount_response, rms
 
@@ -90,9 +94,9 @@ def _vibrations(engine: Engine, found: MountAnalysis) -> Iterator[_Driven]:
         known.append(speed)
         yield driven(point, speed)
     velocity = rms(over.velocity(found.point))
-    inner = (velocity[1:-1] > velocity[:-2]) & (velocity[1:-1] >= velocity[2:])
-    peaks = sorted(1 + np.flatnonzero(inner), key=lambda place: -velocity[place])[:MOST_PEAKS]
-    for place in sorted({0, over.speeds.size - 1, *map(int, peaks)}):
+    found_at, how = find_peaks(velocity, prominence=PROMINENT * velocity.max())
+    peaks = found_at[np.argsort(-how["prominences"])][:MOST_PEAKS].tolist()
+    for place in sorted({0, over.speeds.size - 1, *peaks}):
         speed = float(over.speeds[place])
         if not any(abs(speed - other) < 1e-9 * speed for other in known):
             yield driven("", speed, peak=place in peaks)

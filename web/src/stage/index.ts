@@ -197,7 +197,7 @@ class EngineStage implements Stage {
     const beside = magnification > 0 && width >= ASIDE ? this.#inset.breadth : 0
     const screen = {
       ...{ width: width - beside, height },
-      ...{ foot: footOf(width, height), margin: MARGIN },
+      ...{ foot: footOf(width, height, !!shaking && view.arrows.force), margin: MARGIN },
     }
     const load = room.loads.at(view)
     const arrow = ARROW * Math.max(...this.#rooms.map(({ size }) => size)) * view.arrows.scale

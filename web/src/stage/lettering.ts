@@ -49,9 +49,10 @@ export function projected(
   return placed(pane, displaced(whirl, moved, magnification, point, [0, 0, 0]))
 }
 
-/** Kept at the lower edge for axes and scales: pixels, and at most a share of the height. */
-export function footOf(width: number, height: number): number {
-  return width < NARROW ? Math.min(0.43, 112 / height) : Math.min(0.25, 58 / height)
+/** Kept at the lower edge for axes and two lines of scales, or a third; at most a share of the height. */
+export function footOf(width: number, height: number, third = false): number {
+  if (width < NARROW) return Math.min(0.43, 112 / height)
+  return Math.min(0.25, (third && width >= WIDE ? 80 : 58) / height)
 }
 
 /** Writes the labels of the drawing: names of views, cylinder numbers, axes, scales of arrows. */
@@ -109,7 +110,11 @@ export function write(to: Pen, exhibit: Exhibit, writing: Writing): void {
     const small = width < WIDE && !sheet
     const head = 14 + (slice ? 20 : 0) + (writing.twisted ? 20 : 0)
     const y = small ? head : height - foot - step * kinds.length
-    scale(to, writing, line, pixels, { x: small ? 12 : beside, y })
+    // beside it the paths of the whirl stand: its name on a line of its own
+    if (small) {
+      scale(to, writing, { ...line, name: '' }, pixels, { x: 12, y })
+      to.fillText(line.name, 12, y + 16)
+    } else scale(to, writing, line, pixels, { x: beside, y })
   }
   if (writing.load.roll > 0 && width >= WIDE)
     // beside the force, whose words are few; a couple alone leaves the line above

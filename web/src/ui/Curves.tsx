@@ -39,12 +39,23 @@ export function pathOf(curve: Float64Array, low: number, high: number): string {
   return `M${points.join('L')}`
 }
 
-/** Round values between two, about `count` of them. */
+const FEWEST = 3
+
+/** Round values between two, about `count` of them, and three at least. */
 export function ticksOf(low: number, high: number, count: number): number[] {
   const rough = (high - low) / count
   if (!(rough > 0)) return [0]
   const power = 10 ** Math.floor(Math.log10(rough))
-  const step = ([1, 2, 5].find((each) => each * power >= rough) ?? 10) * power
+  const steps = [10, 5, 2, 1, 0.5].map((each) => each * power)
+  const least = steps.findLastIndex((step) => step >= rough)
+  const [wide, finer] = [least, least + 1].map((index) =>
+    multiples(low, high, steps[index] ?? rough),
+  )
+  return (wide as number[]).length < FEWEST ? (finer as number[]) : (wide as number[])
+}
+
+/** The multiples of a step from one value to another. */
+function multiples(low: number, high: number, step: number): number[] {
   const first = Math.ceil(low / step - 1e-9)
   const last = Math.floor(high / step + 1e-9)
   return Array.from({ length: last - first + 1 }, (_, index) => (first + index) * step)

@@ -17,6 +17,7 @@ test('ticks are round and within the drawing', () => {
   expect(ticksOf(-130, 540, 4)).toEqual([0, 200, 400])
   expect(ticksOf(-0.13, 0.13, 4).map(tickText)).toEqual(['−0.1', '0', '0.1'])
   expect(ticksOf(0, 0, 4)).toEqual([0])
+  expect(ticksOf(-450, 420, 4)).toEqual([-400, -200, 0, 200, 400])
 })
 
 test('what is exactly nought is 0, what is small is not', () => {

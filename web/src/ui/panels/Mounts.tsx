@@ -180,7 +180,7 @@ function Speed({ own, at }: { own: Mounts; at: number }) {
 /** A vibration by its speed, and what is special about it. */
 function speedText({ point, speed_rpm, peak }: MountVibration): string {
   const rpm = String(Math.round(speed_rpm))
-  if (peak) return t('{rpm} rpm: shakes most', { rpm })
+  if (peak) return t('{rpm} rpm: resonance', { rpm })
   return point ? t('{rpm} rpm: {point}', { rpm, point }) : t('{rpm} rpm', { rpm })
 }
 
