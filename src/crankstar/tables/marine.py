@@ -296,9 +296,9 @@ def _about(pushing: Sequence[float]) -> str:
         )
     return _n(
         "Moments are about the middle of the cylinders; a force of order {orders} remains, so that "
-        "the moment of this order differs about other points: see --node.",
+        "the moment of this order differs about other points: see `crankstar marine --node`.",
         "Moments are about the middle of the cylinders; forces of orders {orders} remain, so that "
-        "the moments of these orders differ about other points: see --node.",
+        "the moments of these orders differ about other points: see `crankstar marine --node`.",
         len(pushing),
         orders=", ".join(map(order_text, pushing)),
     )
@@ -314,12 +314,12 @@ def _shares(guide: GuideMoments | None) -> list[str]:
 
 TOLD = N_(
     "Orders of external moments are told from {external} % of the greatest, and 1, 2 and 4 always; "
-    "--orders asks for others, or all."
+    "`crankstar marine --orders` has others, or all."
 )
 TOLD_OF_BOTH = N_(
     "Orders of external moments are told from {external} % of the greatest, and 1, 2 and 4 always, "
-    "those of guide-force moments from {guide} % of the greatest H or X; --orders asks for others, "
-    "or all."
+    "those of guide-force moments from {guide} % of the greatest H or X; `crankstar marine "
+    "--orders` has others, or all."
 )
 COMPENSATED = N_(
     "Each compensator is two equal masses that turn against each other at so many times the crank "
@@ -327,5 +327,6 @@ COMPENSATED = N_(
 )
 OVER_POWER = N_(
     "Over the power: the greater of M_V and M_H, about the node if there is one, set against "
-    "{power}; the need of a compensator is that of MAN B&W's table for orders 1 and 2."
+    "the brake power, {power}; the need of a compensator is that of MAN B&W's table for orders 1 "
+    "and 2."
 )
