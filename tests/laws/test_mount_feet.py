@@ -53,9 +53,8 @@ def test_a_foundation_and_its_receptance_are_one_under_a_force_straight_up() -> 
     z0 = mounted_block(mounted(corners())).centres[0][2]
     own = [{**each, "z": each["z"] + z0} for each in corners()]
     mass, stiffness, eta = 400.0, 4e6, 0.05
-    ground = [
-        {**each, "up": 0.0, "stiffness": f"{stiffness / 4} N/m", "loss_factor": eta} for each in own
-    ]
+    below = {"up": 0.0, "stiffness": f"{stiffness / 4} N/m", "loss_factor": eta}
+    ground = [{**each, **below, "name": f"below {each['name']}"} for each in own]
     body = {"mass": f"{mass} kg", "z": z0, **BODY}
     moving = lifted(mounted(own, foundation={**body, "mounts": ground}))
     at = np.linspace(5.0, 950.0, 1000)
