@@ -108,7 +108,7 @@ def test_holzers_table_ends_with_nothing_and_mode_n_has_n_nodes(
     chain = row(inertias, stiffnesses[1:])
     for mode in torsion_modes(chain):
         rows = holzer(chain, speed=mode.speed)
-        assert abs(rows[-1].sum) < 1e-7 * max(abs(row.torque) for row in rows)
+        assert abs(rows[-1].sum) < 5e-7 * max(abs(row.torque) for row in rows)
         assert len(mode.nodes) == mode.number
         shape = [row.amplitude for row in rows]
         turns = freedoms(chain, mode)
@@ -151,7 +151,7 @@ def test_a_gear_is_the_plain_chain_with_inertia_and_stiffness_by_its_square(tree
     one = response(chain, push, speeds=SPEEDS)
     other = response(plain, referred, speeds=SPEEDS)
     assert one.turns == pytest.approx(other.turns * total, rel=1e-9, abs=1e-15)
-    assert one.power == pytest.approx(other.power, rel=1e-9)
+    assert one.power == pytest.approx(other.power, rel=1e-9, abs=1e-12 * np.abs(one.power).max())
 
 
 def solved(chain: TorsionChain, found: Response) -> Real:
