@@ -242,7 +242,8 @@ class _Asleep(Workers):
     def look(self):
         raise KeyboardInterrupt
 
-    def drop(self):
+    def drop(self, under_way=()):
+        assert len([*under_way]) == 2 * distribution.AHEAD
         self.dropped = True
 
 
@@ -291,6 +292,27 @@ def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(
     )
     assert told[0].done >= 5 + 9  # what was kept, and a stretch
     assert told[-1].seconds_left == 0
+
+
+@pytest.mark.usefixtures("interruptible")
+def test_processes_that_are_gone_before_their_pool_knows_leave_no_fault(two, monkeypatch):
+    """A fault in the thread of the pool would be printed at the user; here it is an error."""
+    pool = two.executor
+    shutdown = pool.shutdown
+
+    def late(**how):
+        if thread := pool._executor_manager_thread:
+            thread.join(timeout=20)  # it ends when it finds that the processes have
+            assert not thread.is_alive()
+        shutdown(**how)
+
+    monkeypatch.setattr(pool, "shutdown", late)
+
+    def interrupt(progress):
+        if progress.rate:
+            signal.raise_signal(signal.SIGINT)
+
+    assert searched(MIDDLE, workers=two, range_size=5, watch=interrupt).interrupted
 
 
 def test_a_search_stopped_in_a_wider_attempt_still_has_what_the_narrower_one_found(monkeypatch):

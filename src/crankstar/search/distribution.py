@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
-from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -59,7 +58,7 @@ class Handout:
                     self.waiting()
         finally:
             if not over:
-                _call_back(under_way, workers)
+                workers.drop(under_way)
         for future, span in under_way.items():
             if future.done() and _fault(future) is None:
                 self.take(span, future.result())
@@ -86,16 +85,6 @@ def _fault(future: Future[Any]) -> BaseException | None:
         return future.exception()
     except CancelledError as error:
         return error
-
-
-def _call_back(under_way: Iterable[Future[Any]], workers: Workers) -> None:
-    """Nobody waits any more for what is under way."""
-    for future in under_way:
-        with suppress(
-            Exception
-        ):  # of whatever kind an Executor has: it is gone, and so is the work
-            future.cancel()
-    workers.drop()
 
 
 def _bear(fault: BaseException, times: int) -> None:

@@ -7,7 +7,7 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from concurrent.futures import (
     BrokenExecutor,
     CancelledError,
@@ -74,8 +74,12 @@ class Workers:
     def look(self) -> None:
         """Check, when nothing came for a while, that workers exist. Raises SearchError if not."""
 
-    def drop(self) -> None:
-        """End the work under way, where possible: its result is no longer needed."""
+    def drop(self, under_way: Iterable[Future[Any]]) -> None:
+        """End the work under way, where possible: nobody waits for it any more."""
+        for future in under_way:
+            # of whatever kind an Executor has: it is gone, and so is the work
+            with suppress(Exception):
+                future.cancel()
 
 
 class Threads(Workers):
@@ -85,8 +89,9 @@ class Threads(Workers):
         super().__init__(ThreadPoolExecutor(count), count=count)
         self.halt = threading.Event()
 
-    def drop(self) -> None:
+    def drop(self, under_way: Iterable[Future[Any]] = ()) -> None:
         """Halt the work under way and wait for what it has found; others can be given work."""
+        super().drop(under_way)
         if self.halt:
             self.halt.set()
         self.executor.shutdown(wait=True, cancel_futures=True)
@@ -125,8 +130,11 @@ class Processes(Workers):
                 self.executor = self._pool(self.count)
                 return super().submit(part)
 
-    def drop(self) -> None:
-        """End the processes."""
+    def drop(self, under_way: Iterable[Future[Any]] = ()) -> None:  # noqa: ARG002
+        """End the processes; their pool alone may cancel its work.
+
+        The thread of a pool that finds its processes gone fails at work that others cancelled.
+        """
         self.lifeline.close()
         self.executor.shutdown(wait=True, cancel_futures=True)
 
