@@ -47,19 +47,18 @@ const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
 
 /** A picture by WebGL, or null where that is not to be had. */
 export function webglPicture(): Picture | null {
-  const [canvas, context] = asked(true)
-  if (!context) return null
-  if (hasCard(context)) return new WebglPicture(canvas, context, true)
-  context.getExtension('WEBGL_lose_context')?.loseContext()
-  const [plain, jagged] = asked(false)
+  const [canvas, context] = asked({ antialias: true, failIfMajorPerformanceCaveat: true })
+  if (context && hasCard(context)) return new WebglPicture(canvas, context, true)
+  context?.getExtension('WEBGL_lose_context')?.loseContext()
+  const [plain, jagged] = asked({ antialias: false })
   return jagged ? new WebglPicture(plain, jagged, false) : null
 }
 
 /** A canvas to draw on, asked for here because three complains on the console where there is none. */
-function asked(antialias: boolean): [HTMLCanvasElement, WebGL2RenderingContext | null] {
+function asked(how: WebGLContextAttributes): [HTMLCanvasElement, WebGL2RenderingContext | null] {
   const canvas = document.createElement('canvas')
   const wish: WebGLContextAttributes = { alpha: true, powerPreference: 'default', stencil: false }
-  return [canvas, canvas.getContext('webgl2', { ...wish, antialias })]
+  return [canvas, canvas.getContext('webgl2', { ...wish, ...how })]
 }
 
 /** Whether a graphics card draws, as far as the browser says. */

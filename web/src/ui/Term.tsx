@@ -1,12 +1,17 @@
 import type { ComponentChildren } from 'preact'
-import { useMemo } from 'preact/hooks'
 import type { Term as Entry, Exhibition } from '../exhibit'
 import { language, t } from '../language/messages'
 import { useApp } from './context'
 
+const known = new WeakMap<Exhibition, ReadonlyMap<string, Entry>>()
+
 /** The glossary by its words, in lower case. */
-export function wordsOf({ glossary = [] }: Exhibition): ReadonlyMap<string, Entry> {
+export function wordsOf(exhibition: Exhibition): ReadonlyMap<string, Entry> {
+  const before = known.get(exhibition)
+  if (before) return before
+  const { glossary = [] } = exhibition
   const words = new Map<string, Entry>()
+  known.set(exhibition, words)
   for (const term of glossary)
     for (const word of [
       ...[term.term, ...term.term.split(', '), ...(term.also ?? [])],
@@ -29,8 +34,7 @@ function meaningOf({ meanings }: Entry): string {
 /** A word that the glossary explains: at a touch, under a pointer, or when it has the focus. */
 export function Term({ word, children }: { word: string; children: ComponentChildren }) {
   const { host, explained } = useApp()
-  const words = useMemo(() => wordsOf(host.exhibition), [host])
-  const term = words.get(word.toLowerCase())
+  const term = wordsOf(host.exhibition).get(word.toLowerCase())
   if (!term) return <>{children}</>
   const show = (event: { currentTarget: HTMLElement }): void => {
     explained.value = { term, beside: event.currentTarget }
