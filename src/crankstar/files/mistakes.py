@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
+from functools import cache
 from itertools import takewhile
 from typing import Any
 
@@ -289,13 +290,14 @@ def _is_of_nothing(tree: Tree, name: str, source: Tree) -> bool:
     return not places
 
 
-def _paths(record: type[Record], before: str = "") -> Iterator[str]:
+@cache
+def _paths(record: type[Record]) -> tuple[str, ...]:
     """The paths of all values of a record and the records in it, without places in lists."""
+    paths: list[str] = []
     for key, info in by_key(record).items():
-        yield f"{before}{key}"
         inner = record_in(info.annotation)
-        if inner is not None:
-            yield from _paths(inner, f"{before}{key}.")
+        paths += [key, *(f"{key}.{path}" for path in (_paths(inner) if inner else ()))]
+    return tuple(paths)
 
 
 def _keys_at(model: type[Record], path: Path) -> list[str]:

@@ -10,6 +10,8 @@ import re
 from typing import Any, NamedTuple
 
 _SIGN = re.compile(r"\s*(?:\+\s?/?\s?[-\u2212]|\u00b1)\s*")
+_BEGIN = frozenset("+\u00b1")
+"""The letters a sign begins with; most texts have neither."""
 _NUMBER = re.compile(
     r"\s*([-+\u2212]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL
 )
@@ -31,7 +33,7 @@ def parted(text: Any) -> Toleranced | None:
     >>> parted("650 g +- 2 g"), parted("90 +/- 0.25 deg").value, parted("12 mm")
     (Toleranced(value='650 g', tolerance='2 g'), '90 deg', None)
     """
-    if not isinstance(text, str) or len(text) > _LONGEST:
+    if not isinstance(text, str) or len(text) > _LONGEST or not _BEGIN.intersection(text):
         return None
     halves = _SIGN.split(text)
     if len(halves) != 2:

@@ -75,7 +75,8 @@ def _stripped(value: Any, form: type[Record], path: Path) -> Any:
 def _texts(tree: Mapping[str, Any]) -> Iterator[tuple[Path, Toleranced]]:
     """Every value with a tolerance, where one may be read."""
     form: type[Record] | None = None
-    for path, value in _leaves(tree, ()):
+    valued = {key: item for key, item in tree.items() if key != "provenance"}
+    for path, value in _leaves(valued, ()):
         own = parted(value)
         if own is not None:
             form = form or form_of(tree)
