@@ -28,6 +28,10 @@ EIGHT = [0.0, 12.5, 77.0, 90.0, 181.25, 333.0, 450.0, 700.125]
 CARD = """const told = WebGL2RenderingContext.prototype.getParameter
 WebGL2RenderingContext.prototype.getParameter = function (name) {
   return name === 0x9246 ? 'a card' : told.call(this, name)
+}
+const ask = HTMLCanvasElement.prototype.getContext
+HTMLCanvasElement.prototype.getContext = function (kind, how) {
+  return ask.call(this, kind, how && { ...how, failIfMajorPerformanceCaveat: false })
 }"""
 """Chromium as with a graphics card: a still image is not redrawn more finely later."""
 COUNTED = """const clear = WebGL2RenderingContext.prototype.clear

@@ -67,6 +67,7 @@ def at(engine: Engine, rpm: float) -> tuple[Real, Real]:
     return np.real(found.motion[0].T @ turning), np.real(forces)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("rpm", [811, 3210, 6111])
 def test_tables_at_any_speed_are_those_of_the_command(tmp_path: Path, page: Page, rpm: int) -> None:
     path, engine = written(tmp_path)
@@ -93,7 +94,8 @@ def test_tables_at_any_speed_are_those_of_the_command(tmp_path: Path, page: Page
         assert numbers(row) == pytest.approx([*sizes, order["force_rms"]], rel=6e-4, abs=1e-6)
 
 
-@pytest.mark.parametrize("based", [False, True])
+@pytest.mark.many(first=1)
+@pytest.mark.parametrize("based", [True, False])
 def test_the_stage_moves_as_python_says_at_any_speed(
     tmp_path: Path, page: Page, based: bool
 ) -> None:

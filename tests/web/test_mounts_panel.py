@@ -143,6 +143,7 @@ def driven(engine: Engine, shown: dict[str, Any], angles: list[float]) -> tuple[
     return np.real(found.motion[0].T @ turning), np.real(forces)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("rotation", "based", "means"),
     [
@@ -177,7 +178,8 @@ def test_mounts_are_drawn_where_the_block_carries_them(
         checked(engine, rest, drawn, motion, forces)
 
 
-@pytest.mark.parametrize("based", [False, True])
+@pytest.mark.many(first=1)
+@pytest.mark.parametrize("based", [True, False])
 def test_in_a_mode_the_block_swings_once_a_turn(tmp_path: Path, page: Page, based: bool) -> None:
     path, engine = written_of(tmp_path, based=based)
     opened(page, path, "a=0&tab=mounts")
@@ -208,6 +210,7 @@ def test_in_a_mode_the_block_swings_once_a_turn(tmp_path: Path, page: Page, base
         checked(engine, rest, read(page), motion, forces)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("means", ["webgl", "flat"])
 def test_the_picture_of_the_block_is_moved_as_much_as_is_said(
     tmp_path: Path, page: Page, means: str

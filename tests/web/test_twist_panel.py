@@ -122,6 +122,7 @@ def checked_places(
             assert (right, up) == pytest.approx((float(x), float(y)), abs=1e-6 * throws[0].radius)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("name", "sense", "means"),
     [(CLOCKWISE, 1, "webgl"), (COUNTER_CLOCKWISE, -1, "webgl"), (COUNTER_CLOCKWISE, -1, "flat")],
