@@ -76,7 +76,12 @@ def unit_text(unit: str) -> str:
     """A unit of a Balance in print.
 
     M r² ω² for m*r^2*w^2, with A2 for A_2 (fonts of figures lack small digits).
+
+    >>> unit_text("kg*m^2"), unit_text("um")
+    ('kg m²', 'µm')
     """
+    if unit == "um":
+        return "µm"
     plain = (
         unit.replace("w_0^2", "ω0²")
         .replace("w^2", "ω²")

@@ -255,8 +255,7 @@ def _unit(largest: float) -> Unit:
 def _small(unit: str, count: float) -> Unit:
     """The unit for one of which there are `count` in SI."""
     said = shown(unit, 1.0, prefixed=False)
-    label = "µm" if said.unit == "um" else unit_text(said.unit)
-    return Unit(label=label, factor=count * said.factor)
+    return Unit(label=unit_text(said.unit), factor=count * said.factor)
 
 
 def _table(document: Document, key: str) -> Table:
