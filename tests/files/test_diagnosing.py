@@ -290,3 +290,13 @@ def test_the_point_whose_velocity_is_told_is_named(run: Run) -> None:
 )
 def test_more_than_all_of_a_part_cannot_be_lost(refused: Refused, faults: tuple[str, ...]) -> None:
     assert "together more than all of it" in refused("fault", "four.toml", *faults)
+
+
+def test_both_pistons_of_a_chamber_lose_its_combustion_once(refused: Refused, run: Run) -> None:
+    line = ("fault", "jumo-205", "--set", "cylinder.reciprocating_mass=3 kg")
+    line = (*line, "--set", "layout.bore_pitch=150 mm", "--speed", "2200 rpm")
+    assert "together more than all of it" in refused(*line, "--cut", "1,7")
+    halves = ("--weaker", "1=50%", "--weaker", "7=50%")
+    own, whole = (json.loads(run(*line, *each, "--json").out) for each in (halves, ("--cut", "1")))
+    rolls = [[row["now"]["roll"] for row in each["orders"]] for each in (own, whole)]
+    assert rolls[0] == pytest.approx(rolls[1])

@@ -31,7 +31,7 @@ from crankstar.language.messages import MessageError, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, total
-from crankstar.mechanics.gas import cycle
+from crankstar.mechanics.gas import chambers_of, cycle
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.occurring_orders import check_orders
@@ -272,11 +272,11 @@ def check_faults(engine: Engine, faults: Sequence[Fault]) -> None:
                 what=fault_text(fault, engine),
                 times=f"{MOST_TIMES:g}",
             )
-    lost: dict[int, float] = {each.chamber or each.number: 0.0 for each in engine.cylinders}
+    lost = dict.fromkeys(engine.chambers, 0.0)
     for fault in faults:
         if fault.kind == "combustion":
-            cylinder = next(each for each in engine.cylinders if each.number == fault.number)
-            lost[cylinder.chamber or cylinder.number] += fault.size
+            [chamber] = chambers_of(engine, [fault.number])
+            lost[chamber] += fault.size
     if min(lost.values()) > 1 - 1e-9:
         raise DiagnosisError(
             "no cylinder would fire, and the engine would stop; leave at least one that does"
@@ -284,12 +284,16 @@ def check_faults(engine: Engine, faults: Sequence[Fault]) -> None:
 
 
 def _check_shares(engine: Engine, faults: Sequence[Fault]) -> None:
-    """Refuse more combustion, or more of a weight, than there is to lose."""
+    """Refuse more combustion of a chamber, or more of a weight, than there is to lose."""
+    chambers = {each.number: key for key, own in engine.chambers.items() for each in own}
     lost: dict[tuple[str, int, str], float] = {}
     for fault in faults:
-        if fault.kind not in ("combustion", "weight"):
+        if fault.kind == "combustion":
+            key = (fault.kind, chambers.get(fault.number, fault.number), "")
+        elif fault.kind == "weight":
+            key = (fault.kind, fault.number, fault.shaft or engine.shafts[0].name)
+        else:
             continue
-        key = (fault.kind, fault.number, fault.shaft or engine.shafts[0].name)
         lost[key] = lost.get(key, 0.0) + fault.size
         if lost[key] > 1 + 1e-9:
             raise DiagnosisError(
@@ -342,10 +346,7 @@ def catalogue(engine: Engine, *, gas: bool = True) -> list[Fault]:
         if weight.unbalance > 0
     ]
     if gas and engine.gas is not None:
-        chambers: dict[int, int] = {}
-        for cylinder in engine.cylinders:
-            chambers.setdefault(cylinder.chamber or cylinder.number, cylinder.number)
-        found += [Fault("combustion", number) for number in chambers.values()]
+        found += [Fault("combustion", own[0].number) for own in engine.chambers.values()]
     return found
 
 
