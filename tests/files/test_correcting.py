@@ -285,6 +285,7 @@ def test_a_check_run_says_whether_the_coefficients_hold(
         (("still.csv", "--coefficients", "known.csv"), "there is nothing to correct"),
         (("runs.csv", "--save-coefficients", "runs.csv"), "would be lost"),
         (("runs.csv", "--save-coefficients", "x.toml"), "must end in .csv"),
+        (("runs.csv", "--save-coefficients", "none/x.csv"), "file with --save-coefficients"),
         (("runs.csv", "--save-coefficients", "new.csv", "-o", "none/x.txt"), "no such directory"),
         ((*SHOWN, *PLANES, "--coefficients", "known.csv"), "no effect with --unbalance"),
         (

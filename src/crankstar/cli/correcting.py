@@ -212,14 +212,14 @@ def _check_saved(place: str | None, *, apart: tuple[str | None, str | None]) -> 
             place,
             "it is read or written besides and would be lost; name another",
         )
-    for each in (place, apart[-1]):
-        if each is not None:
-            writable(each)
+    writable(place, option="--save-coefficients")
+    if apart[-1] is not None:
+        writable(apart[-1])
 
 
 def _save(text: str | None, place: str | None) -> None:
     if text is not None:
-        write(text, place)
+        write(text, place, option="--save-coefficients")
 
 
 def _added(unbalance: Complex, allowed: list[float] | None) -> tuple[tuple[Split, ...], ...]:
