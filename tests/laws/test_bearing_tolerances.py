@@ -135,3 +135,13 @@ def test_bearings_are_told_where_they_are_asked_for() -> None:
     assert len({name.rsplit(" ", 1)[0] for name in bearing_signals(deltic)}) == 3
     alone = with_values(deltic, name="deltic")
     assert bearing_signals(alone) == bearing_signals(deltic)
+
+
+def test_a_shaft_may_have_a_dot_in_its_name() -> None:
+    weights = [{"unbalance": "5 kg*mm", "z": z, "angle": "0 deg"} for z in ("0.1 m", "-0.1 m")]
+    shaft = {"name": "no. 2", "speed_ratio": -1, "weight": weights}
+    units = {"layout.bore_pitch": "100 mm", "cylinder.stroke": "90 mm"}
+    changes = {**BOTH, **units, "balance_shaft": [shaft]}
+    found = scatter("i4", changes=changes, speed=SPEED, count=1000, orders=[1], bearings=True)
+    assert found.of("bearing no. 2 1", 1.0).nominal > 0
+    assert found.of("bearing crank 1", 1.0).rms > 0

@@ -336,12 +336,22 @@ def _worst(own: Linear, bounds: Real, place: int) -> float:
     return float(best.max())
 
 
+def parted(signal: str) -> tuple[str, str]:
+    """The quantity of a signal, and its component if it is one; a shaft may have a dot in its name.
+
+    >>> parted("couple.pitch"), parted("bearing no. 2 1")
+    (('couple', 'pitch'), ('bearing no. 2 1', ''))
+    """
+    whole, _dot, part = signal.partition(".")
+    return (whole, part) if whole in QUANTITIES else (signal, "")
+
+
 def named(sums: Mapping[str, Vectors], name: str, *, sense: int) -> Vectors:
     """A quantity, or a component of one: force.up, force.right, couple.pitch, couple.yaw.
 
     Components are real signals.
     """
-    whole, _dot, part = name.partition(".")
+    whole, part = parted(name)
     own = sums[whole]
     if not part:
         return own

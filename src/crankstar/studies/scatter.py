@@ -31,6 +31,7 @@ from crankstar.studies.linear_law import (
     bearing_signals,
     linear,
     named,
+    parted,
     variances,
     worst,
 )
@@ -340,7 +341,7 @@ def _rows(
     rows: list[OrderScatter] = []
     least = _least(lines, bounds)
     for signal in made.amplitudes:
-        whole = signal.partition(".")[0]
+        whole, _part = parted(signal)
         own = component(lines[whole], signal, sense=engine.sense)
         each = variances(own, sigma)
         nominal, most = amplitudes(own.nominal), worst(own, bounds)
@@ -369,7 +370,7 @@ def _rows(
 
 def component(own: Linear, signal: str, *, sense: int) -> Linear:
     """The linear law of a component of a quantity, or of the whole."""
-    whole = signal.partition(".")[0]
+    whole, _part = parted(signal)
     nominal, rates = (named({whole: part}, signal, sense=sense) for part in own)
     return Linear(nominal, rates)
 
