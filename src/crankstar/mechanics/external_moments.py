@@ -7,8 +7,8 @@ The inertia forces of all moving parts leave a force and a moment of each order 
 in the vertical plane (V), and the same in the horizontal one (H). Both grow with the square of the
 speed. Of an order whose forces add up to nought the moment is the same about every point; else that
 about another point z_n, such as a node of the hull, is M + (z_0 - z_n) F. Throws in n directions,
-evenly spaced and with as many cylinders each, leave forces of even multiples of n alone: the sixth
-order of a two-stroke six, the second of a four-stroke four.
+evenly spaced and with as many cylinders each, leave forces of those even orders alone that are
+multiples of n: the sixth of a two-stroke six, the second of a four-stroke four.
 
 The power-related unbalance is the moment over the power of the engine, N m/kW. MAN B&W class it by
 the need of a compensator.
