@@ -43,4 +43,6 @@ def test_the_orders_that_occur_are_named() -> None:
         check_orders(load("man-s90mc-c"), [1, 0.5], gas=True)
     with pytest.raises(OrderError, match=r"orders 0\.3, -1 do not .* 0\.5, 1, 1\.5, 2 and so on"):
         check_orders(load("i4"), [0.3, -1, 0.5], gas=True)
+    with pytest.raises(OrderError, match="orders inf, nan do not occur"):
+        check_orders(load("i4"), [float("inf"), float("nan")], gas=True)
     check_orders(load("i4"), [], gas=False)

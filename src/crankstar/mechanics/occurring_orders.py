@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from math import inf
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import MessageError, _n
@@ -57,7 +58,8 @@ def foreign_orders(engine: Engine, orders: Iterable[float], *, gas: bool) -> lis
     return [
         order
         for order in orders
-        if order < SAME or all(abs(order - round(order / step) * step) > SAME for step in steps)
+        if not SAME <= order < inf
+        or all(abs(order - round(order / step) * step) > SAME for step in steps)
     ]
 
 
