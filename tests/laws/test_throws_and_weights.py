@@ -166,3 +166,61 @@ def test_a_sweep_over_a_throw_turns_its_weights_with_it(tmp_path):
         turned = with_throws_turned(engine, {("crank", 2): values[place] - pi})
         (forward,) = spectra.selected(total(balance(turned)).force, [1]).forward
         assert found[place] == pytest.approx(abs(forward), abs=1e-12)
+
+
+def _vee(*own):
+    """A V twin whose rods stand side by side on a pin, 24 mm apart."""
+    return files.engine_of(
+        {
+            "format": 1,
+            "name": "V twin",
+            "cylinder": {
+                "stroke": "80 mm",
+                "rod_length": "150 mm",
+                "reciprocating_mass": "500 g",
+                "rotating_mass": "400 g",
+            },
+            "cylinders": list(own),
+            "layout": {
+                "type": "vee",
+                "banks": [
+                    {"bearing": "-45 deg", "cylinders": [1]},
+                    {"bearing": "45 deg", "cylinders": [2]},
+                ],
+                "throws": ["0 deg"],
+                "bore_pitch": "100 mm",
+                "bank_offset": "24 mm",
+            },
+        }
+    )
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_of_unequal_big_ends_on_a_pin_each_turns_in_its_own_place(number):
+    """10 g more at 40 mm: a force of 0.4 g m with the crank, and its couple in the rod's place."""
+    plain, heavier = _vee(), _vee({"number": number, "rotating_mass": "410 g"})
+    own = next(cylinder for cylinder in heavier.cylinders if cylinder.number == number)
+    assert abs(own.z) == pytest.approx(0.012)
+    (throw,) = heavier.shafts[0].throws
+    assert throw.rotating_mass == 0
+    assert sorted(c.big_end_mass for c in heavier.cylinders) == pytest.approx([0.4, 0.41])
+    assert [c.big_end_mass for c in plain.cylinders] == [0, 0]
+    before, after = (total(balance(engine, speed=1.0)) for engine in (plain, heavier))
+    force, couple = (
+        spectra.selected(getattr(after, name), 1).forward
+        - spectra.selected(getattr(before, name), 1).forward
+        for name in ("force", "couple")
+    )
+    assert force == pytest.approx(0.01 * 0.04 * exp(1j * throw.angle))
+    assert couple == pytest.approx(0.01 * 0.04 * own.z * exp(1j * throw.angle))
+    against = [spectra.selected(sums.couple, 1).backward for sums in (before, after)]
+    assert against[0] == pytest.approx(against[1], abs=1e-15)
+
+
+def test_counterweights_carry_unequal_big_ends():
+    (weight,) = (
+        with_counterweights(_vee({"number": 2, "rotating_mass": "410 g"}), factor=0.5)
+        .shafts[0]
+        .weights
+    )
+    assert weight.unbalance == pytest.approx((0.81 + 0.5 * 1.0) * 0.04)

@@ -127,7 +127,13 @@ def assembled(
             )
         )
         cylinders += [
-            _cylinder(basis, place, sizes[place.number], shaft.name, slot)
+            _cylinder(
+                basis,
+                place,
+                sizes[place.number],
+                (shaft.name, slot),
+                alone=place.articulated is not None or _differ(pin, sizes),
+            )
             for slot, pin in enumerate(pins, 1)
             for place in pin
         ]
@@ -277,12 +283,20 @@ def _throws(
                 rotating_mass=sum(
                     sizes[place.number].rotating_mass
                     for place in sharing
-                    if place.articulated is None
+                    if place.articulated is None and not _differ(sharing, sizes)
                 ),
                 throw_mass=sum(sizes[place.number].throw_mass for place in sharing),
             )
         )
     return tuple(throws)
+
+
+def _differ(sharing: list[Place], sizes: dict[int, _Known]) -> bool:
+    """Whether big ends side by side on a pin are of unequal mass: each has its own place then.
+
+    Of equal ones the middle of the pin is the place of their sum.
+    """
+    return len({sizes[each.number].rotating_mass for each in sharing if not each.articulated}) > 1
 
 
 def _weights(
@@ -309,8 +323,14 @@ def _weights(
     return tuple(weights)
 
 
-def _cylinder(basis: Basis, place: Place, size: _Known, shaft: str, throw: int) -> Cylinder:
-    """A cylinder in its place, or where its override says that it stands."""
+def _cylinder(
+    basis: Basis, place: Place, size: _Known, seat: tuple[str, int], *, alone: bool
+) -> Cylinder:
+    """A cylinder in its place, or where its override says that it stands.
+
+    `seat`: its shaft and throw. `alone`: its big end is not in the mass of that throw.
+    """
+    shaft, throw = seat
     own = next((other for other in basis.cylinders if other.number == place.number), None)
     values: dict[str, Any] = {
         "number": place.number,
@@ -322,7 +342,7 @@ def _cylinder(basis: Basis, place: Place, size: _Known, shaft: str, throw: int) 
         "bore": size.bore,
         "rod_length": size.rod_length,
         "reciprocating_mass": size.mass,
-        "big_end_mass": size.rotating_mass if place.articulated else 0.0,
+        "big_end_mass": size.rotating_mass if alone else 0.0,
         "rod": size.rod,
         "parts": size.parts,
         "articulated": place.articulated,

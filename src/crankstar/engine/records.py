@@ -210,7 +210,7 @@ class Cylinder(Record):
         default=0.0,
         description=(
             "rod mass carried by the pin of its big end, where it is not in the throw's "
-            "(slave rods)"
+            "(slave rods, unequal rods on one pin)"
         ),
     )
     rod: Rod | None = Field(

@@ -103,7 +103,7 @@ def _values(
 
 def _turning(engine: Engine, cylinder: Cylinder) -> float:
     """The mass that a cylinder hangs on its pin, kg; an even share where the throw has the sum."""
-    if cylinder.articulated is not None or cylinder.rod is not None:
+    if cylinder.articulated is not None or cylinder.rod is not None or cylinder.big_end_mass:
         return cylinder.big_end_mass
     if cylinder.parts is not None and cylinder.parts.rotating:
         return cylinder.parts.rotating

@@ -138,10 +138,11 @@ def held(machine: Mechanism, moved: motion.Rods, forces: Applied) -> Held:
         np.imag(np.conj(rod) * forces.piston + np.conj(centre * moved.direction.place) * forces.rod)
         + forces.spin
     )
-    pin = np.array(
-        np.broadcast_to(forces.piston + forces.rod + forces.big_end, moment.shape), complex
-    )
-    guide = np.zeros(moment.shape, complex)
+    own = forces.piston + forces.rod + forces.big_end
+    shape = np.broadcast_shapes(own.shape, moment.shape)  # of a batch of big ends alone, too
+    moment = np.array(np.broadcast_to(moment, shape))
+    pin = np.array(np.broadcast_to(own, shape), complex)
+    guide = np.zeros(shape, complex)
     height = np.real(np.conj(rod) * axis)
     for index in sorted(
         range(len(links.master)), key=lambda i: -len(motion.chain(links.master, i))

@@ -206,9 +206,9 @@ def _moved(keys: tuple[str, ...], place: int, engine: Engine, machine: Mechanism
 
 
 def _turning(key: str, place: int, engine: Engine, machine: Mechanism) -> Arrays:
-    """A mass at the crank pin; of a slave rod's big end, at its knuckle pin."""
+    """A mass at the crank pin; of one rod, where its big end is."""
     cylinder = engine.cylinders[place]
-    if key == "rotating_mass" and cylinder.articulated is not None:
+    if key == "rotating_mass":
         return {"big_end_mass": _one(len(engine.cylinders), place)}
     radius = engine.throw(cylinder).radius
     return {"unbalance": _one(machine.unbalance.size, throw_of(engine, place), radius)}

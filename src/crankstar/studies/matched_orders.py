@@ -74,39 +74,21 @@ def linear_unbalance(
     wanted = tuple(sorted({*map(float, orders)}))
     whole = part_spectra(machine, reference=reference, orders=wanted)
     ones = np.ones(len(engine.cylinders))
-    throws = [throw.radius for shaft in engine.shafts for throw in shaft.throws]
     unit = replace(
-        machine,
-        reciprocating_mass=ones,
-        big_end_mass=ones,
-        rod_mass=0 * ones,
-        rod_inertia=0 * ones,
-        unbalance=np.array([*throws, *machine.unbalance[len(throws) :]]),
+        machine, reciprocating_mass=ones, big_end_mass=ones, rod_mass=0 * ones, rod_inertia=0 * ones
     )
     single = part_spectra(unit, reference=reference, orders=wanted)
     places = [cylinder.z for cylinder in engine.cylinders]
     arm = (max(places) - min(places)) / 2 or engine.throw(engine.first).radius
     count = ones.size
     each = _rows(single, wanted, arm, quantities)
-    turning = [
-        2 * count + at if at is not None else count + c for c, at in enumerate(_pins(engine))
-    ]
     return LinearUnbalance(
         wanted,
         arm,
         _rows(whole, wanted, arm, quantities).sum(axis=0),
         each[:count].T,
-        each[turning].T,
+        each[count : 2 * count].T,
     )
-
-
-def _pins(engine: Engine) -> list[int | None]:
-    """Of each cylinder the throw among all that carries its big end; None where the rod has it."""
-    names = [(s.name, number) for s in engine.shafts for number, _ in enumerate(s.throws, 1)]
-    return [
-        names.index((c.shaft, c.throw)) if c.rod is None and c.articulated is None else None
-        for c in engine.cylinders
-    ]
 
 
 def _rows(sums: Totals, orders: Sequence[float], arm: float, of: Sequence[Minimised]) -> Real:

@@ -165,8 +165,8 @@ def _refuse_without_ends(engine: Engine) -> None:
     """Refuse an engine on whose pins nothing hangs, since big ends have no place in it."""
     for cylinder in engine.cylinders:
         alone = cylinder.articulated is not None or cylinder.rod is not None
-        hangs = cylinder.rotating if alone else engine.throw(cylinder).rotating_mass
-        if not hangs > 0:
+        on_pin = 0.0 if alone else engine.throw(cylinder).rotating_mass
+        if not cylinder.rotating + on_pin > 0:
             raise MatchingError(
                 "nothing hangs on the crank pin of cylinder {number} in the file; add "
                 "cylinder.rotating_mass or cylinder.parts for the big ends of the list",
@@ -177,8 +177,9 @@ def _refuse_without_ends(engine: Engine) -> None:
 def with_parts(engine: Engine, added: Mapping[str, Sequence[float] | Real]) -> Engine:
     """The engine with other masses of its parts: what is added to each cylinder's own, kg.
 
-    Big ends hang on the throw, on a knuckle pin where the rod is articulated, or are the rod's
-    own where it is a rigid body, whose moment of inertia stays. Counterweights stay.
+    Big ends side by side on a pin turn each in its own place, of articulated rods on a knuckle pin;
+    they are the rod's own where it is a rigid body, whose moment of inertia stays. Counterweights
+    stay.
 
     >>> from crankstar.files.catalog import load
     >>> four = with_parts(load("subaru-ej25"), {"piston": [0.001, 0, 0, 0]})
@@ -187,32 +188,54 @@ def with_parts(engine: Engine, added: Mapping[str, Sequence[float] | Real]) -> E
     0.001
     """
     more = {name: np.asarray(values, float) for name, values in added.items()}
+    if "big_end" in more:
+        engine = with_own_big_ends(engine)
     none = np.zeros(len(engine.cylinders))
-    cylinders: list[Cylinder] = []
-    hung: dict[tuple[str, int], float] = {}
-    for place, cylinder in enumerate(engine.cylinders):
-        own = {name: float(more.get(name, none)[place]) for name in WEIGHED}
-        cylinders.append(_with_own(cylinder, own))
+    cylinders = tuple(
+        _with_own(cylinder, {name: float(more.get(name, none)[place]) for name in WEIGHED})
+        for place, cylinder in enumerate(engine.cylinders)
+    )
+    return with_values(engine, cylinders=cylinders)
+
+
+def with_own_big_ends(engine: Engine) -> Engine:
+    """The engine with what hangs on its pins at each rod: an even share where several have one.
+
+    What hangs on a pin to which no plain rod belongs stays there.
+
+    >>> from crankstar.files.catalog import load
+    >>> four = with_own_big_ends(load("bmw-s65"))
+    >>> {throw.rotating_mass for throw in four.shafts[0].throws}
+    {0.0}
+    """
+    on: dict[tuple[str, int], list[int]] = {}
+    for cylinder in engine.cylinders:
         if cylinder.rod is None and cylinder.articulated is None:
-            key = (cylinder.shaft, cylinder.throw)
-            hung[key] = hung.get(key, 0.0) + own["big_end"]
+            on.setdefault((cylinder.shaft, cylinder.throw), []).append(cylinder.number)
+    shares = {
+        number: engine.shaft(seat[0]).throws[seat[1] - 1].rotating_mass / len(numbers)
+        for seat, numbers in on.items()
+        for number in numbers
+    }
+    cylinders = tuple(
+        with_values(each, big_end_mass=each.big_end_mass + shares.get(each.number, 0.0))
+        for each in engine.cylinders
+    )
     shafts = tuple(
         with_values(
             shaft,
             throws=tuple(
-                with_values(
-                    throw, rotating_mass=throw.rotating_mass + hung.get((shaft.name, number), 0.0)
-                )
+                with_values(throw, rotating_mass=0.0) if (shaft.name, number) in on else throw
                 for number, throw in enumerate(shaft.throws, 1)
             ),
         )
         for shaft in engine.shafts
     )
-    return with_values(engine, cylinders=tuple(cylinders), shafts=shafts)
+    return with_values(engine, cylinders=cylinders, shafts=shafts)
 
 
 def _with_own(cylinder: Cylinder, added: Mapping[str, float]) -> Cylinder:
-    """A cylinder with heavier or lighter parts; what hangs on a throw is not in it."""
+    """A cylinder with heavier or lighter parts."""
     values: dict[str, object] = {}
     up = sum(added[name] for name in RECIPROCATING if name in added)
     if cylinder.rod is not None:
@@ -224,7 +247,7 @@ def _with_own(cylinder: Cylinder, added: Mapping[str, float]) -> Cylinder:
             centre=cylinder.rod_length * small / (big + small),
             inertia=cylinder.rod.inertia,
         )
-    elif cylinder.articulated is not None:
+    else:
         values["big_end_mass"] = cylinder.big_end_mass + added["big_end"]
     values["reciprocating_mass"] = cylinder.reciprocating_mass + up
     if cylinder.parts is not None:

@@ -251,9 +251,7 @@ def own_mass(engine: Engine, fault: Fault) -> float:
         return cylinder.reciprocating_mass
     if cylinder.rod is not None:
         return cylinder.rod.shares(cylinder.rod_length)[0]
-    if cylinder.articulated is not None:
-        return cylinder.big_end_mass
-    return engine.throw(cylinder).rotating_mass
+    return cylinder.big_end_mass or engine.throw(cylinder).rotating_mass
 
 
 def check_faults(engine: Engine, faults: Sequence[Fault]) -> None:

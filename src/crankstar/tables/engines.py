@@ -169,6 +169,7 @@ def cylinders(engine: Engine) -> Table:
     """Cylinders with their places, sizes, masses and dead centres."""
     across, along, mass, _unbalance = scales(engine)
     centres = dead_centres(engine)
+    ends = any(cylinder.big_end_mass for cylinder in engine.cylinders)
     columns = (
         Column(_("cylinder"), key="number", label=True),
         Column(_("bank"), kind="text", key="bank", wraps=True),
@@ -179,6 +180,7 @@ def cylinders(engine: Engine) -> Table:
         Column(_("bore"), across.unit, key="bore"),
         Column(_("rod"), across.unit, key="rod_length"),
         Column(_of_records(engine, "reciprocating"), mass.unit, key="reciprocating_mass"),
+        *([Column(_("big-end mass"), mass.unit, key="big_end_mass")] if ends else []),
         Column(_("top dead centre"), "deg", key="top_dead_centre_deg"),
     )
     banks = {place: name for name, numbers in engine.banks.items() for place in numbers}
@@ -198,6 +200,7 @@ def cylinders(engine: Engine) -> Table:
                 None if cylinder.bore is None else cylinder.bore * across.factor,
                 cylinder.rod_length * across.factor,
                 cylinder.reciprocating_mass,
+                *([cylinder.big_end_mass] if ends else []),
                 round(centres[cylinder.chamber or cylinder.number].angle_deg, 9) + 0.0,
             )
         )

@@ -276,9 +276,6 @@ def _notes(batch: Batch, found: Matched) -> list[str]:
         )
     if "piston" in batch.masses and "pin" in batch.masses:
         lines.append(_("Pins go with pistons first, the heaviest with the lightest."))
-    pins = [(cylinder.shaft, cylinder.throw) for cylinder in found.engine.cylinders]
-    if batch.has_rods and len(set(pins)) < len(pins):
-        lines.append(_("Big ends that share a pin count at the middle of the pin."))
     if any(cylinder.parts is None for cylinder in found.engine.cylinders):
         lines.append(
             _(
