@@ -1,14 +1,14 @@
 import type { Exhibit, StrokeColours } from '../exhibit'
-import { message, t } from '../language/messages'
-import { type Chain, chainOf, moved, type Places, placesOf } from '../motion'
-import { type MountChoice, shakeOf } from '../mounts'
+import { t } from '../language/messages'
+import { moved } from '../motion'
 import type { Plane } from '../phasor'
-import { type TwistChoice, twistOf } from '../torsion'
 import { clearestAzimuth } from './clearest'
 import { FlatPicture } from './flat'
 import { Inset } from './inset'
 import { footOf, write } from './lettering'
-import { BOX, BOXES, Mounting, Shaking } from './mounts'
+import { LOOK } from './looks'
+import { Machine } from './machine'
+import { BOX, BOXES, Shaking } from './mounts'
 import { listened } from './orbit'
 import { DARK, LIGHT } from './palette'
 import { type Pane, pixelsOf, placed } from './panes'
@@ -16,9 +16,7 @@ import { composed, printable } from './paper'
 import type { Pen } from './pen'
 import type { Instant, Picture } from './picture'
 import { Room } from './room'
-import { type Slice, slicesOf } from './section'
-import type { CreateStage, Reading, Shots, Sight, Stage, View } from './stage'
-import { type Crank, crankOf, Twisting } from './twist'
+import type { CreateStage, Reading, Shots, Stage, View } from './stage'
 import { equal, Viewpoint } from './viewpoint'
 import { webglPicture } from './webgl'
 import { Whirling } from './whirl'
@@ -30,17 +28,6 @@ const DENSEST = 2
 const FINEST = 8192
 /** Arrows longer than this may leave the picture, so that the engine stays large. */
 const WITHIN = 2
-/** What the stage shows, for readers who do not see it. */
-const LOOK = {
-  sheet: message('{engine}: isometric view, plan, front and side view'),
-  front: message('{engine}, seen from the front'),
-  plan: message('{engine}, seen from above'),
-  side: message('{engine}, seen from the side'),
-  isometric: message('{engine}, isometric view'),
-  orbit: message(
-    '{engine}, free view: arrow keys turn it, plus and minus zoom, Home restores the view',
-  ),
-} as const satisfies Record<Sight, string>
 /** From this width on, pixels, the inset has a place of its own. */
 const ASIDE = 480
 /** Room round the engine and its arrows. */
@@ -48,31 +35,6 @@ const MARGIN = 1.06
 
 export const createStage: CreateStage = (element, exhibit, colours, refresh) =>
   new EngineStage(element, exhibit, colours, refresh, webglPicture() ?? new FlatPicture())
-
-/** An engine ready to be moved. */
-interface Machine {
-  readonly room: Room
-  readonly chain: Chain
-  readonly places: Places
-  readonly whirling: Whirling
-  readonly slices: readonly Slice[]
-  readonly crank: Crank | null
-  readonly mounting: Mounting | null
-}
-
-function machineOf(exhibit: Exhibit): Machine {
-  const chain = chainOf(exhibit.scene, exhibit.sense)
-  const [room, whirling] = [new Room(exhibit), new Whirling(exhibit)]
-  return {
-    room,
-    chain,
-    places: placesOf(chain),
-    whirling,
-    slices: slicesOf(exhibit.scene),
-    crank: crankOf(exhibit),
-    mounting: exhibit.mounts && new Mounting(exhibit, exhibit.mounts),
-  }
-}
 
 type Triple = [number, number, number]
 
@@ -97,10 +59,6 @@ class EngineStage implements Stage {
   #drawn: readonly unknown[] = []
   #written: readonly unknown[] = []
   #traced: readonly unknown[] = []
-  /** What twists the crank, and of which engine and choice. */
-  #twisting: { twisting: Twisting | null; machine: Machine; choice: TwistChoice } | null = null
-  /** What moves the block on its mounts, and of which engine and choice. */
-  #shaking: { shaking: Shaking | null; machine: Machine; choice: MountChoice } | null = null
   readonly #front: Plane = [0, 0]
   readonly #rear: Plane = [0, 0]
   readonly #refresh: () => void
@@ -132,7 +90,7 @@ class EngineStage implements Stage {
     picture.canvas.setAttribute('role', 'img')
     this.#inset = new Inset(this.#root)
     element.append(this.#root)
-    this.#machine = machineOf(exhibit)
+    this.#machine = new Machine(exhibit)
     this.#rooms = [this.#machine.room]
     this.#viewpoint.azimuth = clearestAzimuth(exhibit.scene)
     this.#unlisten = listened(
@@ -149,7 +107,7 @@ class EngineStage implements Stage {
   }
 
   get #exhibit(): Exhibit {
-    return this.#machine.room.exhibit
+    return this.#machine.exhibit
   }
 
   get means(): Stage['means'] {
@@ -157,7 +115,7 @@ class EngineStage implements Stage {
   }
 
   show(exhibit: Exhibit): void {
-    this.#machine = machineOf(exhibit)
+    this.#machine = new Machine(exhibit)
     this.#rooms = [this.#machine.room]
     this.#viewpoint.azimuth = clearestAzimuth(exhibit.scene)
     this.#written = []
@@ -192,8 +150,8 @@ class EngineStage implements Stage {
     const { width, height } = this.#size
     const palette = view.dark ? DARK : LIGHT
     // where there is room, the paths of the whirl stand beside the engine, not before it
-    const shaking = this.#shakingOf(view.mounts)
-    const magnification = shaking?.shake.times ?? view.whirl.magnification
+    const shaking = this.#machine.shaking(view.mounts)
+    const magnification = this.#machine.magnification(view)
     const beside = magnification > 0 && width >= ASIDE ? this.#inset.breadth : 0
     const screen = {
       ...{ width: width - beside, height },
@@ -206,42 +164,12 @@ class EngineStage implements Stage {
     const panes = this.#viewpoint.panes(view.camera, discs, screen, performance.now())
     this.#panes = panes
     const slice = slices[view.section - 1] ?? null
-    const twisted = this.#twistingOf(view.twist)?.at(view.theta) ?? null
+    const twisted = this.#machine.twisting(view.twist)?.at(view.theta) ?? null
     moved(chain, view.theta, places, twisted?.cylinders)
     const displacement = (shaking ?? whirling).at(view.theta, view.whirl.orders)
     const mounted = mounting?.at(displacement, magnification, shaking) ?? null
     const block = { moved: displacement, magnification, mounted }
     return { view, panes, slice, places, ...block, load, arrow, palette, twisted }
-  }
-
-  /** What twists the crank, made where engine or choice have changed. */
-  #twistingOf(choice: TwistChoice): Twisting | null {
-    const machine = this.#machine
-    const { crank } = machine
-    if (!crank || choice.show === 'still') return null
-    if (this.#twisting?.machine !== machine || this.#twisting.choice !== choice) {
-      const twist = twistOf(this.#exhibit, choice)
-      const twisting = twist && new Twisting(this.#exhibit, crank, twist)
-      this.#twisting = { twisting, machine, choice }
-    }
-    return this.#twisting.twisting
-  }
-
-  /** What moves the block on its mounts, made where engine or choice have changed. */
-  #shakingOf(choice: MountChoice): Shaking | null {
-    const machine = this.#machine
-    if (!machine.mounting || choice.show === 'still') return null
-    if (this.#shaking?.machine !== machine || this.#shaking.choice !== choice) {
-      const shake = shakeOf(this.#exhibit, choice)
-      const shaking = shake && new Shaking(this.#exhibit, shake)
-      this.#shaking = { shaking, machine, choice }
-    }
-    return this.#shaking.shaking
-  }
-
-  /** What carries the block, free or on its mounts. */
-  #carrier(view: View): Whirling {
-    return this.#shakingOf(view.mounts) ?? this.#machine.whirling
   }
 
   /** Whether an instant differs from the last drawn one; drawing without a card is slow. */
@@ -325,7 +253,7 @@ class EngineStage implements Stage {
 
   /** Works the paths out where the orders have changed. */
   #paths(view: View): void {
-    const carrier = this.#carrier(view)
+    const carrier = this.#machine.carrier(view)
     const state = [view.whirl.orders?.join() ?? 'all', this.#exhibit, carrier]
     if (equal(state, this.#traced)) return
     this.#traced = state
@@ -392,7 +320,7 @@ class EngineStage implements Stage {
       pistons: this.#picture.pistons(),
       pins: this.#picture.pins(),
       heat: this.#heat(),
-      magnification: this.#view ? this.#magnification(this.#view) : 0,
+      magnification: this.#view ? this.#machine.magnification(this.#view) : 0,
       mounts: this.#mounts(),
       paths: this.#inset.paths,
       panes: this.#panes.map((pane) => {
@@ -403,16 +331,12 @@ class EngineStage implements Stage {
     }
   }
 
-  #magnification(view: View): number {
-    return this.#shakingOf(view.mounts)?.shake.times ?? view.whirl.magnification
-  }
-
   #mounts(): Reading['mounts'] {
     const view = this.#view
     const { mounts } = this.#exhibit
     if (!view || !mounts) return []
     const boxes = this.#picture.mounted()
-    const shaking = this.#shakingOf(view.mounts)
+    const shaking = this.#machine.shaking(view.mounts)
     const forces = new Float64Array(3 * mounts.mounts.length)
     shaking?.forces(forces)
     const most = shaking?.shake.most ?? 0

@@ -1,9 +1,9 @@
 import type { Unit } from '../exhibit'
 import { t } from '../language/messages'
 import { lengthText, lengthUnit } from '../lengths'
-import { roundValue } from './lettering'
 import { css, type Palette } from './palette'
 import type { Pen } from './pen'
+import { roundValue } from './round'
 import { REST } from './whirl'
 
 /** Side of the inset, pixels: greatest, least, share of the stage; width of its words. */

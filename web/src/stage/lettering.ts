@@ -9,6 +9,7 @@ import { css, type Palette } from './palette'
 import { type Pane, pixelsOf, placed } from './panes'
 import type { Pen } from './pen'
 import type { Instant } from './picture'
+import { quantity, roundValue } from './round'
 import type { Slice } from './section'
 import type { Camera } from './stage'
 import { dot, type Vector } from './vector'
@@ -386,16 +387,4 @@ function roll(to: Pen, { load, palette }: Writing, { units }: Exhibit, x: number
   to.textBaseline = 'middle'
   const name = t('Roll')
   to.fillText(`${quantity(value, units.roll)}  ${name}`, x + 26, y)
-}
-
-/** The greatest of 1, 2, 5, 10, ... that is not above a value. */
-export function roundValue(value: number): number {
-  const power = 10 ** Math.floor(Math.log10(value))
-  const step = value / power
-  return power * (step >= 5 ? 5 : step >= 2 ? 2 : 1)
-}
-
-/** A round value with its unit. */
-export function quantity(value: number, unit: string): string {
-  return `${+value.toPrecision(3)} ${unit}`
 }
