@@ -35,6 +35,14 @@ BARE: dict[str, Any] = {
     "disc": [{**LINE[0], "to": "throw 7"}],
 }
 
+RIGID: dict[str, Any] = {
+    **ALIKE,
+    "disc": [
+        {"name": "flywheel", "inertia": "6 t*m^2", "to": "throw 7"},
+        {"name": "propeller", "inertia": "40 t*m^2", "to": "flywheel", "stiffness": "60 MN*m/rad"},
+    ],
+}
+
 
 def file_of(folder: Path, torsion: dict[str, Any], **changes: Any) -> str:
     path = folder / "engine.toml"
@@ -42,7 +50,9 @@ def file_of(folder: Path, torsion: dict[str, Any], **changes: Any) -> str:
     return str(path)
 
 
-@pytest.mark.parametrize("torsion", [ALIKE, FRONT, BARE], ids=["alike", "front", "bare"])
+@pytest.mark.parametrize(
+    "torsion", [ALIKE, FRONT, BARE, RIGID], ids=["alike", "front", "bare", "rigid"]
+)
 def test_torsion_is_that_of_the_engine_written_with_as_many_cylinders(
     run: Run, tmp_path: Path, torsion: dict[str, Any]
 ) -> None:

@@ -28,13 +28,14 @@ SAME_DISTANCE = 1e-9
 def with_values(record: R, **values: Any) -> R:
     """The record with other values of some fields, checked as a new one is.
 
-    Raises EngineError where a value, or the engine, would be impossible.
+    What was left out stays so, since a check may ask whether a default was written. Raises
+    EngineError where a value, or the engine, would be impossible.
 
     >>> from crankstar.engine.records import Throw
     >>> with_values(Throw(radius=0.04, angle=0.0), angle=1.0)
     Throw(angle=1.0, radius=0.04, z=0.0, rotating_mass=0.0, throw_mass=0.0)
     """
-    own = {name: getattr(record, name) for name in type(record).model_fields}
+    own = {name: getattr(record, name) for name in record.model_fields_set}
     return checked(type(record), own | values)
 
 
