@@ -107,6 +107,22 @@ def test_weights_at_the_ends_are_refused_where_cylinders_lean() -> None:
         engine_family(leaning, numbers=[5], horizontal_share=0.5)
 
 
+def test_what_weights_at_the_ends_take_away_is_nought(run: Run, tmp_path: Path) -> None:
+    """Rounding was printed, 1e-17 of the rest."""
+    asked = ("guide", written(tmp_path), "--numbers", "5", "--json")
+    for way, left, gone in (("vertical", "m1v", "m1h"), ("horizontal", "m1h", "m1v")):
+        [row, *_others] = json.loads(run(*asked, "--first-order", way).out)["members"]
+        assert row[left] > 0
+        assert row[gone] == 0
+
+
+def test_a_gap_of_nothing_is_refused_as_it_was_written(run: Run, tmp_path: Path) -> None:
+    asked = ("guide", written(tmp_path), "--numbers", "5", "--chain-drive", "3: 0 mm")
+    code, _out, err = run(*asked)
+    assert code == 2
+    assert "--chain-drive 0 mm: it must be greater than 0" in err
+
+
 def test_only_a_row_of_alike_cylinders_has_a_family() -> None:
     for name in ("harley-45", "square-four", "single", "jumo-205"):
         with pytest.raises(MarineError, match="one row of alike cylinders"):

@@ -40,7 +40,7 @@ USUAL = (1.0, 2.0, 4.0)
 NOTED = 1e-3
 """Share of the greatest moment, or of the greatest force of a part, from which an order is told."""
 LEAST = 1e-9
-"""The same where all orders are asked for: less is rounding."""
+"""The same where all orders are asked for, and of every single moment: less is rounding."""
 HIGHEST = 24.0
 """The highest order that is told unless it is asked for."""
 FREE = 1e-6
@@ -84,9 +84,11 @@ class ExternalMoments:
         return self.orders[pushed > FREE * self.of_a_part].tolist()
 
     def moment(self, order: float, side: str = "V") -> float:
-        """The amplitude of M_kV or M_kH, nought where the order does not occur."""
+        """The amplitude of M_kV or M_kH, nought where it does not occur or is rounding alone."""
         values = self.vertical if side == "V" else self.horizontal
-        return float(np.abs(values[np.abs(self.orders - order) < 1e-9]).sum())
+        size = float(np.abs(values[np.abs(self.orders - order) < 1e-9]).sum())
+        greatest = float(np.abs((self.vertical, self.horizontal)).max(initial=0.0))
+        return size if size > LEAST * greatest else 0.0
 
     def at(self, speed: float) -> float:
         """The factor from the moments of this record to those at another speed (rad/s)."""

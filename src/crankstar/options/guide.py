@@ -103,7 +103,8 @@ def chain_drive(text: str | None, engine: Engine, numbers: Sequence[int]) -> Cha
             '"9: 600 mm"',
         )
     example = _('as in "9: 600 mm"')
-    value = request.places("--chain-drive", [wider.strip()], [POSITION], engine, example)[0]
+    wider = wider.strip()
+    value = request.places("--chain-drive", [wider], [POSITION], engine, example)[0]
     if value <= 0:
         raise request.not_positive("--chain-drive", wider, POSITION)
     if int(count) > max(numbers):
