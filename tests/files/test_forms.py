@@ -27,6 +27,7 @@ from crankstar.files.forms import by_key, quantity_of, record_in, short_form
 from crankstar.files.starters import STARTERS
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
+from crankstar.remedy.loads import loads
 from crankstar.tables.analysis import analysis, document
 from crankstar.tables.html import document_html
 
@@ -154,8 +155,11 @@ def test_an_override_changes_one_cylinder_and_no_other(
 def test_an_override_of_what_turns_changes_its_pin() -> None:
     heavier = engine_of(spoilt(SHORT, cylinders=[{"number": 7, "rotating_mass": "800 g"}]))
     assert [throw.rotating_mass for throw in heavier.shafts[0].throws] == pytest.approx(
-        [1.4, 1.4, 1.4, 1.5]
+        [1.4, 1.4, 1.4, 0]
     )
+    ends = [cylinder.big_end_mass for cylinder in heavier.cylinders]
+    assert ends == pytest.approx([0, 0, 0, 0, 0, 0, 0.8, 0.7])  # each turns in its own place
+    assert [load.rotating for load in loads(heavier)] == pytest.approx([1.4, 1.4, 1.4, 1.5])
     longer = engine_of(
         spoilt(SHORT, cylinders=[{"number": number, "stroke": "90 mm"} for number in (7, 8)])
     )
