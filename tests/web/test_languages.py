@@ -39,6 +39,7 @@ SHOWN = """() => {
     return out
 }"""
 HELD = "() => HANDLE.exhibits.flatMap(({ name, file }) => [name, file.source, file.notes]).flat()"
+OPENED = "document.querySelectorAll('details').forEach(each => each.open = true)"
 TYPED = re.compile(
     r"`[^`]*`|“[^”]*”|--[a-z-]+|\[\[?[a-z.]+\]?\]|\b[a-z]+(?:[._]\w+)+(?:\[\d\])?(?: = \"\w+\")?"
     r"|\w+\(MIT\)|\.(?:toml|json|xlsx)\b|[A-Z]_?[A-Za-z0-9]*=[\d.]+|\bneighbours=1\b"
@@ -48,7 +49,7 @@ WORD = re.compile(r"[A-Za-z]{2,}")
 AS_THEY_STAND = """
 crankstar serve analyze derive verdict balance TOML JSON Excel JavaScript PNG SVG URL HTTP MB
 Ctrl Shift Esc Escape Home Page Up Down cos sin pi rpm deg rad turns mm cm in ft kg lb oz mg
-kN MN kgf lbf KR VR kW bar exp Wiebe English null
+kN MN mPa kgf lbf KR VR kW bar exp Wiebe English null
 speed neighbours front rear odd even crank balancer all full half power most torque idle
 otto limited pressure heat release spark ignition compression none diesel
 published computed unverified placeholder estimated
@@ -97,7 +98,9 @@ def through_engines(page: Page, seen: Seen) -> None:
                 continue
             tab.click()
             page.wait_for_load_state("networkidle")
-            page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
+            for _ in range(2):  # what stands in them comes when they are open
+                page.evaluate(OPENED)
+                page.evaluate(f"async () => await {HANDLE}.settled()")
             seen.read(page)
 
 
