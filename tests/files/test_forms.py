@@ -29,6 +29,7 @@ from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
 from crankstar.remedy.loads import loads
 from crankstar.tables.analysis import analysis, document
+from crankstar.tables.engines import cylinders
 from crankstar.tables.html import document_html
 
 CATALOG = {
@@ -160,6 +161,10 @@ def test_an_override_of_what_turns_changes_its_pin() -> None:
     ends = [cylinder.big_end_mass for cylinder in heavier.cylinders]
     assert ends == pytest.approx([0, 0, 0, 0, 0, 0, 0.8, 0.7])  # each turns in its own place
     assert [load.rotating for load in loads(heavier)] == pytest.approx([1.4, 1.4, 1.4, 1.5])
+    shown, alike = (cylinders(engine) for engine in (heavier, engine_of(spoilt(SHORT))))
+    column = [each.key for each in shown.columns].index("big_end_mass")
+    assert [row[column] for row in shown.rows] == pytest.approx(ends)
+    assert "big_end_mass" not in [each.key for each in alike.columns]
     longer = engine_of(
         spoilt(SHORT, cylinders=[{"number": number, "stroke": "90 mm"} for number in (7, 8)])
     )
