@@ -9,6 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).parent.parent
 WEB = ROOT / "web"
 BUNDLE = ROOT / "src" / "crankstar" / "bundle" / "crankstar.js"
+FIGURES = BUNDLE.with_name("figures.js")
 
 
 def node(*arguments: str | Path, text: str = "", cwd: Path = WEB) -> str:

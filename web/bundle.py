@@ -32,8 +32,8 @@ SWAGGER = {
     "swagger-ui-bundle.js.LICENSE.txt": "swagger-ui-bundle.js.LICENSE.txt",
 }
 """Files of swagger-ui-dist, which shows the interface of the server (/docs), and their copies."""
-SCRIPT = "crankstar.js"
-"""The script of the page, which every page that stands alone contains packed."""
+SCRIPTS = ("crankstar.js", "figures.js")
+"""The script of the page and that of its figures, which a page that stands alone holds packed."""
 LINES = 12
 """Lines of a failed program that are shown."""
 
@@ -113,8 +113,9 @@ def build() -> None:
             run(vite, "build", *to, failure=failure)
         for name, copy in SWAGGER.items():
             shutil.copyfile(WEB / "node_modules/swagger-ui-dist" / name, Path(folder) / copy)
-        packed = gzip.compress((Path(folder) / SCRIPT).read_bytes(), 9, mtime=0)
-        (Path(folder) / f"{SCRIPT}.gz").write_bytes(packed)
+        for name in SCRIPTS:
+            packed = gzip.compress((Path(folder) / name).read_bytes(), 9, mtime=0)
+            (Path(folder) / f"{name}.gz").write_bytes(packed)
         BUNDLE.mkdir(exist_ok=True)
         DIGEST.unlink(missing_ok=True)
         new = {path.name: path for path in Path(folder).iterdir()}

@@ -17,12 +17,15 @@ from tests.texts import SHORT
 from crankstar.page import library
 from crankstar.page import standalone as page
 
+SCRIPTS = ["crankstar.js", "figures.js"]
+
 
 @pytest.fixture(autouse=True)
 def plain(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A front-end of a few words, and no figures: what takes seconds is tested elsewhere."""
     script = tmp_path / "crankstar.js"
     script.write_text("export default {}\n", encoding="utf-8")
+    (tmp_path / "figures.js").write_text("figures\n", encoding="utf-8")
     monkeypatch.setattr(page, "BUNDLE", script)
     monkeypatch.setattr(library, "chart", lambda _engine, key, **_: {"drawn": key})
     monkeypatch.setattr(library, "derivation", lambda _engine, key: f"<p>{key}</p>")
@@ -154,7 +157,7 @@ def test_a_place_that_cannot_be_written_is_told_of_before_anything_is_drawn(
     ran = run("page", "i4", "-o", place)
     assert ran.code == 2
     assert "cannot be written" in ran.err
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["crankstar.js"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == SCRIPTS
 
 
 def test_a_page_is_not_written_over_an_engine_file(run: Run, tmp_path: Path) -> None:
@@ -180,7 +183,7 @@ def test_a_disk_that_is_full_leaves_what_was_there(
     assert ran.code == 2
     assert "No space left on device" in ran.err
     assert place.read_text(encoding="utf-8") == "the old one"
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["crankstar.js", "page.html"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == [*SCRIPTS, "page.html"]
 
 
 def test_without_a_bundle_nothing_is_drawn_and_it_is_said_how_to_build_it(

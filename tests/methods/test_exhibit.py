@@ -526,6 +526,9 @@ def read(text: str) -> Reader:
     return reader
 
 
+DRAWING = "figures = '</script>'\n"
+
+
 @pytest.fixture
 def small_bundle(monkeypatch: pytest.MonkeyPatch, tmp_path: Any) -> str:
     """A front-end of a few words that says all that could end a script."""
@@ -535,6 +538,7 @@ def small_bundle(monkeypatch: pytest.MonkeyPatch, tmp_path: Any) -> str:
     )
     path = tmp_path / "crankstar.js"
     path.write_text(script, encoding="utf-8")
+    path.with_name("figures.js").write_text(DRAWING, encoding="utf-8")
     monkeypatch.setattr(page, "BUNDLE", path)
     return script
 
@@ -551,18 +555,19 @@ def tree() -> dict[str, Any]:
 def test_nothing_in_a_name_becomes_an_element_of_the_page(small_bundle: str) -> None:
     found = read(document(tree()))
     tags = [tag for tag, _ in found.elements]
-    assert tags.count("script") == 3
+    assert tags.count("script") == 4
     assert "img" not in tags
     assert all(
         not name.startswith("on") and name != "style"
         for _, attributes in found.elements
         for name in attributes
     )
-    assert len(found.scripts) == 3
+    assert len(found.scripts) == 4
     held_there = json.loads(found.scripts[0])
     assert held_there["encoding"] == "gzip+base64"
     assert json.loads(gzip.decompress(b64decode(held_there["data"]))) == tree()
     assert gzip.decompress(b64decode(found.scripts[1])).decode() == small_bundle
+    assert gzip.decompress(b64decode(found.scripts[3])).decode() == DRAWING
 
 
 def test_the_policy_allows_its_scripts_alone_and_asks_nothing_of_the_network(
@@ -577,7 +582,7 @@ def test_the_policy_allows_its_scripts_alone_and_asks_nothing_of_the_network(
     ]
     allowed = [
         f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'"
-        for script in (found.scripts[2], small_bundle)
+        for script in (found.scripts[2], small_bundle, DRAWING)
     ]
     assert policy is not None
     assert f"script-src {' '.join(allowed)};" in policy

@@ -14,9 +14,10 @@ from base64 import b64decode
 from pathlib import Path
 
 import pytest
-from tests.front_end import BUNDLE, ROOT, WEB, node
+from tests.front_end import BUNDLE, FIGURES, ROOT, WEB, node
 
 MAKER = runpy.run_path(str(WEB / "bundle.py"))
+SCRIPTS = (BUNDLE, FIGURES)
 MEGABYTE = 1_000_000
 
 
@@ -29,9 +30,10 @@ def test_the_types_of_the_front_end_are_those_of_the_records() -> None:
     assert (WEB / "src" / "exhibit.ts").read_text(encoding="utf-8") == made, "run: make types"
 
 
-def test_the_packed_script_of_a_page_is_that_of_the_bundle() -> None:
-    packed = BUNDLE.with_name(f"{BUNDLE.name}.gz").read_bytes()
-    assert gzip.decompress(packed) == BUNDLE.read_bytes()
+@pytest.mark.parametrize("script", SCRIPTS, ids=lambda script: script.name)
+def test_the_packed_script_of_a_page_is_that_of_the_bundle(script: Path) -> None:
+    packed = script.with_name(f"{script.name}.gz").read_bytes()
+    assert gzip.decompress(packed) == script.read_bytes()
 
 
 def test_the_page_and_the_package_carry_the_licences_of_what_they_contain() -> None:
@@ -74,10 +76,17 @@ def test_a_change_of_any_source_makes_the_bundle_stale(changed: str, tmp_path: P
 
 
 def test_the_bundle_is_at_most_two_megabytes_and_loads_nothing() -> None:
-    text = BUNDLE.read_text(encoding="utf-8")
-    assert len(text.encode()) <= 2 * MEGABYTE
-    assert not re.search(r"\bimport\s*[\"'(]\s*[\"']?https?:", text)
-    assert not re.search(r"\bfrom\s*[\"']", text[-2000:]), "everything is in one module"
+    assert sum(script.stat().st_size for script in SCRIPTS) <= 2 * MEGABYTE
+    for text in (script.read_text(encoding="utf-8") for script in SCRIPTS):
+        assert not re.search(r"\bimport\s*[\"'(]\s*[\"']?https?:", text)
+        assert not re.search(r"\bfrom\s*[\"']", text[-2000:]), "each script stands alone"
+
+
+def test_what_draws_figures_is_in_its_own_script_alone() -> None:
+    page, figures = (script.read_text(encoding="utf-8") for script in SCRIPTS)
+    assert "Duplicate signal name" in figures, "as Vega says it"
+    assert "Duplicate signal name" not in page
+    assert not re.search(r"^\s*(import|export)\b", figures, re.MULTILINE), "a plain script"
 
 
 def test_versions_of_the_front_end_are_exact_and_the_lock_names_no_place() -> None:

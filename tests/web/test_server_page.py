@@ -18,6 +18,7 @@ TOURS = re.findall(
     r"state: '([^']+)'",
     (Path(__file__).parents[2] / "web" / "src" / "ui" / "tours.ts").read_text(encoding="utf-8"),
 )
+JS = "text/javascript"
 READY = "() => document.querySelector('[data-crankstar]').crankstar.ready"
 
 
@@ -48,6 +49,28 @@ def test_every_panel_opens_under_the_policy_of_the_server(page: Page, server: Se
     page.wait_for_selector("math")
     page.get_by_role("tab", name="Stars").click()
     page.wait_for_selector("svg.marks")
+
+
+def test_the_script_of_figures_is_read_when_the_first_is_wanted(page: Page, server: Server) -> None:
+    """Until then it is not asked for; where it does not come, the figure says so and asks again."""
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    opened(page, server)
+    page.evaluate("() => document.querySelector('[data-crankstar]').crankstar.settled()")
+    assert any("/app.js" in url for url in asked)
+    assert not any("/figures.js" in url for url in asked)
+    page.route("**/figures.js*", lambda route: route.fulfill(status=200, body="", content_type=JS))
+    page.get_by_role("tab", name="Stars").click()
+    failed = page.get_by_text("The script that draws figures cannot be read.").first
+    expect(failed).to_be_visible()
+    page.unroute("**/figures.js*")
+    page.get_by_role("button", name="Try again").first.click()
+    expect(page.locator("svg.marks").first).to_be_visible()
+    assert page.locator("script").count() == 1, "what has been read is not left in the page"
+    before = len([url for url in asked if "/figures.js" in url])
+    page.get_by_role("tab", name="Forces").click()
+    expect(page.locator("svg.marks").first).to_be_visible()
+    assert len([url for url in asked if "/figures.js" in url]) == before, "it is read once"
 
 
 def test_a_file_is_handed_out_as_a_download(page: Page, server: Server) -> None:

@@ -17,6 +17,7 @@ from crankstar.site.building import build
 from crankstar.site.pages import Subject
 
 ENGINES = ("boxer-2", "radial-9", "single")
+ADDRESSES = ("href", "src", "srcset", "data-figures")
 
 
 class Links(HTMLParser):
@@ -29,7 +30,7 @@ class Links(HTMLParser):
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         del tag
-        self.found += [value for key, value in attrs if key in ("href", "src", "srcset") and value]
+        self.found += [value for key, value in attrs if key in ADDRESSES and value]
 
 
 def written(folder: Path, engines: tuple[str, ...]) -> Path:
@@ -62,10 +63,10 @@ def test_every_link_of_a_site_leads_to_a_file_of_it(site: Path) -> None:
     assert {path.stem for path in (site / "engines").iterdir()} == {*ENGINES}
     index = (site / "index.html").read_text("utf-8")
     assert re.findall(r'<a href="engines/(.*?)\.html">', index) == [*ENGINES]
-    assert len([*site.glob("crankstar-*.js")]) == 1
+    for script in ("crankstar", "figures"):
+        assert len([*site.glob(f"{script}-*.js")]) == 1
 
 
-@pytest.mark.long
 def test_a_site_opens_from_disk_and_its_engines_turn(site: Path, page: Page) -> None:
     page.goto((site / "index.html").as_uri())
     page.get_by_label("Layout").select_option("radial")

@@ -134,6 +134,7 @@ def test_figures_and_derivations_are_asked_of_the_kernel(show: Show, page: Page)
     expect(
         page.get_by_role("tabpanel").locator("svg[role=img], svg.marks, canvas").first
     ).to_be_visible(timeout=20_000)
+    assert cell(page, "document.querySelectorAll('script').length") == 0
     page.get_by_role("tab", name="Derivation").click()
     expect(page.get_by_role("tabpanel").locator("math").first).to_be_visible(timeout=20_000)
 

@@ -19,20 +19,24 @@ function notices(packages) {
     .join(`\n${'-'.repeat(72)}\n\n`)
 }
 
-/** Follows `build.license` of vite, which lists the packages that are in the bundle. */
-export const licences = (list) => ({
+/** Follows `build.license` of vite, which lists the packages that are in a script. */
+export const licences = (lists) => ({
   name: 'licences',
   generateBundle: {
     order: 'post',
     handler(_, bundle) {
-      const text = notices([...JSON.parse(bundle[list].source), fontLicence()])
-      delete bundle[list]
-      this.emitFile({ type: 'asset', fileName: FILE, source: text })
-      for (const chunk of Object.values(bundle)) {
-        if (chunk.type !== 'chunk') continue
-        if (chunk.code.match(PLACE)?.length !== 1) throw new Error('no place for the licences')
-        chunk.code = chunk.code.replace(PLACE, () => `String.raw\`${text.replaceAll('`', "'")}\``)
+      const packages = new Map([['the font', fontLicence()]])
+      for (const list of lists) {
+        for (const each of JSON.parse(bundle[list].source))
+          packages.set(`${each.name} ${each.version}`, each)
+        delete bundle[list]
       }
+      const text = notices([...packages.values()])
+      this.emitFile({ type: 'asset', fileName: FILE, source: text })
+      const [page, ...others] = Object.values(bundle).filter(({ code }) => code?.match(PLACE))
+      if (page?.code.match(PLACE)?.length !== 1 || others.length)
+        throw new Error('no one place for the licences')
+      page.code = page.code.replace(PLACE, () => `String.raw\`${text.replaceAll('`', "'")}\``)
     },
   },
 })

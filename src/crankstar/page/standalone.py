@@ -1,8 +1,9 @@
 """The page as one file: an engine that turns in any browser, from disk, without a network.
 
-The file holds the bundle, packed, the few lines that unpack it, and its contents as packed JSON. A
-Content-Security-Policy allows these two scripts by their SHA-256 and nothing else: no other script,
-no style, no picture, no connection.
+The file holds the script of the page, that of its figures, which is read when the first is wanted,
+both packed, the few lines that unpack the one, and its contents as packed JSON. A
+Content-Security-Policy allows these three scripts by their SHA-256 and nothing else: no other
+script, no style, no picture, no connection.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ from crankstar.language.messages import N_, MessageError, _, language
 from crankstar.page.library import Tree, packed
 
 BUNDLE = Path(__file__).parents[1] / "bundle" / "crankstar.js"
+FIGURES = "figures.js"
+"""Beside it, the script that draws figures."""
 
 
 class PageError(MessageError):
@@ -27,8 +30,18 @@ class PageError(MessageError):
 
 def bundle() -> str:
     """The front-end as text of an ES module. Raises PageError where it has not been built."""
+    return _script(BUNDLE)
+
+
+def figures_script() -> str:
+    """What draws figures, as text of a plain script. Raises PageError where it was not built."""
+    return _script(BUNDLE.with_name(FIGURES))
+
+
+def _script(place: Path) -> str:
+    """A script of the bundle. Raises PageError."""
     try:
-        return BUNDLE.read_text(encoding="utf-8")
+        return place.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise PageError(
             "this copy of crankstar lacks the script of the page; build it with "
@@ -66,17 +79,18 @@ document.body.append(script)
 """The script that puts the packed one in the page, and says until it is there that it comes."""
 
 
-def _packed(script: str) -> str:
-    """The script as text, as the bundle has it packed beside it; packed here where it has not."""
-    place = BUNDLE.with_name(f"{BUNDLE.name}.gz")
+def _packed(script: str, name: str) -> str:
+    """A script as text, as the bundle has it packed beside it; packed here where it has not."""
+    place = BUNDLE.with_name(f"{name}.gz")
     data = place.read_bytes() if place.is_file() else gzip.compress(script.encode(), 9, mtime=0)
     return b64encode(data).decode()
 
 
 class Shared(NamedTuple):
-    """What pages of one site share: the address of their script, and of the page above them."""
+    """What pages of one site share: addresses of their two scripts, and of the page above them."""
 
     script: str
+    figures: str
     up: str
 
 
@@ -106,17 +120,20 @@ def document(tree: Tree, *, shared: Shared | None = None) -> str:
     A page of a site has what it shares with the others in files of their own.
     """
     names = [engine["name"] for engine in tree["exhibition"]["engines"]]
-    up = ""
+    up = figures = ""
     if shared is None:
-        script = bundle()
-        allowed = policy(UNPACK, script)
+        script, drawing = bundle(), figures_script()
+        allowed = policy(UNPACK, script, drawing)
+        packed_script, packed_drawing = _packed(script, BUNDLE.name), _packed(drawing, FIGURES)
         element = (
-            f'<script type="application/gzip" id="crankstar-script">{_packed(script)}</script>\n'
-            f'<script type="module">{UNPACK}</script>'
+            f'<script type="application/gzip" id="crankstar-script">{packed_script}</script>\n'
+            f'<script type="module">{UNPACK}</script>\n'
+            f'<script type="application/gzip" id="crankstar-figures">{packed_drawing}</script>'
         )
     else:
         allowed = SHARED_POLICY
         element = f'<script defer src="{escape(shared.script)}"></script>'
+        figures = f' data-figures="{escape(shared.figures)}"'
         up = f'<link rel="up" href="{escape(shared.up)}">'
     title = names[0]
     about = _("Inertia forces and couples of {engine}, and their remedies.", engine=title)
@@ -141,7 +158,7 @@ def document(tree: Tree, *, shared: Shared | None = None) -> str:
             f"<title>{escape(title)}</title>{up}",
             "</head>",
             "<body>",
-            f"<div data-crankstar><p>{escape(_(INCOMPLETE))}</p></div>",
+            f"<div data-crankstar{figures}><p>{escape(_(INCOMPLETE))}</p></div>",
             f"<noscript><h1>{escape(title)}</h1><p>{escape(_(NO_SCRIPT))}</p></noscript>",
             f'<script type="application/json" id="crankstar-data">{packed(tree)}</script>',
             element,

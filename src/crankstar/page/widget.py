@@ -144,8 +144,8 @@ def answer(subjects: tuple[Subject, ...], question: Any) -> dict[str, Any]:
     """The answer to a request of the front end: its `id`, and a `value` or a `sentence`.
 
     A request is `{"id", "engine", "fitted", "units", "what", "key"}`, `what` being chart (to one
-    scale with the other of two engines), derivation, exhibit (in these units) or estimate (the
-    engine with estimated masses, a Subject).
+    scale with the other of two engines), derivation, exhibit (in these units), estimate (the engine
+    with estimated masses, a Subject) or drawing (the script that draws figures).
 
     >>> import crankstar
     >>> from crankstar.files.catalog import tree_of
@@ -172,6 +172,8 @@ def _made(subject: Subject, request: Mapping[str, Any], beside: Subject | None) 
     """What is asked for of an engine that may have one `beside`. Raises MessageError, KeyError."""
     engine, tree = subject.engine, subject.tree
     what, fitted = request["what"], bool(request["fitted"])
+    if what == "drawing":
+        return page.figures_script()
     if what == "estimate":
         done = estimated(dict(tree), name=engine.name).tree
         return Subject(engine_of(done), done, subject.source)

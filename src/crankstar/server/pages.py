@@ -33,7 +33,7 @@ DOCUMENT = """<!doctype html>
 HEAD = """<link rel="stylesheet" href="/page.css">
 <link rel="up" href="/gallery">
 <script type="module" src="%s"></script>"""
-BODY = """<div data-crankstar="server"></div>
+BODY = """<div data-crankstar="server" data-figures="%s"></div>
 <noscript>%s</noscript>"""
 REFUSED = """<main class="failed">
 %s
@@ -135,12 +135,13 @@ def refused_page(refusal: Refused) -> Response:
 @router.get("/")
 async def page() -> Response:
     """The page on which the engine turns."""
-    script = asset("crankstar.js")
+    script, figures = asset("crankstar.js"), asset("figures.js")
     source = "/unbuilt.js" if script is None else f"/app.js?v={script.digest}"
+    drawing = "" if figures is None else f"/figures.js?v={figures.digest}"
     needed = _(
         "This page needs JavaScript: switch it on, or use the command line (crankstar --help)."
     )
-    text = DOCUMENT % (language(), "crankstar", HEAD % source, BODY % escape(needed))
+    text = DOCUMENT % (language(), "crankstar", HEAD % source, BODY % (drawing, escape(needed)))
     return _text(text, HTML)
 
 
@@ -162,6 +163,7 @@ TEXTS = {
 }
 FILES = {
     "/app.js": ("crankstar.js", SCRIPT),
+    "/figures.js": ("figures.js", SCRIPT),
     "/gallery.js": ("gallery.js", SCRIPT),
     "/docs/swagger-ui-bundle.js": ("swagger-ui-bundle.js", SCRIPT),
     "/docs/swagger-ui.css": ("swagger-ui.css", CSS),

@@ -21,10 +21,10 @@ from urllib.parse import quote
 from crankstar.language.messages import MessageError, language, speak
 from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import Choice, choice, shown_in
-from crankstar.page.standalone import BUNDLE, SHARED_POLICY, PageError, plain_script
+from crankstar.page.standalone import BUNDLE, SHARED_POLICY, PageError, figures_script, plain_script
 from crankstar.search.interrupts import held_back
 from crankstar.site.gallery import Gallery, html, style
-from crankstar.site.pages import Subject, card_of, files_of, picture_of, write
+from crankstar.site.pages import Scripts, Subject, card_of, files_of, picture_of, write
 
 PROCESSES = 2
 INDEX = "index.html"
@@ -75,9 +75,9 @@ def build(subjects: Sequence[Subject], place: Path, *, tell: Tell) -> None:
     place = place.resolve()
     check_place(place)
     with _draft(place) as draft:
-        script = _shared(draft)
+        scripts = _shared(draft)
         cards = [card_of(subject) for subject in subjects]
-        _engines(subjects, draft, script=script, tell=tell)
+        _engines(subjects, draft, scripts=scripts, tell=tell)
         names = {card.name: card for card in cards}
         gallery = Gallery(
             cards=[*names.values()],
@@ -101,11 +101,13 @@ def _draft(place: Path) -> Iterator[Path]:
         shutil.rmtree(draft, ignore_errors=True)
 
 
-def _shared(draft: Path) -> str:
-    """Write what all pages share; the place of the script of the engines."""
-    script = plain_script().encode()
-    place = f"crankstar-{sha256(script).hexdigest()[:12]}.js"
-    write(draft, place, script)
+def _shared(draft: Path) -> Scripts:
+    """Write what all pages share; the places of the scripts of the engines."""
+    places: list[str] = []
+    for name, text in (("crankstar", plain_script()), ("figures", figures_script())):
+        script = text.encode()
+        places.append(f"{name}-{sha256(script).hexdigest()[:12]}.js")
+        write(draft, places[-1], script)
     write(draft, "gallery.css", style().encode())
     for name in ("gallery.js", "third-party-licences.txt"):
         try:
@@ -115,16 +117,16 @@ def _shared(draft: Path) -> str:
                 "this copy of crankstar lacks the script of the page; build it with "
                 "`python web/bundle.py`, or install crankstar from a wheel"
             ) from None
-    return place
+    return Scripts(*places)
 
 
-def _engines(subjects: Sequence[Subject], draft: Path, *, script: str, tell: Tell) -> None:
+def _engines(subjects: Sequence[Subject], draft: Path, *, scripts: Scripts, tell: Tell) -> None:
     """Write the files of all engines, the largest work of a site."""
     count = min(PROCESSES, os.cpu_count() or 1, len(subjects))
     tell(0, len(subjects), "")
     if count < 2:
         for done, subject in enumerate(subjects):
-            _engine(subject, draft, script)
+            _engine(subject, draft, scripts)
             tell(done + 1, len(subjects), subject.name)
         return
     pool = ProcessPoolExecutor(
@@ -132,7 +134,7 @@ def _engines(subjects: Sequence[Subject], draft: Path, *, script: str, tell: Tel
     )
     try:
         with held_back():  # processes begin as work is given
-            work = {pool.submit(_engine, subject, draft, script): subject for subject in subjects}
+            work = {pool.submit(_engine, subject, draft, scripts): subject for subject in subjects}
         for done, each in enumerate(as_completed(work)):
             each.result()
             tell(done + 1, len(subjects), work[each].name)
@@ -151,9 +153,9 @@ def _begin(spoken: str, units: Choice) -> None:
     shown_in(units).__enter__()
 
 
-def _engine(subject: Subject, draft: Path, script: str) -> None:
+def _engine(subject: Subject, draft: Path, scripts: Scripts) -> None:
     """Write the files of one engine."""
-    for place, contents in files_of(subject, script=script):
+    for place, contents in files_of(subject, scripts=scripts):
         write(draft, place, contents)
 
 

@@ -18,6 +18,13 @@ ENGINES, PICTURES = "engines", "pictures"
 """Folders of a site."""
 
 
+class Scripts(NamedTuple):
+    """The places on a site of the script of its pages, and of that of their figures."""
+
+    page: str
+    figures: str
+
+
 class Subject(NamedTuple):
     """An engine of a site: the name of its files, its engine file as a tree, how it was called."""
 
@@ -49,8 +56,8 @@ def picture_of(name: str, look: Look) -> str:
     return f"{PICTURES}/{name}{look.suffix}"
 
 
-def files_of(subject: Subject, *, script: str) -> Iterator[tuple[str, bytes]]:
-    """The files of an engine: place and contents. `script` is the place of the shared script."""
+def files_of(subject: Subject, *, scripts: Scripts) -> Iterator[tuple[str, bytes]]:
+    """The files of an engine: place and contents. `scripts` are those that all pages share."""
     engine: Engine = engine_of(dict(subject.tree), name=subject.source)
     for look in LOOKS:
         yield picture_of(subject.name, look), miniature(engine, look)
@@ -60,7 +67,7 @@ def files_of(subject: Subject, *, script: str) -> Iterator[tuple[str, bytes]]:
         sources=[subject.source],
         command=f"crankstar page {subject.source}",
     )
-    shared = Shared(script=f"../{script}", up="../index.html")
+    shared = Shared(f"../{scripts.page}", f"../{scripts.figures}", up="../index.html")
     yield page_of(subject.name), document(contents, shared=shared).encode()
 
 

@@ -10,6 +10,7 @@ import type {
   SlidersShown,
   WorkshopShown,
 } from '../exhibit'
+import type { Draw } from './drawing'
 import type { News } from './watching'
 
 /** A figure as Vega-Lite; where it turns it has one parameter, `theta`, in degrees. */
@@ -22,6 +23,8 @@ export interface Host {
   readonly exhibition: Exhibition
   /** A figure by its key, to one scale with that of the engine beside it, where it can be. */
   chart(exhibit: Exhibit, key: string, beside?: Exhibit): Promise<Spec>
+  /** What draws figures: read when the first is wanted, and kept. */
+  drawing(): Promise<Draw>
   /** A derivation by its key: HTML with MathML, made and escaped by our own typesetter. */
   derivation(exhibit: Exhibit, key: string): Promise<string>
   /** The same engine in other units, by their name; of a fitted one, ask for that anew. */

@@ -1,7 +1,9 @@
 import { bytesOf } from '../base64'
+import { inflated } from '../deflated'
 import type { Exhibit, Exhibition } from '../exhibit'
 import { t } from '../language/messages'
 import { addressState } from './address'
+import { drawing, ofPage } from './drawing'
 import type { Host, Spec } from './host'
 
 /** Figures and derivations of one exhibit by their keys. */
@@ -39,12 +41,6 @@ export async function unpacked(text: string): Promise<unknown> {
   const whole: unknown = JSON.parse(text)
   if (!isPacked(whole)) return whole
   return JSON.parse(await inflated(bytesOf(whole.data)))
-}
-
-/** Text that was packed with gzip. */
-export async function inflated(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))
-  return new Response(stream).text()
 }
 
 function isPacked(value: unknown): value is { encoding: string; data: string } {
@@ -122,6 +118,7 @@ export async function pageHost(holder: Document): Promise<Host> {
     exhibition: data.exhibition,
     anyUnits: false,
     ...shelf(data),
+    drawing: drawing(() => ofPage(holder)),
     ...addressState(),
   }
 }

@@ -3,6 +3,7 @@ import { language } from '../language/messages'
 import { stateOf } from '../state'
 import { addressState } from './address'
 import { requested, required } from './api'
+import { drawing, ofPage } from './drawing'
 import type { Host, Spec } from './host'
 import { service } from './service'
 import { watched } from './watching'
@@ -64,6 +65,7 @@ export async function serverHost(): Promise<Host> {
       charts(`${numberOf(exhibit)} ${beside ? numberOf(beside) : 0} ${key}`, () =>
         post('chart', exhibit, key, beside),
       ),
+    drawing: drawing(() => ofPage(document)),
     anyUnits: true,
     inUnits: (exhibit, units) =>
       required(requested<Exhibit>('exhibit', { body: { engine: exhibit.file, units } })),

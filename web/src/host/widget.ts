@@ -2,6 +2,7 @@ import { effect } from '@preact/signals'
 import type { App } from '../app'
 import type { Exhibit, Exhibition } from '../exhibit'
 import { t } from '../language/messages'
+import { drawing } from './drawing'
 import type { Host, Spec } from './host'
 import { unpacked } from './page'
 
@@ -35,7 +36,7 @@ function put(model: Model, name: string, value: unknown): void {
 interface Question {
   engine: number
   fitted: boolean
-  what: 'chart' | 'derivation' | 'exhibit' | 'estimate'
+  what: 'chart' | 'derivation' | 'drawing' | 'exhibit' | 'estimate'
   key: string
   units: string
 }
@@ -109,6 +110,13 @@ export async function widgetHost(model: Model): Promise<Host> {
     language: '',
     chart: (exhibit, key) => ask(exhibit, 'chart', key) as Promise<Spec>,
     derivation: (exhibit, key) => ask(exhibit, 'derivation', key) as Promise<string>,
+    drawing: drawing(async () => {
+      const question = { engine: 0, fitted: false, what: 'drawing', key: '', units: '' } as const
+      const text = String(await kernel(model, question))
+      // as anywidget reads the script of the page, and so allowed wherever that is
+      const address = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }))
+      return { address }
+    }),
     anyUnits: true,
     inUnits: async (exhibit, units) => (await inUnits(placeOf(exhibit), units)) ?? exhibit,
     estimate: async (exhibit) => {

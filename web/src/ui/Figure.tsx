@@ -1,10 +1,10 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
+import type { Drawing } from '../drawing/drawing'
 import type { Exhibit } from '../exhibit'
 import { t } from '../language/messages'
 import { reasonOf } from '../reason'
 import { useApp } from './context'
-import { type Drawing, drawn } from './drawing'
 import { Scroller } from './Scroller'
 
 /** A figure of an engine by its key, turning with it; the old one stays until the next. */
@@ -38,7 +38,8 @@ export function Figure({
     async function draw(): Promise<void> {
       if (ended) return
       try {
-        const spec = await host.chart(exhibit, chart, beside)
+        const asked = [host.chart(exhibit, chart, beside), host.drawing()] as const
+        const [spec, drawn] = await Promise.all(asked)
         if (ended) return
         const made = await drawn(spec, 360 * exhibit.turns)
         if (ended) return made.dispose()
