@@ -1,5 +1,5 @@
 import { effect, untracked } from '@preact/signals'
-import { useEffect, useRef } from 'preact/hooks'
+import { useLayoutEffect, useRef } from 'preact/hooks'
 import type { App } from '../app'
 import type { Exhibit } from '../exhibit'
 import { t } from '../language/messages'
@@ -55,7 +55,7 @@ export function StageView({
   const app = useApp()
   const place = useRef<HTMLDivElement>(null)
 
-  useEffect(() => {
+  useLayoutEffect(() => {
     const element = place.current
     const first = app.staged.peek()[index]
     if (!element || !first) return undefined
