@@ -21,6 +21,8 @@ from crankstar.mechanics.remains import (
     sizes,
     summed,
 )
+from crankstar.page.exhibits import exhibit
+from crankstar.spectra import total as total_of
 from crankstar.tables.peaks import part_peaks
 
 
@@ -98,3 +100,19 @@ def test_a_peak_that_is_rounding_is_nought_where_none_is_said(bearings: tuple[fl
     assert not remains(sums.torque, result.torque)
     peaks = part_peaks(result, sums)
     assert peaks["roll"][0] == peaks["vertical"][0] == peaks["horizontal"][0] == 0.0
+
+
+@pytest.mark.parametrize("name", ["i6", "triumph-675", "v12-60", "boxer-6", "v8-cross-plane"])
+def test_the_greatest_order_that_remains_has_figures_and_a_derivation(name: str) -> None:
+    """By the spectrum itself, whatever the rule of the page is."""
+    result, shown = balance(load(name)), exhibit(load(name), relatives=False)
+    for quantity in ("force", "couple"):
+        parts = getattr(result, quantity)
+        remaining = sizes(total_of(parts))
+        if remaining.max() < 1e-9 * sizes(parts).max():
+            continue
+        greatest = float(parts.orders[remaining.argmax()])
+        figures = {each.figure for each in shown.charts if each.order == greatest}
+        assert figures == {"vector-star", "polygon", "hodograph"}, quantity
+        derived = {each.quantity for each in shown.derivations if each.order == greatest}
+        assert derived == {"force", "couple"}

@@ -27,6 +27,10 @@ EQUAL = 0.01
 """Vectors that differ by no more than this share are equal, as those of a Lanchester pair."""
 USUAL_ORDERS = 6.0
 """The orders up to this one are shown wherever a part pushes at them."""
+HIGHEST_EXPLAINED = 4.0
+"""The orders up to this one have figures and derivations on a page, zero or not..."""
+MOST_EXPLAINED = 4
+"""...but not more of them than these."""
 HIGH_ORDER = 1e-3
 """Share of the greatest order from which an order above the usual ones is shown as well."""
 ROUNDED_ARM = 1e-12
@@ -156,6 +160,28 @@ def orders_shown(result: Balance, sums: Sums) -> tuple[float, ...]:
         each = sizes(spectrum).reshape(-1, high.size).max(axis=0, initial=0.0)
         strong |= (each > HIGH_ORDER * each.max(initial=0.0)) & high
     return tuple(sorted({*orders_turning(result, sums), *sums.force.orders[strong].tolist()}))
+
+
+def orders_explained(result: Balance, sums: Sums) -> tuple[float, ...]:
+    """The orders of the figures and derivations of a page.
+
+    The lowest at which a part pushes, zero or not, and the greatest of force and of couple, which
+    of a six in line is of order 6, and all that remains.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.balance import balance
+    >>> pushed = balance(load("i6"))
+    >>> orders_explained(pushed, summed(pushed))
+    (1.0, 2.0, 4.0, 6.0)
+    """
+    usual = orders_pushed(result)
+    low = [order for order in usual if order <= HIGHEST_EXPLAINED] or [usual[0]]
+    greatest = [
+        order
+        for spectrum in (sums.force, sums.couple)
+        for order in ranked(spectrum, spectrum.orders.tolist())[0][:1]
+    ]
+    return tuple(sorted({*low[:MOST_EXPLAINED], *greatest}))
 
 
 def orders_drawn(

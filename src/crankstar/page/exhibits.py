@@ -123,6 +123,7 @@ def exhibit(
     known = _known(engine, over)
     result, sums, ends, loads = known
     orders = remains.orders_shown(result, sums)
+    explained = remains.orders_explained(result, sums)
     sizes, cycle = proportions(engine), _cycle(engine)
     along = sizes.along
     return Exhibit(
@@ -160,12 +161,12 @@ def exhibit(
         torsion_needs=torsion_needs(engine),
         mounts=mounts_shown(engine),
         charts=(
-            *chart_keys(engine, remains.orders_pushed(result)),
+            *chart_keys(engine, explained),
             *torsion_charts(engine),
             *tolerance_charts(engine, tree),
             *marine_charts(engine),
         ),
-        derivations=derivation_keys(remains.orders_pushed(result)),
+        derivations=derivation_keys(explained),
         remedies=tuple(remedies),
         **in_units(engine, over, tree=tree, relatives=relatives, known=known),
     )

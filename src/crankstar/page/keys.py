@@ -34,12 +34,10 @@ BEFORE_AND_AFTER = "spectrum:fitted"
 
 Not among `chart_keys`, because the recommendation takes time.
 """
-HIGHEST = 4.0
-MOST_ORDERS = 4
 
 
 def chart_keys(engine: Engine, orders: Sequence[float]) -> tuple[ChartKey, ...]:
-    """Every figure of an engine, those of single orders for the lowest orders."""
+    """Every figure of an engine, those of single orders for these orders."""
     return tuple(
         ChartKey(
             key=chart_key(figure, order=order, quantity=quantity),
@@ -51,7 +49,7 @@ def chart_keys(engine: Engine, orders: Sequence[float]) -> tuple[ChartKey, ...]:
         for figure in FIGURES
         if engine.firing_order or figure not in NEED_FIRING
         for quantity, order in (
-            *product(OF_ORDER.get(figure, ()), _drawn(orders)),
+            *product(OF_ORDER.get(figure, ()), orders),
             *product(OF_ALL_ORDERS.get(figure, () if figure in OF_ORDER else (None,)), (None,)),
         )
     )
@@ -66,11 +64,6 @@ def _label(figure: str, quantity: str | None, order: float | None) -> str:
     if figure in OF_ORDER:
         return _("{figure}, {quantity}, all orders", **words)
     return _("{figure}, {quantity}", **words)
-
-
-def _drawn(orders: Sequence[float]) -> list[float]:
-    low = [order for order in orders if order <= HIGHEST] or list(orders[:1])
-    return low[:MOST_ORDERS]
 
 
 def chart_key(
@@ -99,7 +92,7 @@ def chart_key(
 
 
 def derivation_keys(orders: Sequence[float]) -> tuple[DerivationKey, ...]:
-    """The derivations of an engine: force and couple of the lowest orders."""
+    """The derivations of an engine: force and couple of these orders."""
     return tuple(
         DerivationKey(
             key=f"{name}:{order:.12g}",
@@ -108,5 +101,5 @@ def derivation_keys(orders: Sequence[float]) -> tuple[DerivationKey, ...]:
             order=order,
         )
         for name in VECTORS
-        for order in _drawn(orders)
+        for order in orders
     )
