@@ -1,6 +1,7 @@
 import { useId, useRef, useState } from 'preact/hooks'
 import type { Control, Slider } from '../exhibit'
 import { t } from '../language/messages'
+import { typeset } from '../language/typeset'
 import { Curves } from './Curves'
 import { useSession } from './context'
 import { moved, snapped, valueIn } from './control'
@@ -213,7 +214,8 @@ function Legend({ slider, present }: { slider: Slider; present: boolean }) {
       {slider.curves.map((curve, place) => (
         <li key={`${curve.what} ${curve.order}`}>
           <i class={`key curve-${place}`} aria-hidden="true" />
-          {curve.label} <b>{present ? `${significant(curve.present)} ${curve.unit}` : '…'}</b>
+          {curve.label}{' '}
+          <b>{present ? `${typeset(significant(curve.present))} ${curve.unit}` : '…'}</b>
         </li>
       ))}
     </ul>

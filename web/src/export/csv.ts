@@ -1,4 +1,5 @@
 import type { Exhibit } from '../exhibit'
+import { unset } from '../language/typeset'
 
 type Cell = string | number | null
 
@@ -90,8 +91,8 @@ export function rowsOf(table: HTMLTableElement): string[][] {
   return rows
 }
 
-/** What a cell says; a number with the sign that a spreadsheet reads. */
+/** What a cell says; a number as a spreadsheet reads it. */
 function textOf(cell: HTMLTableCellElement | undefined): string {
   const text = (cell?.textContent ?? '').replace(/\s+/g, ' ').trim()
-  return /^\u2212[\d.]+$/.test(text) ? text.replace('\u2212', '-') : text
+  return unset(text)
 }

@@ -1,6 +1,7 @@
 import { useMemo, useRef } from 'preact/hooks'
 import type { Exhibit, Row } from '../exhibit'
 import { t } from '../language/messages'
+import { typeset } from '../language/typeset'
 import { QUANTITIES, type Quantity } from '../state'
 import { useFollower } from './context'
 import { dotOf, moveDots, sharesOf } from './dots'
@@ -108,7 +109,7 @@ function Cell({
         <Path row={row} share={shares.get(row) ?? 0} />
         <span>
           <span class="whole">
-            {row.greatest} {row.remains || row.estimated ? unit : ''}
+            {typeset(row.greatest)} {row.remains || row.estimated ? unit : ''}
           </span>
           <br />
           <span class="soft small">{row.path}</span>
@@ -129,7 +130,7 @@ function Difference({ lines, unit }: { lines: Line; unit: string }) {
   return (
     <>
       <span class="whole">
-        {text} {text !== '0' && unit}
+        {typeset(text)} {text !== '0' && unit}
       </span>
       {!!first?.size && !!second?.size && text !== '0' && (
         <>

@@ -1,5 +1,7 @@
 import type { Table } from '../exhibit'
 import { t } from '../language/messages'
+import { typeset } from '../language/typeset'
+import { Lettered } from './Lettered'
 import { Scroller } from './Scroller'
 import { Term } from './Term'
 
@@ -42,7 +44,7 @@ export function DataTable({ table }: { table: Table }) {
                       key={column}
                       class={`${numeric[column] ? 'right' : ''}${short?.[column] ? ' short' : ''}`}
                     >
-                      {cell}
+                      {numeric[column] ? typeset(cell) : cell}
                     </td>
                   ))}
                 </tr>
@@ -65,7 +67,7 @@ function Heading({ text }: { text: string }) {
   const [words = '', unit] = text.split(/(?=\[)/)
   return (
     <Term word={text.replace(/\s*[[(].*$/, '')}>
-      {words}
+      <Lettered text={words} />
       {unit && <span class="unit">{unit}</span>}
     </Term>
   )

@@ -1,10 +1,12 @@
 import { useMemo, useRef } from 'preact/hooks'
 import type { Exhibit, Row } from '../../exhibit'
 import { message, plural, t } from '../../language/messages'
+import { typeset } from '../../language/typeset'
 import { QUANTITIES } from '../../state'
 import { BothOrders } from '../BothOrders'
 import { useExhibit, useExhibits, useFollower } from '../context'
 import { dotOf, moveDots, sharesOf } from '../dots'
+import { Lettered } from '../Lettered'
 import { quantityName, TERMS, unitOf } from '../names'
 import { OrderChoice } from '../OrderChoice'
 import { OrderRow } from '../OrderRow'
@@ -110,9 +112,19 @@ function Group({
           )}
         </th>
         <td class="soft">
-          {quantity === 'couple' && <Term word="pitch M_V">{t('pitch M_V')}</Term>}
+          {quantity === 'couple' && (
+            <Term word="pitch M_V">
+              <Lettered text={t('pitch M_V')} />
+            </Term>
+          )}
         </td>
-        <td class="soft">{quantity === 'couple' && <Term word="yaw M_H">{t('yaw M_H')}</Term>}</td>
+        <td class="soft">
+          {quantity === 'couple' && (
+            <Term word="yaw M_H">
+              <Lettered text={t('yaw M_H')} />
+            </Term>
+          )}
+        </td>
       </tr>
       {rows.filter(isShown).map((row) => (
         <Line key={row.order} row={row} share={shares.get(row) ?? 0} />
@@ -147,9 +159,9 @@ function Line({ row, share }: { row: Row; share: number }) {
           <span class="path-words">{row.path}</span>
         </span>
       </td>
-      <td class="right">{row.greatest}</td>
-      <td>{row.up}</td>
-      <td>{row.right}</td>
+      <td class="right">{typeset(row.greatest)}</td>
+      <td>{typeset(row.up)}</td>
+      <td>{typeset(row.right)}</td>
     </OrderRow>
   )
 }
