@@ -120,7 +120,7 @@ def test_a_word_with_a_dotted_line_is_explained_as_in_the_glossary(
     for word, term in (
         ("order", "order"),
         ("Couple", "couple"),
-        ("pitch M_V", "rocking couple, pitch"),
+        ("pitch MV", "rocking couple, pitch"),
     ):
         shown = page.locator(".orders .term", has_text=word).first
         shown.scroll_into_view_if_needed()
@@ -169,3 +169,94 @@ def test_terms_are_named_and_explained_in_the_language_of_the_page(
     expect(page.get_by_role("tooltip").locator("strong")).to_have_text(name)
     expect(page.get_by_role("tooltip")).to_contain_text(term.meanings[language])
     assert term.meanings[language] != term.meanings["en"]
+
+
+def test_a_link_to_a_panel_that_the_engine_lacks_says_so(built_page: Build, page: Page) -> None:
+    opened(page, built_page(ENGINE), "a=0&tab=mounts")
+    panel = page.get_by_role("tabpanel", name="Orders")
+    expect(panel.get_by_role("status")).to_have_text(
+        "Nothing to show under Mounts for this engine on this page; Orders is open instead."
+    )
+    page.get_by_role("tab", name="Stars").click()
+    expect(page.get_by_role("tabpanel", name="Stars").get_by_role("status")).to_have_count(0)
+    opened(page, built_page(ENGINE), "a=0&tab=nonsense")
+    expect(panel).to_be_visible()
+    expect(panel.get_by_role("status")).to_have_count(0)
+
+
+def test_numbers_and_letters_of_the_orders_are_set_as_in_print(
+    built_page: Build, page: Page
+) -> None:
+    """As in the sentences of the verdict: no 4.2e-05, and M_V has its V below the line."""
+    opened(page, built_page(ENGINE), "a=0")
+    table = page.locator("table.orders")
+    expect(table.get_by_role("row").filter(has_text="4.2075·10⁻⁵")).to_have_count(1)
+    expect(table).not_to_contain_text("e−0")
+    assert table.locator("sub").all_inner_texts() == ["V", "H"]
+    expect(table).not_to_contain_text("_")
+
+
+def test_the_verdict_begins_with_what_remains_and_says_nothing_twice(
+    built_page: Build, page: Page
+) -> None:
+    opened(page, built_page(ENGINE), "a=0&tab=verdict")
+    panel = page.get_by_role("tabpanel", name="Verdict")
+    subjects = panel.locator("dt").all_text_contents()
+    assert subjects[:4] == ["force", "couple", "rolling moment", "remedy"]
+    facts = handle(page, "exhibits[0].verdict")
+    assert len(panel.locator("dd p").all()) == len(facts)
+    expect(panel.get_by_text("Fires 1-8-5-4-7-2-3-6 every 90 deg.")).to_have_count(1)
+    expect(panel.locator(".doubt")).to_contain_text("cylinder.rod_ratio")
+
+
+@pytest.mark.many(first=1)
+@pytest.mark.parametrize(("width", "words"), [(390, "swipe on a touch screen"), (1440, "Click a")])
+def test_the_guide_speaks_of_the_views_that_are_there(
+    width: int, words: str, built_page: Build, page: Page
+) -> None:
+    page.set_viewport_size({"width": width, "height": 900})
+    opened(page, built_page(ENGINE), "a=0")
+    page.get_by_role("button", name="Guide").click()
+    expect(page.get_by_role("complementary", name="What am I looking at?")).to_contain_text(words)
+
+
+def test_numbers_bear_the_colour_of_their_arrow_while_it_is_drawn(
+    built_page: Build, page: Page
+) -> None:
+    """The key to the arrows where no names fit beside their scales, as in Russian on a phone."""
+    page.set_viewport_size({"width": 320, "height": 640})
+    opened(page, built_page(ENGINE), "a=0&lang=ru")
+    marks = page.locator(".now dt .mark")
+    colours = marks.evaluate_all("all => all.map(mark => getComputedStyle(mark).color)")
+    assert colours == ["rgb(15, 109, 181)", "rgb(176, 79, 140)", "rgb(138, 106, 0)"]
+    opened(page, built_page(ENGINE), "a=0&lang=ru&couple=0")
+    expect(marks).to_have_count(2)
+
+
+def test_the_polar_diagrams_of_bearings_say_what_their_circles_are(
+    built_page: Build, page: Page
+) -> None:
+    opened(page, built_page(ENGINE), "a=0&tab=bearings")
+    panel = page.get_by_role("tabpanel", name="Bearings")
+    expect(panel).to_contain_text("The outer circle is the greatest of these loads")
+    # nothing is drawn over a label, and tables stand apart
+    assert panel.locator("svg").first.evaluate("svg => svg.lastElementChild.tagName") == "text"
+    boxes = [table.bounding_box() for table in panel.locator("section.table").all()]
+    (first, second) = [box for box in boxes if box]
+    assert second["y"] - first["y"] - first["height"] >= 12
+
+
+def test_what_balance_shafts_leave_does_not_shrink_the_arrows_of_other_panels(
+    built_page: Build, page: Page
+) -> None:
+    """Shafts leave a roll 28 times as great: to one scale only where one switches between both."""
+    page.set_viewport_size({"width": 1440, "height": 900})
+    path = built_page(ENGINE)
+    shown = "() => document.querySelector('.canvas canvas[aria-hidden]').toDataURL()"
+    opened(page, path, "a=30")
+    before = page.evaluate(shown)
+    page.get_by_role("tab", name="Balancing").click()
+    expect(page.get_by_role("radio", name="with weights and shafts")).to_be_visible()
+    assert page.evaluate(shown) != before
+    page.get_by_role("tab", name="Stars").click()
+    assert page.evaluate(shown) == before

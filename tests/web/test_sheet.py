@@ -182,6 +182,19 @@ def test_the_paths_of_the_whirl_stand_beside_the_engine_and_say_how_much_is_exag
     assert texts[-1] == "exaggerated × 250"
 
 
+def test_on_a_phone_the_paths_of_the_whirl_stand_beside_the_engine_too(
+    built_page: Build, page: Page
+) -> None:
+    page.set_viewport_size(PHONE)
+    opened(page, built_page(ENGINE), "a=40&whirl=250")
+    stage = page.locator(STAGE).bounding_box()
+    box = page.locator(".canvas canvas[aria-hidden]").nth(1).bounding_box()
+    assert stage
+    assert box
+    (pane,) = panes(page).values()
+    assert stage["x"] + pane["x"] + pane["width"] <= box["x"]
+
+
 @pytest.mark.long
 @pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.long), "ru"])
 def test_a_window_of_any_height_comes_to_rest(language: str, built_page: Build, page: Page) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, Route, expect
 from tests.web.browsing import barriers, watched
 from tests.web.serving import Server
 from tests.web.test_editing import REFUSED, bank_angles, eventually, on_stage
@@ -308,3 +308,27 @@ def test_the_workshop_can_be_read_and_used_by_everyone(bench: Page) -> None:
     for colours in ("light", "dark"):
         bench.emulate_media(color_scheme=colours)
         assert barriers(bench) == []
+
+
+def test_the_star_is_there_before_the_curves_of_the_sliders(
+    browser: Browser, server: Server
+) -> None:
+    """What takes long is told, and what is there already can be worked on."""
+    with watched(browser, []) as page:
+        held: list[Route] = []
+
+        def hold(route: Route) -> None:
+            held.append(route)
+
+        page.route("**/api/arrangements", hold)
+        page.goto(f"{server.address}#tab=edit&a=0")
+        bench = page.get_by_role("region", name="Workshop")
+        told = bench.get_by_text("Working out throws, firing orders and sliders")
+        expect(told).to_be_visible()
+        page.route("**/api/sliders", hold)
+        held.pop(0).continue_()
+        bench.locator(".star").wait_for()
+        expect(told).to_have_count(0)
+        for route in held:
+            route.continue_()
+        ready(page)

@@ -3,6 +3,7 @@ import type { OfferShown } from '../exhibit'
 import type { Tree } from '../host/host'
 import { plural, t } from '../language/messages'
 import { typeset } from '../language/typeset'
+import { SHAKES } from '../ui/names'
 import { ControlRow, sameBut } from './ControlRow'
 import { useSession } from './context'
 import { type Bench, benchOf } from './offers'
@@ -32,6 +33,11 @@ export function Workbench({ bench }: { bench: Bench }) {
         <summary>{t('Usual layouts')}</summary>
         <Presets bench={bench} />
       </details>
+      {!shown && bench.busy.value && (
+        <p class="soft awaited" role="status">
+          {t('Working out throws, firing orders and sliders …')}
+        </p>
+      )}
       {shown && <StageHandles controls={shown.controls} />}
       {shown && (
         <>
@@ -169,11 +175,9 @@ function Offers({ title, offers, none }: OffersProps) {
   )
 }
 
-const WATCHED = ['force', 'couple', 'roll', 'cure']
-
 /** What the verdict says of forces, couples and roll of the engine on the stage. */
 function Remains() {
-  const facts = useSession().verdict.value.filter(({ subject }) => WATCHED.includes(subject))
+  const facts = useSession().verdict.value.filter(({ subject }) => SHAKES.includes(subject))
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls is reached by keys
     <section class="remains" tabIndex={0} aria-label={t('Verdict')}>

@@ -45,6 +45,8 @@ export function benchOf(session: Session, units: () => string): [Bench, () => vo
     async send(tree, abort) {
       // one after the other: the next change of the engine must find a process that is free
       const bench = await session.service.workshop(tree, undefined, abort)
+      // the first is there to be worked on while the curves of its sliders are still computed
+      if (bench.ok && shown.peek() === null) shown.value = bench.value
       const curves = await session.service.sliders(tree, units(), abort)
       return {
         ok: true,

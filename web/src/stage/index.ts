@@ -29,7 +29,7 @@ const FINEST = 8192
 /** Arrows longer than this may leave the picture, so that the engine stays large. */
 const WITHIN = 2
 /** From this width on, pixels, the inset has a place of its own. */
-const ASIDE = 480
+const ASIDE = 340
 /** Room round the engine and its arrows. */
 const MARGIN = 1.06
 

@@ -82,8 +82,10 @@ export function write(to: Pen, exhibit: Exhibit, writing: Writing): void {
         ? t('Couple, as pitch (upright) and yaw (level)')
         : t('Couple, as a pair of forces in its plane')
   const names = { force: t('Force'), couple }
-  const [foot, step] = width < NARROW ? [12, 18] : [20, 22]
   const kinds = (['couple', 'force'] as const).filter((kind) => writing.load[kind] > 0)
+  // where no words fit beside the force, the roll has the third line of the foot
+  const third = writing.load.roll > 0 && width >= NARROW && width < WIDE && kinds.length > 1
+  const [foot, step] = width < NARROW || third ? [12, 18] : [20, 22]
   const pixels = pixelsOf(panes[panes.length - 1] ?? first)
   const beside = sheet ? 12 : 2 * axesAt(to, width) + (width < WIDE ? -6 : 10)
   let end = 0
@@ -117,15 +119,12 @@ export function write(to: Pen, exhibit: Exhibit, writing: Writing): void {
       to.fillText(line.name, 12, y + 16)
     } else scale(to, writing, line, pixels, { x: beside, y })
   }
-  if (writing.load.roll > 0 && width >= WIDE)
+  if (writing.load.roll > 0 && width >= NARROW) {
     // beside the force, whose words are few; a couple alone leaves the line above
-    roll(
-      to,
-      writing,
-      exhibit,
-      kinds.includes('force') ? end + 24 : beside,
-      height - foot - step * (kinds.includes('force') ? kinds.length - 1 : kinds.length),
-    )
+    const after = kinds.includes('force') && width >= WIDE
+    const y = height - foot - step * (after ? kinds.length - 1 : kinds.length)
+    roll(to, writing, exhibit, { x: after ? end + 24 : beside, y })
+  }
 }
 
 const VIEWS = {
@@ -362,11 +361,16 @@ function scale(
 }
 
 /** How far a curved arrow of a round moment bends. */
-function roll(to: Pen, { load, palette }: Writing, { units }: Exhibit, x: number, y: number): void {
+function roll(
+  to: Pen,
+  { load, palette, width }: Writing,
+  { units }: Exhibit,
+  { x, y }: Place,
+): void {
   const most = load.roll * units.roll_factor
   const value = roundValue(most)
   const [from, end] = [-Math.PI / 2, -Math.PI / 2 + (ROLL.angle * value) / most]
-  const [middle, level, radius] = [x + 8, y + 3, 9]
+  const [middle, level, radius] = width < WIDE ? [x + 6, y + 2, 7] : [x + 8, y + 3, 9]
   to.strokeStyle = to.fillStyle = css(palette.roll)
   to.lineWidth = 2.5
   to.beginPath()

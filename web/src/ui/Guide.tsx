@@ -12,6 +12,8 @@ interface Step {
   readonly tab?: string
   readonly title: string
   readonly text: string
+  /** The same where there is no room for the drawing sheet. */
+  readonly narrow?: string
 }
 
 /** What the guide says, step by step, and which part of the page it is about. */
@@ -21,6 +23,9 @@ const STEPS = [
     title: message('The engine'),
     text: message(
       'You see the moving parts of the engine and nothing else: crankshaft red, rods and pistons grey, cylinder bores as glass. All views show the same instant. Click a view to enlarge it; the section cuts the front view at one crank pin.',
+    ),
+    narrow: message(
+      'You see the moving parts of the engine and nothing else: crankshaft red, rods and pistons grey, cylinder bores as glass. Press a name above it, or swipe on a touch screen, for another view; the front view can be cut at one crank pin.',
     ),
   },
   {
@@ -57,7 +62,7 @@ const STEPS = [
 
 /** The guide "What am I looking at?", which points at one part of the page after the other. */
 export function Guide() {
-  const { guide, host, store, clock, calm } = useApp()
+  const { guide, host, store, clock, calm, roomy } = useApp()
   const card = useRef<HTMLElement>(null)
   const step: Step | undefined = STEPS[guide.value - 1]
   useEffect(() => {
@@ -103,7 +108,7 @@ export function Guide() {
           {t('Close')}
         </button>
       </div>
-      {step ? <p>{t(step.text)}</p> : <Frame />}
+      {step ? <p>{t((!roomy.value && step.narrow) || step.text)}</p> : <Frame />}
       {guide.value === STEPS.length && (
         <Tours
           take={(tour) => {

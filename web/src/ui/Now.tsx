@@ -15,6 +15,7 @@ import {
 import { alike } from './BothOrders'
 import { useApp, useFollower } from './context'
 import { decimalsOf, signedText } from './figures'
+import { Icon } from './icons'
 import { quantityName, TERMS } from './names'
 import { Term } from './Term'
 
@@ -84,6 +85,12 @@ function Numbers({ exhibit, from, name, gas }: Props) {
         {lines.map(([quantity, ...components]) => (
           <div key={quantity}>
             <dt>
+              {!from && store[quantity].value && (
+                // the arrow on the stage that has this colour
+                <span class={`mark ${quantity}`}>
+                  <Icon name={quantity} />
+                </span>
+              )}
               <Term word={TERMS[quantity]}>{quantityName(quantity)}</Term>
               {quantity === 'roll' && <> {gasText(exhibit, gas)}</>}
             </dt>

@@ -70,8 +70,11 @@ export function StageView({
         const another = exhibit !== current
         if (another) stage.show(exhibit)
         current = exhibit
-        // as it is and with weights, this engine and the one beside it: all to one scale
-        const all = new Set([...app.staged.value, ...app.engines.value, ...app.cured.value])
+        // this engine and the one beside it to one scale; where one switches between them, as it is
+        // and with weights too: everywhere else a roll that only shafts leave would make the arrow
+        // of the engine as it is too small to be seen
+        const cured = app.store.tab.value === 'remedies' ? app.cured.value : []
+        const all = new Set([...app.staged.value, ...app.engines.value, ...cured])
         stage.beside(
           [...all].filter((other): other is Exhibit => other != null && other !== current),
         )

@@ -17,8 +17,9 @@ export function Tabs() {
   const strip = useRef<HTMLDivElement>(null)
   const id = useId()
   const there = PANELS.filter(({ when }) => when?.(app) ?? true)
-  const panel =
-    there.find(({ key }) => key === app.store.tab.value) ?? there.find(({ key }) => key === FIRST)
+  const wanted = app.store.tab.value
+  const panel = there.find(({ key }) => key === wanted) ?? there.find(({ key }) => key === FIRST)
+  const missing = panel?.key !== wanted && PANELS.find(({ key }) => key === wanted)
 
   function choose(key: string | undefined): void {
     if (!key) return
@@ -89,6 +90,17 @@ export function Tabs() {
         {panel.key !== 'edit' && app.slips.value > 0 && (
           <p class="doubt" role="status">
             {t('The engine that is edited has mistakes: this is the last one without.')}
+          </p>
+        )}
+        {missing && (
+          <p class="doubt" role="status">
+            {t(
+              'Nothing to show under {panel} for this engine on this page; {shown} is open instead.',
+              {
+                panel: t(missing.label),
+                shown: t(panel.label),
+              },
+            )}
           </p>
         )}
         {panel.of !== 'all' && <EngineChoice />}

@@ -16,6 +16,9 @@ const PATHS = {
   export: 'M12 3v11M8 10l4 4 4-4M5 15v4h14v-4',
   present: 'M4 5h16v11H4zM12 16v4M8 20h8M3 5h18',
   full: 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5',
+  force: 'M3 12h17M14 6l6 6-6 6',
+  couple: 'M7 20V5M3 9l4-4 4 4M17 4v15M13 15l4 4 4-4',
+  roll: 'M4 8a9 9 0 0 1 15 9M22.500 12.500l-3.500 5-5-3.500',
   layers: 'M12 4l9 5-9 5-9-5zM4 13.500l8 4.500 8-4.500',
 } as const
 export type IconName = keyof typeof PATHS

@@ -55,7 +55,7 @@ export function pathOf(
 
 /** How far a label stands from its dot, and how close two may come, across and upright. */
 const AWAY = [0.25, 0.16] as const
-const ROOM = [0.38, 0.17] as const
+const ROOM = [0.45, 0.17] as const
 
 /** The places of labels outside of dots; null for one that would stand on another. */
 export function labelsOf(

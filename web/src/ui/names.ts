@@ -13,6 +13,9 @@ const QUANTITY = {
 /** A quantity as headings and choices name it. */
 export const quantityName = (quantity: Quantity): string => t(QUANTITY[quantity])
 
+/** Subjects of the verdict that say how the engine shakes, and what would cure it. */
+export const SHAKES: readonly string[] = ['force', 'couple', 'roll', 'cure']
+
 /** The term of the glossary that each quantity is. */
 export const TERMS: Readonly<Record<Quantity, string>> = {
   force: 'inertia force',

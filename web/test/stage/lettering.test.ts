@@ -20,6 +20,7 @@ function written(
   height: number,
   camera: (typeof CAMERAS)[number],
   shake: object | null = null,
+  roll = 0,
 ) {
   const texts: { text: string; top: number }[] = []
   const above = { bottom: LETTER, middle: LETTER / 2, top: 0 }
@@ -41,7 +42,7 @@ function written(
     view: { whirl: { magnification: 0, orders: null }, arrows: { force: true } },
     mounted: shake && { shake },
     moved: { up: 0, right: 0, tiltUp: 0, tiltRight: 0, turn: 0 },
-    load: { force: 1, couple: 1 },
+    load: { force: 1, couple: 1, roll },
     arrow: 0.28,
     palette: LIGHT,
     width,
@@ -76,4 +77,17 @@ test('the arrow of the forces of mounts says at which speed they are, or at what
     written(900, 500, 'isometric', { most: 100, ...shake }).map(({ text }) => text)
   expect(texts({ free: false, rpm: 749.6 }).join()).toMatch(/ N {2}Force of a mount at 750 rpm/)
   expect(texts({ free: true, rpm: 0 }).join()).toMatch(/ N {2}Force of a mount at 1 mm/)
+})
+
+test('on a phone the roll has its scale and name too, above the others and within the foot', () => {
+  for (const [width, height] of [
+    [390, 265],
+    [320, 240],
+  ] as const) {
+    const texts = written(width, height, 'isometric', null, 1)
+    const top = (name: string) => texts.find(({ text }) => text.endsWith(name))?.top ?? Number.NaN
+    expect(top('Roll')).toBeGreaterThanOrEqual(height * (1 - footOf(width, height)))
+    expect(top('Force') - top('Roll')).toBeGreaterThanOrEqual(LETTER)
+    expect(top('Couple') - top('Force')).toBeGreaterThanOrEqual(LETTER)
+  }
 })

@@ -78,4 +78,11 @@ test('labels stand outside of their dots, and none on another', () => {
     ['-0.1', '0'],
   ])
   expect([first, second, third]).toEqual([[0.35, 0], null, [-0.35, 0]])
+  // four letters are 0.43 wide: beside each other they would touch
+  expect(
+    labelsOf([
+      ['0.1', '0.9'],
+      ['-0.2', '0.9'],
+    ])[1],
+  ).toBeNull()
 })

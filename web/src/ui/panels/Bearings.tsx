@@ -125,6 +125,13 @@ function Diagrams() {
           />
         ))}
       </div>
+      {largest > 0 && (
+        <p class="soft small">
+          {t(
+            'The outer circle is the greatest of these loads, the inner one half of it. Dots stand every 90° of the crank angle, a black ring where the load is greatest; the red arm is the load at the present crank angle.',
+          )}
+        </p>
+      )}
       {numbers.tables.map((table) => (
         <DataTable key={table.title} table={table} />
       ))}
@@ -180,20 +187,22 @@ function Polar({ load, greatest, bearings, sense, turns, frame, largest }: Props
         <path class="line" d={drawn.path} />
         {load.peak > 0 &&
           drawn.dots.map(([x, y], index) => (
-            <g key={index}>
-              <circle class="dot" cx={x} cy={y} r="0.045" />
-              {labels[index] && (
-                <text x={labels[index][0]} y={labels[index][1]}>
-                  {`${(360 / STEPS) * index}°`}
-                </text>
-              )}
-            </g>
+            <circle key={index} class="dot" cx={x} cy={y} r="0.045" />
           ))}
         {load.peak > 0 && <circle class="peak" cx={peakX} cy={peakY} r="0.075" />}
         <g ref={now} class="now">
           <line x1="0" y1="0" />
           <circle r="0.06" />
         </g>
+        {load.peak > 0 &&
+          labels.map(
+            (place, index) =>
+              place && (
+                <text key={index} x={place[0]} y={place[1]}>
+                  {`${(360 / STEPS) * index}°`}
+                </text>
+              ),
+          )}
       </svg>
     </figure>
   )

@@ -1,7 +1,7 @@
-import { message } from '../../language/messages'
+import { message, t } from '../../language/messages'
 import { typeset } from '../../language/typeset'
 import { useExhibit } from '../context'
-import { Heading } from '../Heading'
+import { SHAKES } from '../names'
 import type { Panel } from '../panel'
 import { Words } from '../Term'
 
@@ -12,19 +12,24 @@ export const verdict: Panel = {
   of: 'each',
 }
 
-/** The sentences of the verdict, by subject. */
+/** The sentences of the verdict, by subject: first what remains and what would cure it. */
 function Verdict() {
   const exhibit = useExhibit()
-  const subjects = [...new Set(exhibit.verdict.map((fact) => fact.about))]
+  const { unverified } = exhibit
+  const isFirst = ({ subject }: { subject: string }): boolean => SHAKES.includes(subject)
+  const facts = [
+    ...exhibit.verdict.filter(isFirst),
+    ...exhibit.verdict.filter((fact) => !isFirst(fact)),
+  ]
+  const subjects = [...new Set(facts.map((fact) => fact.about))]
   return (
     <>
-      <Heading exhibit={exhibit} />
       <dl class="facts">
         {subjects.map((about) => (
           <div key={about}>
             <dt>{about}</dt>
             <dd>
-              {exhibit.verdict
+              {facts
                 .filter((fact) => fact.about === about)
                 .map((fact) => (
                   <p key={fact.sentence}>{typeset(fact.sentence)}</p>
@@ -33,6 +38,9 @@ function Verdict() {
           </div>
         ))}
       </dl>
+      {unverified.length > 0 && (
+        <p class="doubt">{t('Unverified values: {paths}.', { paths: unverified.join(', ') })}</p>
+      )}
       <Words />
     </>
   )
