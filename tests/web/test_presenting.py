@@ -195,3 +195,17 @@ def test_it_prints_one_sheet_and_what_else_is_open(
     red = (drawing[..., 0] > 150) & (drawing[..., 1] < 110) & (drawing[..., 2] < 110)
     assert red.mean() > 0.005  # the crankshaft is on paper
     expect(page.locator(".on-paper")).to_have_count(0)
+
+
+@pytest.mark.many(first=1)
+@pytest.mark.parametrize("width", [1280, 1440, 1024])
+def test_an_audience_needs_not_scroll_the_orders_sideways(
+    width: int, built_page: Build, page: Page
+) -> None:
+    page.set_viewport_size({"width": width, "height": 768})
+    opened(page, built_page("radial-9"), "a=40&present=1")
+    expect(page.get_by_text("The table scrolls sideways")).to_be_hidden()
+    scroller = page.locator(".panel .scroll")
+    assert scroller.evaluate("table => table.scrollWidth - table.clientWidth") <= 0
+    expect(page.locator("table.orders thead th").nth(2)).to_be_visible()
+    assert page.evaluate(LETTERS) >= 16

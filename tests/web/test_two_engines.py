@@ -100,3 +100,14 @@ def test_rows_of_cylinders_and_banks_are_the_forces_of_the_analysis(
         force = expected.pop(name)
         assert [number(up), number(right)] == pytest.approx([force.real, force.imag], abs=1e-3)
     assert not expected
+
+
+def test_a_long_name_above_its_numbers_is_whole_where_there_is_room(
+    built_page: Build, page: Page
+) -> None:
+    page.set_viewport_size({"width": 1440, "height": 900})
+    opened(page, built_page("kr250-racer", "kr250-production"), "a=0")
+    names = page.locator(".now .whose").evaluate_all(
+        "all => all.map(name => name.scrollWidth - name.clientWidth)"
+    )
+    assert names == [0, 0, 0]

@@ -332,3 +332,27 @@ def test_the_star_is_there_before_the_curves_of_the_sliders(
         for route in held:
             route.continue_()
         ready(page)
+
+
+def test_a_link_to_an_unknown_engine_says_so_in_one_sentence(
+    browser: Browser, server: Server
+) -> None:
+    with watched(browser, []) as page:
+        page.goto(f"{server.address}#engine=nonesuch")
+        told = page.get_by_role("alert")
+        told.wait_for()
+        expect(told).to_contain_text(
+            "“nonesuch”, which cannot be shown: there is no such engine in the catalog"
+        )
+        expect(told.locator("code")).to_have_text("crankstar list")
+
+
+def test_a_pin_that_is_dragged_is_not_framed(bench: Page) -> None:
+    pin = bench.locator(".star .pin:not(.fixed)").last
+    pin.scroll_into_view_if_needed()
+    pin.locator(".knob").hover()
+    bench.mouse.down()
+    try:
+        assert pin.evaluate("pin => getComputedStyle(pin).outlineStyle") == "none"
+    finally:
+        bench.mouse.up()

@@ -179,7 +179,7 @@ export function createApp(host: Host): App {
     const reason = answer.problems.map((problem) => problem.message).join(' ')
     trouble.value = packed
       ? reason
-      : t('The link names the engine “{name}”, which cannot be shown. {reason}', {
+      : t('The link names the engine “{name}”, which cannot be shown: {reason}', {
           name: name.slice(0, 60),
           reason,
         })

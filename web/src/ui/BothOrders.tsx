@@ -43,7 +43,7 @@ export function BothOrders({ one, other }: { one: Exhibit; other: Exhibit }) {
         <p class="soft small">{t('Each engine is counted in its own m, r and a.')}</p>
       )}
       <Scroller label={t('Orders of both engines')}>
-        <table class="orders" ref={table}>
+        <table class="orders both" ref={table}>
           <thead>
             <tr>
               <th scope="col">

@@ -69,7 +69,12 @@ export function Header() {
             <p class="about">
               {rotationText(exhibit)}
               {exhibit.speed_rpm !== null && (
-                <> · {t('{speed} rpm', { speed: Number(exhibit.speed_rpm.toPrecision(6)) })}</>
+                <>
+                  {' · '}
+                  <span class="whole">
+                    {t('{speed} rpm', { speed: Number(exhibit.speed_rpm.toPrecision(6)) })}
+                  </span>
+                </>
               )}
               <Estimates exhibit={exhibit} />
             </p>

@@ -1,4 +1,5 @@
 import { useEffect, useRef } from 'preact/hooks'
+import { Coded } from '../coded'
 import { ExportDialog } from '../export/ExportDialog'
 import { language, t } from '../language/messages'
 import type { Stage } from '../stage/stage'
@@ -45,7 +46,7 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
         <Header />
         {trouble.value && (
           <p class="trouble" role="alert">
-            {trouble.value}
+            <Coded text={trouble.value} />
             <button type="button" class="plain" onClick={() => set(trouble, '')}>
               {t('Close')}
             </button>

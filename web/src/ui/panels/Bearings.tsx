@@ -128,7 +128,7 @@ function Diagrams() {
       {largest > 0 && (
         <p class="soft small">
           {t(
-            'The outer circle is the greatest of these loads, the inner one half of it. Dots stand every 90° of the crank angle, a black ring where the load is greatest; the red arm is the load at the present crank angle.',
+            'The outer circle is the greatest of these loads, the inner one half of it. Dots stand every 90° of the crank angle, a ring round the greatest load; the red arm is the load at the present crank angle.',
           )}
         </p>
       )}
