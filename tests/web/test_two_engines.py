@@ -111,3 +111,14 @@ def test_a_long_name_above_its_numbers_is_whole_where_there_is_room(
         "all => all.map(name => name.scrollWidth - name.clientWidth)"
     )
     assert names == [0, 0, 0]
+
+
+def test_numbers_leave_two_engines_room_on_a_low_window(built_page: Build, page: Page) -> None:
+    page.set_viewport_size({"width": 1024, "height": 768})
+    opened(page, built_page("v8-flat-plane", "v8-cross-plane"), "a=0")
+    box = page.locator(".stages").bounding_box()
+    assert box
+    assert box["height"] >= 250
+    last = page.locator(".now .numbers").last
+    last.scroll_into_view_if_needed()
+    expect(last).to_be_in_viewport(ratio=1)

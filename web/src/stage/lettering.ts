@@ -87,7 +87,7 @@ export function write(to: Pen, exhibit: Exhibit, writing: Writing): void {
   const third = writing.load.roll > 0 && width >= NARROW && width < WIDE && kinds.length > 1
   const [foot, step] = width < NARROW || third ? [12, 18] : [20, 22]
   const pixels = pixelsOf(panes[panes.length - 1] ?? first)
-  const beside = sheet ? 12 : 2 * axesAt(to, width) + (width < WIDE ? -6 : 10)
+  const beside = sheet ? 12 : 2 * axesAt(to, width) + (width < WIDE ? 4 : 10)
   let end = 0
   kinds.forEach((kind, above) => {
     const { units } = exhibit

@@ -5,7 +5,7 @@ import { t } from '../language/messages'
 import { typeset } from '../language/typeset'
 import { QUANTITIES } from '../state'
 import { Shared } from './context'
-import { quantityName, unitOf } from './names'
+import { judged, quantityName, unitOf } from './names'
 
 /** Puts the sheet below the drawing while the page is printed. Returns what ends it. */
 export function printing(app: App, page: HTMLElement | null): () => void {
@@ -52,14 +52,12 @@ function Sheet({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
       <div class="judged">
         {named && <h2>{exhibit.name}</h2>}
         <dl class="verdict">
-          {[...new Set(exhibit.verdict.map(({ about }) => about))].map((about) => (
+          {judged(exhibit).map(([about, facts]) => (
             <div key={about}>
               <dt>{about}</dt>
-              {exhibit.verdict
-                .filter((fact) => fact.about === about)
-                .map(({ sentence }) => (
-                  <dd key={sentence}>{typeset(sentence)}</dd>
-                ))}
+              {facts.map(({ sentence }) => (
+                <dd key={sentence}>{typeset(sentence)}</dd>
+              ))}
             </div>
           ))}
         </dl>
@@ -93,10 +91,10 @@ function OrderTable({ exhibit }: { exhibit: Exhibit }) {
             <td>{row.label}</td>
             <td>{row.path}</td>
             <td class="right">
-              {row.greatest} {unitOf(exhibit, row.quantity)}
+              {typeset(row.greatest)} {unitOf(exhibit, row.quantity)}
             </td>
-            <td>{row.up}</td>
-            <td>{row.right}</td>
+            <td>{typeset(row.up)}</td>
+            <td>{typeset(row.right)}</td>
           </tr>
         ))}
       </tbody>

@@ -1,4 +1,4 @@
-import type { Exhibit, Row } from '../exhibit'
+import type { Exhibit, Fact, Row } from '../exhibit'
 import { message, t } from '../language/messages'
 
 type Quantity = Row['quantity']
@@ -15,6 +15,14 @@ export const quantityName = (quantity: Quantity): string => t(QUANTITY[quantity]
 
 /** Subjects of the verdict that say how the engine shakes, and what would cure it. */
 export const SHAKES: readonly string[] = ['force', 'couple', 'roll', 'cure']
+
+/** The verdict by what it is about: first what remains and what would cure it. */
+export function judged({ verdict }: Exhibit): readonly (readonly [string, readonly Fact[]])[] {
+  const isFirst = ({ subject }: Fact): boolean => SHAKES.includes(subject)
+  const facts = [...verdict.filter(isFirst), ...verdict.filter((fact) => !isFirst(fact))]
+  const subjects = [...new Set(facts.map(({ about }) => about))]
+  return subjects.map((subject) => [subject, facts.filter(({ about }) => about === subject)])
+}
 
 /** The term of the glossary that each quantity is. */
 export const TERMS: Readonly<Record<Quantity, string>> = {

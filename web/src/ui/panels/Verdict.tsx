@@ -1,7 +1,7 @@
 import { message, t } from '../../language/messages'
 import { typeset } from '../../language/typeset'
 import { useExhibit } from '../context'
-import { SHAKES } from '../names'
+import { judged } from '../names'
 import type { Panel } from '../panel'
 import { Words } from '../Term'
 
@@ -16,24 +16,16 @@ export const verdict: Panel = {
 function Verdict() {
   const exhibit = useExhibit()
   const { unverified } = exhibit
-  const isFirst = ({ subject }: { subject: string }): boolean => SHAKES.includes(subject)
-  const facts = [
-    ...exhibit.verdict.filter(isFirst),
-    ...exhibit.verdict.filter((fact) => !isFirst(fact)),
-  ]
-  const subjects = [...new Set(facts.map((fact) => fact.about))]
   return (
     <>
       <dl class="facts">
-        {subjects.map((about) => (
+        {judged(exhibit).map(([about, facts]) => (
           <div key={about}>
             <dt>{about}</dt>
             <dd>
-              {facts
-                .filter((fact) => fact.about === about)
-                .map((fact) => (
-                  <p key={fact.sentence}>{typeset(fact.sentence)}</p>
-                ))}
+              {facts.map(({ sentence }) => (
+                <p key={sentence}>{typeset(sentence)}</p>
+              ))}
             </dd>
           </div>
         ))}
