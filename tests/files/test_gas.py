@@ -231,7 +231,7 @@ def test_a_motored_engine_gives_nothing_and_has_no_half_orders(run: Run) -> None
         (("--imep", "10 bar", "--bmep", "9 bar"), "both say"),
         (("--imep", "-3 bar"), "greater than 0"),
         (("--imep", "0.1 bar", "--set", "gas.intake_pressure=1.5 bar"), "without any combustion"),
-        (("--point", "idle"), "no operating point"),
+        (("--point", "idle"), "no operating point idle: its file has no [[gas.point]]"),
         (("--flywheel", "1 m"), "moment of inertia"),
         (("--flywheel", "0.1 kg*m^2"), "reciprocating_mass"),
         (("--orders", "24.5"), "orders up to 24"),

@@ -204,7 +204,8 @@ def test_an_engine_of_which_nothing_is_left_has_a_chart_that_says_so() -> None:
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (["--speeds", "600..6000"], "has no unit"),
+        (["--speeds", "600..6000"], "--speeds 600..6000: speed has no unit"),
+        (["--speeds", "-6..6 rpm"], "--speeds -6..6 rpm: the speed is -6 rpm"),
         (["--speeds", "600..6000 mm"], "a rotational speed is needed"),
         (["--speeds", "6000 rpm"], "this is one value"),
         (["--speeds", "6000..600 rpm by 200"], "write by -200"),

@@ -128,6 +128,15 @@ def agrees(about: SequenceQuestion) -> None:
     assert np.allclose(ours, theirs, rtol=0, atol=1e-8)
 
 
+@pytest.mark.parametrize(
+    ("name", "goals"),
+    [("i2-360", ["twist"]), ("i4", ["M1", "twist"]), ("i6", ["M1", "M2", "twist"])],
+)
+def test_without_goals_couples_that_are_alike_are_none(name: str, goals: list[str]) -> None:
+    asked = sequences_of(load(name), SearchWords(), SequenceWords(crank_orders="0.5"))
+    assert [goal.name for goal in asked.question.goals] == goals
+
+
 @pytest.mark.parametrize(("cylinders", "bank"), SHAFTS)
 def test_stars_times_sequences_are_all_orders_that_fit(cylinders: int, bank: float) -> None:
     shaft = shaft_of(cylinders, bank_angle_deg=bank or None)

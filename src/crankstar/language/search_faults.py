@@ -165,6 +165,14 @@ SENTENCES: dict[str, str | Plural] = {
     "alike-throws": N_(
         "{name} is the same for every star, because the throws are evenly spaced; leave it out."
     ),
+    "family-alike-order": N_(
+        "{name} is the same for every star of {cylinders} cylinders, because all throws are in "
+        "phase in this order; leave it out, or leave this number out of {numbers}."
+    ),
+    "family-alike-throws": N_(
+        "{name} is the same for every star of {cylinders} cylinders, because the throws are evenly "
+        "spaced; leave it out, or leave this number out of {numbers}."
+    ),
     "weight": N_("{given}: the weight must be a number above 0, as in 2*M2."),
     "named-twice": N_("{name} is named {count} times; once is enough."),
     "none-named": N_("Name at least one quantity, as in M1,M2."),

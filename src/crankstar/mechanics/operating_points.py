@@ -78,11 +78,17 @@ def resolved(
     point = point or default_point(gas)
     if point:
         known = {each.name: each for each in gas.points}
+        if not known:
+            raise GasError(
+                "the engine has no operating point {point}: its file has no [[gas.point]]; leave "
+                "it out",
+                point=point,
+            )
         if point not in known:
             raise GasError(
                 "the engine has no operating point {point}; it has: {points}",
                 point=point,
-                points=", ".join(known) or "-",
+                points=", ".join(known),
             )
         layers.append(_given(known[point]))
     layers.append({name: value for name, value in (load or {}).items() if value is not None})

@@ -107,6 +107,14 @@ def chain_drive(text: str | None, engine: Engine, numbers: Sequence[int]) -> Cha
     value = request.places("--chain-drive", [wider], [POSITION], engine, example)[0]
     if value <= 0:
         raise request.not_positive("--chain-drive", wider, POSITION)
+    if int(count) < LEAST:
+        raise refusal(
+            "--chain-drive",
+            text,
+            "before the colon stands from how many cylinders up; give {least} or more, as in "
+            '"9: 600 mm"',
+            least=LEAST,
+        )
     if int(count) > max(numbers):
         raise refusal(
             "--chain-drive",

@@ -168,7 +168,7 @@ class _Asked:
         self.shape = shape_of(self.shaft, given)
 
     def goals(self) -> list[Goal]:
-        """The goals, by default the first two couples that are not balanced, and the twist."""
+        """The goals, by default those of the first two couples that differ, and the twist."""
         out: list[Goal] = []
         names = listed(self.words.minimise or "") or list(USUAL_GOALS)
         for name in names:
@@ -177,8 +177,10 @@ class _Asked:
                     out.append(self._twist() if name == TWIST else NEIGHBOURS)
                     continue
                 one = self._sum(name)
-                if self.words.minimise is not None or one.scale > NOTHING:
-                    self._varies(one)
+                alike = self._alike(one)
+                if alike and self.words.minimise is not None:
+                    raise error("", alike, name=one.name)
+                if not alike:
                     out.append(Goal(one.name, (one,)))
         if TWIST not in names and self.more.crank_orders is not None:
             self.faults.add("orders", "orders-unused")
@@ -246,11 +248,12 @@ class _Asked:
             raise error("", "half-order", name=name)
         return (force if wanted.kind == "F" else couple)(self.shaft, int(wanted.order))
 
-    def _varies(self, one: OrderSum) -> None:
-        """Raises SearchError where a sum is the same for every star."""
+    def _alike(self, one: OrderSum) -> str:
+        """The fault of a sum that is the same for every star; empty where it differs."""
         if one.scale < NOTHING:
-            raise error("", "goal-balanced", name=one.name)
+            return "goal-balanced"
         if one.kind != "T" and one.order % self.shaft.classes == 0:
-            raise error("", "alike-order", name=one.name)
+            return "alike-order"
         if one.kind == "F" and (self.shaft.rods == 1 or self.shaft.room == 1):
-            raise error("", "alike-throws", name=one.name)
+            return "alike-throws"
+        return ""

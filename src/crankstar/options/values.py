@@ -164,9 +164,13 @@ def speeds(text: str) -> list[float]:
 
     from crankstar.studies.ranges import speeds_request
     from crankstar.studies.study import rad_per_s
+    from crankstar.studies.variants import SweepError
 
     asked = speeds_request(text)
-    return rad_per_s(np.array(asked.values), asked.unit).tolist()
+    try:
+        return rad_per_s(np.array(asked.values), asked.unit).tolist()
+    except SweepError as error:
+        raise SweepError(f"--speeds {one_line(text, longest=100)}: {error}") from None
 
 
 def single(option: str, texts: Sequence[str] | None) -> str | None:

@@ -22,11 +22,13 @@ import numpy as np
 from crankstar.engine.copies import with_values, wrapped
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Throw
+from crankstar.language.faults import Fault
 from crankstar.language.messages import _
 from crankstar.mechanics.guide_moments import MarineError
 from crankstar.remedy.end_weights import NothingToShareError
 from crankstar.search.answer import answer_to
 from crankstar.search.engine_stars import star_of, stars_of, with_star
+from crankstar.search.faults import SearchError
 from crankstar.search.options import SearchOptions, search_for
 from crankstar.search.question import Best
 from crankstar.search.stars import Star, Stars
@@ -37,6 +39,8 @@ from crankstar.studies.published_orders import Published, backwards
 LEAST, MOST = 2, 14
 """Numbers of cylinders of a family; of more the search takes long."""
 Chosen = Literal["best", "given", "published"]
+OF_FAMILY = {"alike-order": "family-alike-order", "alike-throws": "family-alike-throws"}
+"""Faults of one search, and of the same search among others."""
 
 
 @dataclass(frozen=True)
@@ -226,7 +230,12 @@ def _best(
     """
     asked = SearchOptions(ask=Best(1)) if options is None else options
     pace = engine.speed if speed is None else speed
-    rows = answer_to(search_for(engine, asked, speed=pace).question).rows
+    try:
+        question = search_for(engine, asked, speed=pace).question
+    except SearchError as error:
+        count = len(engine.cylinders)
+        raise SearchError([_of_family(fault, count) for fault in error.faults]) from None
+    rows = answer_to(question).rows
     if not rows:
         return None
     stars = stars_of(engine)
@@ -236,6 +245,14 @@ def _best(
         if own is not None and _from_first(own, stars) in alike:
             return one
     return with_values(with_star(engine, stars, rows[0].star), name=engine.name)
+
+
+def _of_family(fault: Fault, cylinders: int) -> Fault:
+    """A fault that hangs on the number of cylinders, which it then names."""
+    code = OF_FAMILY.get(fault.code)
+    if code is None:
+        return fault
+    return fault._replace(code=code, values={**fault.values, "cylinders": cylinders})
 
 
 def _from_first(star: Star, stars: Stars) -> Star:
