@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import csv
+import datetime
 import io
 import json
+import zipfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import openpyxl
 import pytest
@@ -215,3 +218,65 @@ def test_engine_files_never_replace_what_is_read(refused: Refused, tmp_path: Pat
     several = ("--engines", "2", "--engine-file", "e.toml")
     assert "would be lost" in refused("match", "e-1.toml", "w.csv", *several)
     assert (tmp_path / "e-1.toml").read_text(encoding="utf-8") == before
+
+
+def book_of(tmp_path: Path, **cells: Any) -> openpyxl.Workbook:
+    """The list as a spreadsheet, saved as w.xlsx, some of its cells others."""
+    book = openpyxl.Workbook()
+    page = book.worksheets[0]
+    for line in LIST.splitlines():
+        row = [cell.strip() for cell in line.split(",")]
+        page.append([float(c) if c[0].isdigit() else c for c in row])
+    for place, value in cells.items():
+        page[place] = value
+    book.save(tmp_path / "w.xlsx")
+    return book
+
+
+@pytest.mark.parametrize(
+    ("cells", "told"),
+    [
+        ({"B3": "=410+0"}, "B3 is a formula without a stored value"),
+        ({"B3": "#N/A"}, 'B3 is "#N/A", an error of a formula'),
+        ({"A3": "#REF!"}, 'A3 is "#REF!", an error of a formula'),
+        ({"B3": datetime.datetime(2024, 1, 2)}, 'line 3, column "piston [g]" is a date'),
+        ({"A1": None}, "line 1: column 1 has values and no heading"),
+    ],
+)
+def test_a_cell_that_holds_no_value_is_named(
+    refused: Refused, tmp_path: Path, cells: dict[str, object], told: str
+) -> None:
+    book_of(tmp_path, **cells)
+    assert told in " ".join(refused("match", "triple.toml", "w.xlsx").split())
+
+
+def test_the_sheet_that_is_shown_and_has_rows_is_read(run: Run, tmp_path: Path) -> None:
+    book = book_of(tmp_path)
+    wrong = book.create_sheet("wrong", 0)
+    for row in book.worksheets[1].iter_rows(values_only=True):
+        wrong.append([2 * cell if isinstance(cell, float) else cell for cell in row])
+    wrong.sheet_state = "hidden"
+    book.create_sheet("nothing", 0)
+    book.save(tmp_path / "w.xlsx")
+    found = run("match", "triple.toml", "w.xlsx", "--csv")
+    assert found.out == run("match", "triple.toml", "w.csv", "--csv").out
+
+
+def test_a_sheet_with_something_else_is_called_by_its_name(
+    refused: Refused, tmp_path: Path
+) -> None:
+    book = book_of(tmp_path)
+    notes = book.create_sheet("Notes", 0)
+    notes.append(["Weights of batch 7"])
+    notes.append(["as weighed"])
+    book.save(tmp_path / "w.xlsx")
+    assert "w.xlsx (Notes): 1 mistake" in refused("match", "triple.toml", "w.xlsx")
+
+
+def test_a_spreadsheet_that_unpacks_to_more_is_not_unpacked(
+    refused: Refused, tmp_path: Path
+) -> None:
+    book_of(tmp_path)
+    with zipfile.ZipFile(tmp_path / "w.xlsx", "a", zipfile.ZIP_DEFLATED) as packed:
+        packed.writestr("xl/more.xml", b" " * 31_000_000)
+    assert "larger than 30 MB" in refused("match", "triple.toml", "w.xlsx")

@@ -6,6 +6,7 @@ line and column, what is wrong with a heading once and not in every row.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from math import nan
@@ -16,6 +17,9 @@ from crankstar.files.lists import NUMBER, UNIT, Listed, Mistake, Row, key_of, re
 from crankstar.language.faults import ValueFaultError, sentence
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line, seen
+
+DATE = re.compile(r"\d{4}-\d\d-\d\d([ T]\d\d:\d\d:\d\d(\.\d+)?)?|\d\d:\d\d:\d\d(\.\d+)?")
+"""A date or a time, which a spreadsheet makes of a number it takes for one."""
 
 
 class Columns:
@@ -108,6 +112,8 @@ class Columns:
         text = self.text(row, name)
         if NUMBER.fullmatch(text):
             return float(text)
+        if self._is_date(row, name, text):
+            return nan
         self.refuse(row, name, _("{text} is no number", text=seen(text)))
         return nan
 
@@ -116,6 +122,8 @@ class Columns:
         if name not in self:
             return nan
         text, unit = self.text(row, name), self.unit(name) or usual
+        if self._is_date(row, name, text):
+            return nan
         bare = NUMBER.fullmatch(text) is not None
         if bare and not unit:
             example = units.unit_of(quantity.example)
@@ -133,6 +141,14 @@ class Columns:
         except ValueFaultError as error:
             self.mistakes.append(Mistake(row.line, error.at(self.place(row, name))))
             return nan
+
+    def _is_date(self, row: Row, name: str, text: str) -> bool:
+        """Whether a date stands where a number is wanted; it is noted then."""
+        if DATE.fullmatch(text) is None:
+            return False
+        told = sentence("cell.date", {}, place=self.place(row, name))
+        self.mistakes.append(Mistake(row.line, told))
+        return True
 
     def _measures(self, name: str, unit: str, quantity: Quantity) -> bool:
         """Whether the unit of a heading is one of the quantity; else it is noted."""
@@ -165,7 +181,15 @@ class Columns:
         for place, (key, head) in enumerate(zip(keys, heads, strict=True)):
             if not key and not any(row.cells[place] for row in self.rows):
                 continue
-            if key not in known:
+            if not head.strip():
+                told = _(
+                    "line {line}: column {column} has values and no heading; name it, or leave it "
+                    "out",
+                    line=self.listed.line,
+                    column=place + 1,
+                )
+                self.mistakes.append(Mistake(self.listed.line, told))
+            elif key not in known:
                 self._refuse_unknown(head, known)
             elif known[key] not in found:
                 found[known[key]] = place

@@ -21,16 +21,19 @@ from typing import Any, NamedTuple
 
 from crankstar.files.errors import on_one_screen
 from crankstar.files.kinds import kind_of
-from crankstar.files.workbook import PROTECTED, UNREADABLE, ZIP
+from crankstar.files.workbook import GREATEST_UNPACKED, PROTECTED, UNREADABLE, ZIP, unpacked_size
+from crankstar.language.faults import sentence
 from crankstar.language.file_faults import KINDS
 from crankstar.language.messages import MessageError, _
-from crankstar.language.quoting import one_line
+from crankstar.language.quoting import one_line, seen
 
 GREATEST_LIST = 5_000_000
 """Bytes."""
-GREATEST_ROWS = 10_000
+GREATEST_ROWS, GREATEST_COLUMNS = 10_000, 64
 UNIT = re.compile(r"\s*[\[(]([^\])]*)[\])]\s*$")
 """The unit behind a heading."""
+ERROR = re.compile(r"#(?:N/A|REF!|NAME\?|DIV/0!|VALUE!|NUM!|NULL!)")
+"""What a spreadsheet shows for an error of a formula."""
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
@@ -92,7 +95,7 @@ def key_of(head: str) -> str:
 
 
 def read_list(place: str) -> Listed:
-    """The list in a CSV file, or in the first sheet of a spreadsheet. Raises ListError."""
+    """The list in a CSV file, or in the first full sheet of a spreadsheet. Raises ListError."""
     name = one_line(Path(place).name or place, longest=80)
     try:
         with Path(place).open("rb") as opened:
@@ -112,7 +115,8 @@ def read_list(place: str) -> Listed:
             greatest=GREATEST_LIST // 1_000_000,
         )
     if raw[:4] in (ZIP, PROTECTED):
-        return _listed(_of_spreadsheet(raw, name), name)
+        told, rows = _of_spreadsheet(raw, name)
+        return _listed(rows, told)
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -149,8 +153,11 @@ def list_of(text: str, *, name: str) -> Listed:
     return _listed(rows, name)
 
 
-def _of_spreadsheet(raw: bytes, name: str) -> list[Row]:
-    """The rows of the first sheet of a spreadsheet. Raises ListError."""
+def _of_spreadsheet(raw: bytes, name: str) -> tuple[str, list[Row]]:
+    """The name and the rows of the first sheet of a spreadsheet that is shown and has any.
+
+    Raises ListError.
+    """
     try:
         from openpyxl import load_workbook
     except ImportError:
@@ -159,23 +166,79 @@ def _of_spreadsheet(raw: bytes, name: str) -> list[Row]:
             '[spreadsheet]", or save the list as CSV',
             file=name,
         ) from None
+    check_unpacked(raw, name)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            page: Any = load_workbook(io.BytesIO(raw), data_only=True).worksheets[0]
-            cells = list(page.iter_rows(max_row=GREATEST_ROWS + 2, max_col=64, values_only=True))
+            page, several = _page(load_workbook(io.BytesIO(raw)))
+            lines, stored = list(_cells(page)), page
+            if any(cell.data_type == "f" for line in lines for cell in line):
+                stored = load_workbook(io.BytesIO(raw), data_only=True)[page.title]
+            told = f"{name} ({one_line(page.title, longest=40)})" if several else name
+            found = [_row(line, stored) for line in lines]
     except UNREADABLE:
         raise ListError("{file} is no spreadsheet that can be read", file=name) from None
-    rows = [
-        Row(line, tuple("" if cell is None else str(cell).strip() for cell in row))
-        for line, row in enumerate(cells, 1)
-    ]
-    kept = [replace(row, cells=_trimmed(row.cells)) for row in rows if any(row.cells)]
-    return [row for row in kept if not row.cells[0].startswith("#")]
+    if mistakes := [each for _row_read, told_of in found for each in told_of]:
+        raise refused_list(told, mistakes)
+    return told, [row for row, _none in found if row is not None]
+
+
+def check_unpacked(raw: bytes, name: str) -> None:
+    """Refuse a spreadsheet that is far larger than it looks. Raises ListError."""
+    if unpacked_size(raw) > GREATEST_UNPACKED:
+        raise ListError(
+            "{file} is larger than {greatest} MB; give one list alone",
+            file=name,
+            greatest=GREATEST_UNPACKED // 1_000_000,
+        )
+
+
+def _page(book: Any) -> tuple[Any, bool]:
+    """The first sheet that is shown and has something in it, and whether there are several."""
+    shown = [page for page in book.worksheets if page.sheet_state == "visible"] or book.worksheets
+    full = [page for page in shown if page.max_row > 1 or page.max_column > 1]
+    return (full or shown)[0], len(shown) > 1
+
+
+def _cells(page: Any) -> Any:
+    """The rows of a sheet, no more than are read."""
+    most = min(page.max_row, GREATEST_ROWS + 2)
+    return page.iter_rows(max_row=most, max_col=min(page.max_column, GREATEST_COLUMNS))
+
+
+def _row(cells: Sequence[Any], stored: Any) -> tuple[Row | None, list[Mistake]]:
+    """A row of a sheet, formulas as their stored values; none where it is empty or a remark.
+
+    Its mistakes are formulas without a value, and errors of formulas.
+    """
+    words: list[str] = []
+    mistakes: list[Mistake] = []
+    line = cells[0].row
+    for cell in cells:
+        value = cell.value if cell.data_type != "f" else stored[cell.coordinate].value
+        code = "cell.formula" if cell.data_type == "f" and value is None else ""
+        if isinstance(value, str) and ERROR.fullmatch(value):
+            code = "cell.error"
+        if code:
+            told = sentence(code, {"value": seen(str(value))}, place=cell.coordinate)
+            mistakes.append(Mistake(line, told))
+        words.append(_text(value))
+    if not any(words) and not mistakes:
+        return None, []
+    if words[0].startswith("#") and not ERROR.fullmatch(words[0]):
+        return None, []
+    return Row(line, _trimmed(tuple(words))), mistakes
+
+
+def _text(value: Any) -> str:
+    """What a cell of a sheet shows; midnight is left out of a date."""
+    if value is None:
+        return ""
+    return str(value).strip().removesuffix(" 00:00:00")
 
 
 def _trimmed(cells: tuple[str, ...]) -> tuple[str, ...]:
-    last = max(place for place, cell in enumerate(cells) if cell)
+    last = max((place for place, cell in enumerate(cells) if cell), default=0)
     return cells[: last + 1]
 
 

@@ -109,14 +109,26 @@ def workbook_tree(raw: bytes, name: str) -> SpreadsheetTree:
 def _unpackable(raw: bytes, name: str) -> None:
     """Refuse what is no spreadsheet, and what is far larger than it looks."""
     try:
-        with zipfile.ZipFile(io.BytesIO(raw)) as packed:
-            entries = packed.infolist()
+        entries = _entries(raw)
     except UNREADABLE:
         raise refused(name, "not-spreadsheet") from None
-    if sum(entry.file_size for entry in entries) > GREATEST_UNPACKED or len(entries) > 1000:
+    if unpacked_size(raw) > GREATEST_UNPACKED or len(entries) > 1000:
         raise refused(name, "spreadsheet-large", greatest=GREATEST_UNPACKED // 1_000_000)
     if not {PurePosixPath(entry.filename).name for entry in entries} >= PARTS:
         raise refused(name, "not-spreadsheet")
+
+
+def unpacked_size(raw: bytes) -> int:
+    """Bytes that a spreadsheet says it has when it is unpacked; 0 where it is none."""
+    try:
+        return sum(entry.file_size for entry in _entries(raw))
+    except UNREADABLE:
+        return 0
+
+
+def _entries(raw: bytes) -> list[zipfile.ZipInfo]:
+    with zipfile.ZipFile(io.BytesIO(raw)) as packed:
+        return packed.infolist()
 
 
 def _pages(raw: bytes, name: str, *, values: bool) -> dict[str, Any]:
