@@ -163,7 +163,7 @@ def test_a_fault_that_cannot_be_is_one_sentence(
     ("old", "new", "told"),
     [
         ("order, up", "ordr, up", 'the column "ordr" is not known; "order" is'),
-        ("phase [deg]", "", 'the column "" is not known'),
+        ("phase [deg]", "", "column 7 has values and no heading"),
         ("direction, ", "serial, ", 'the column "serial" is not known'),
         ("\n0.5, ", "\n0, ", 'line 2, column "order": give an order above 0'),
         ("\n0.5, ", "\n0.4, ", 'line 2, column "order": order 0.4 does not occur'),
@@ -180,6 +180,20 @@ def test_a_mistake_in_a_measurement_is_told_with_its_place(
     text = (tmp_path / "lost.csv").read_text(encoding="utf-8").replace(old, new, 1)
     (tmp_path / "bad.csv").write_text(text, encoding="utf-8")
     assert told in " ".join(refused("diagnose", "four.toml", "bad.csv").split())
+
+
+def test_two_values_before_of_one_place_are_not_chosen_from(
+    refused: Refused, tmp_path: Path
+) -> None:
+    text = (tmp_path / "lost.csv").read_text(encoding="utf-8")
+    head, first, rest = text.split("\n", 2)
+    order, *cells, amplitude, phase = first.split(",")
+    other = ",".join([order, *cells, f" {2 * float(amplitude) + 1}", phase])
+    (tmp_path / "before.csv").write_text("\n".join([head, first, other, rest]), encoding="utf-8")
+    asked = ("diagnose", "four.toml", "lost.csv", "--before")
+    assert "line 3 of the measurement before has" in " ".join(refused(*asked, "before.csv").split())
+    assert '--before "": it is empty' in refused(*asked, "")
+    assert "name of a list is empty" in refused("diagnose", "four.toml", "")
 
 
 def test_a_fault_that_none_of_the_orders_has_is_told_in_a_sentence(run: Run) -> None:

@@ -402,6 +402,7 @@ def test_bearing_loads_are_told_and_drawn_where_they_are_asked_for(
         (("i4", "--seed", "-1"), "--seed -1"),
         (("i4", "--distribution", "flat"), "normal, uniform"),
         (("i4", "--quantity", "noise"), "--quantity noise"),
+        (("i4", "--quantity", "force,bearing", "--reference", "0"), "--reference has no effect"),
         (("i4", "--orders", "-1"), "--orders"),
         (("i4", "--orders", "0.5,2"), "order 0.5 does not occur in"),
         (("i4", "--set", "cylinder.rotating_mass=0.5 +- 2 g"), "cylinder.rotating_mass"),

@@ -40,7 +40,7 @@ FILES = ("--before", "--beside", "--checkpoint", "--engine-file", "--output", "-
 """Options that take a file."""
 WRITTEN = ("-o", "--output", "--engine-file", "--save")
 """Options that take a file which is written."""
-NAMING = (*WRITTEN, "--point")
+NAMING = (*WRITTEN, "--before", "--point")
 """Options that name something, which an empty text does not."""
 LANGUAGE = ("--language", "--lang")
 """The option of the language, and its short name."""

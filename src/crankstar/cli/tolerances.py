@@ -34,6 +34,9 @@ from crankstar.options.values import RequestError
 if TYPE_CHECKING:
     from crankstar.studies.scatter import Scatter
 
+ABOUT_A_POINT = ("couple", "roll")
+"""Quantities that hang on the point of reference."""
+
 
 def tolerance(
     engine: EngineName,
@@ -144,6 +147,8 @@ def _scattered(
         partial(choice, "--distribution", distribution, [*DEVIATION]),
     )
     names = _signals(quantity)
+    if names and not any(name.startswith(ABOUT_A_POINT) for name in names):
+        request.refuse_unused({"--reference": reference}, beside=f"--quantity {','.join(names)}")
     own = engine_of(tree, name=shown, changes=turned)
     tree = changed(tree, turned, name=shown)
     point = None if reference is None else request.reference(reference, own)

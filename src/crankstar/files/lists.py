@@ -97,6 +97,8 @@ def key_of(head: str) -> str:
 def read_list(place: str) -> Listed:
     """The list in a CSV file, or in the first full sheet of a spreadsheet. Raises ListError."""
     name = one_line(Path(place).name or place, longest=80)
+    if not place.strip():
+        raise ListError("the name of a list is empty; name a CSV file or a spreadsheet")
     try:
         with Path(place).open("rb") as opened:
             raw = opened.read(GREATEST_LIST + 1)

@@ -272,7 +272,15 @@ def diagnosed(
 
 def _matching(readings: Sequence[Reading], before: Sequence[Reading]) -> Complex:
     """What was measured before in the same places and orders. Raises DiagnosisError."""
-    known_before = {(e.order, e.place, e.axis, e.speed): e.velocity for e in before}
+    known_before: dict[tuple[object, ...], complex] = {}
+    for each in before:
+        key = (each.order, each.place, each.axis, each.speed)
+        if known_before.setdefault(key, each.velocity) != each.velocity:
+            raise DiagnosisError(
+                "line {line} of the measurement before has another value than a line above it in "
+                "the same place, direction, order and speed; leave one out",
+                line=each.line,
+            )
     out: list[complex] = []
     for each in readings:
         key = (each.order, each.place, each.axis, each.speed)
