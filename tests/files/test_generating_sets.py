@@ -187,3 +187,14 @@ def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
     words = [word for pair in wrong.items() for word in pair]
     told = run("genset", written(tmp_path), *words).err
     assert [option for option in wrong if option not in told] == []
+
+
+def test_a_small_number_beside_great_ones_of_other_units_has_its_range(run: Run) -> None:
+    asked = ("--flywheel", "10 kg*m^2", "--estimate", "--json")
+    rows = json.loads(run("genset", "napier-deltic", *asked).out)["running"]
+    ends = {row["quantity"]: (row.get("value_low"), row.get("value_high")) for row in rows}
+    parts = [1 / each for each in ends["one_part_in"]]
+    assert ends["irregularity"][0] <= min(parts) < max(parts)
+    assert ends["irregularity"][1] == pytest.approx(max(parts))
+    assert ends["ahead"][0] < ends["ahead"][1]
+    assert ends["speed"] == (None, None)

@@ -11,6 +11,7 @@
 | `spreadsheet` | a Document as a spreadsheet (.xlsx) |
 | `arrow` | a Table as an Apache Arrow table |
 | `hulls` | how far convex hulls of amplitudes are from zero |
+| `tops` | what is great in a table, beside which a difference is rounding |
 | `ranges` | analyses of estimated engines: each number with its range |
 | `estimates` | what `estimate` fills in |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |

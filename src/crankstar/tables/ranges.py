@@ -33,6 +33,7 @@ from crankstar.language.messages import _, passage
 from crankstar.tables.cells import rough
 from crankstar.tables.hulls import distances, greatest_sum
 from crankstar.tables.table import Column, Document, Ranged, Remarks, Table, Value, remarks
+from crankstar.tables.tops import tops
 
 SAME = 1e-7
 """Share of the greatest value of a column below which values are the same."""
@@ -270,7 +271,7 @@ def _tables(table: Table, others: Sequence[Table]) -> Table:
         if name not in own and _has_numbers(row)
     }
     nought = {name: tuple(map(_zero, table.columns, row)) for name, row in missing.items()}
-    tops = [_top(table, others, place) for place in range(len(table.columns))]
+    measures = tops(table, others)
     rows: list[tuple[Value, ...]] = []
     for name, row in {**own, **nought}.items():
         like = [lookup.get(name, _absent(table.columns, row)) for lookup in lookups]
@@ -280,7 +281,7 @@ def _tables(table: Table, others: Sequence[Table]) -> Table:
                     table.columns[place],
                     value,
                     [other[place] if place < len(other) else None for other in like],
-                    tops[place],
+                    measures[place](row),
                 )
                 for place, value in enumerate(row)
             )
@@ -324,12 +325,6 @@ def _zero(column: Column, value: Value) -> Value:
     if column.label or not isinstance(value, int | float | complex):
         return value
     return 0j if isinstance(value, complex) else 0.0
-
-
-def _top(table: Table, others: Sequence[Table], place: int) -> float:
-    """The greatest number of a column."""
-    cells = [row[place] for each in (table, *others) for row in each.rows if place < len(row)]
-    return max((abs(c) for c in cells if isinstance(c, int | float | complex)), default=0.0)
 
 
 def _cell(column: Column, value: Value, others: Sequence[Value], top: float) -> Value:
