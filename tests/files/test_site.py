@@ -32,7 +32,7 @@ def test_a_site_of_one_engine_has_its_page_and_may_be_written_again(
 def site_of(name: str, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A site of an engine without its pictures, which take longest."""
 
-    def quick(subject: pages.Subject, folder: Path, _script: str) -> None:
+    def quick(subject: pages.Subject, folder: Path, _scripts: pages.Scripts) -> None:
         pages.write(folder, pages.page_of(subject.name), name.encode())
 
     monkeypatch.setattr(building, "_engine", quick)
@@ -115,9 +115,14 @@ def test_what_is_no_engine_is_refused_before_anything_is_written(
     assert [*tmp_path.iterdir()] == []
 
 
-@pytest.mark.parametrize("error", [KeyboardInterrupt, OSError])
+@pytest.mark.parametrize(
+    ("error", "told"), [(KeyboardInterrupt, KeyboardInterrupt), (OSError, building.SiteError)]
+)
 def test_a_site_that_fails_half_way_leaves_the_old_one_and_nothing_else(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: type[BaseException]
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    error: type[BaseException],
+    told: type[BaseException],
 ) -> None:
     place = tmp_path / "site"
     place.mkdir()
@@ -130,7 +135,7 @@ def test_a_site_that_fails_half_way_leaves_the_old_one_and_nothing_else(
     monkeypatch.setattr(building, "_engine", failing)
     monkeypatch.setattr(building, "PROCESSES", 1)
     subjects = [pages.Subject("i4", pages_tree("i4"), "i4")]
-    with pytest.raises(error):
+    with pytest.raises(told):
         building.build(subjects, place, tell=lambda _done, _of, _name: None)
     assert [path.name for path in tmp_path.rglob("*")] == ["site", building.INDEX]
     assert (place / building.INDEX).read_text().startswith("the old one")
@@ -176,3 +181,18 @@ def test_a_site_in_a_write_protected_directory_is_refused_before_it_is_drawn(
     told = refused("site", "single", "-o", "docs")
     assert "docs cannot be written" in told
     assert "name another place with -o" in told
+
+
+def test_a_full_disk_is_told_of_by_the_place_that_was_asked_for(
+    refused: Callable[..., str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Not by the hidden draft beside it, which nobody named."""
+
+    def full(draft: Path, place: str, _contents: bytes) -> None:
+        raise OSError(28, "No space left on device", str(draft / place))
+
+    monkeypatch.setattr(building, "write", full)
+    told = refused("site", "single", "-o", "mine")
+    assert "mine cannot be written (No space left on device); free some space" in told
+    assert "name another place with -o" in told
+    assert [*tmp_path.iterdir()] == []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from tests.web.engine_page import READY, handle, opened
 
 from crankstar import cli
 from crankstar.files.catalog import load
-from crankstar.page.standalone import NO_SCRIPT
+from crankstar.page.standalone import INCOMPLETE, NO_SCRIPT
 
 GREATEST = 2_000_000
 """Bytes of a page."""
@@ -67,6 +68,21 @@ def test_no_other_script_runs_in_it_and_nothing_is_loaded(
         )
         assert refused == "refused"
     assert any("Content Security Policy" in complaint for complaint in complaints)
+
+
+@pytest.mark.parametrize("kept", ["H4sIAAAA", "no base64!"])
+def test_a_page_whose_script_is_damaged_says_so_and_is_not_waited_for(
+    built_page: Build, page: Page, tmp_path: Path, kept: str
+) -> None:
+    """The fixture fails for an error that nobody has taken."""
+    text = built_page("single").read_text(encoding="utf-8")
+    damaged = tmp_path / "damaged.html"
+    packed = re.compile(r'(id="crankstar-script">)[^<]+')
+    damaged.write_text(packed.sub(rf"\g<1>{kept}", text), encoding="utf-8")
+    page.goto(damaged.as_uri())
+    outcome = page.evaluate(f"({READY})().then(() => 'ready', () => 'refused')")
+    assert outcome == "refused"
+    assert INCOMPLETE in page.inner_text("body")
 
 
 def test_a_script_may_hold_the_page_before_its_own_script_has_come(

@@ -63,18 +63,25 @@ def policy(*scripts: str) -> str:
 
 UNPACK = """
 const place = document.querySelector("[data-crankstar]")
-const ready = new Promise((follow) => place.addEventListener(
-  "crankstar", () => follow(place.crankstar.ready), { once: true }))
+let fail
+const ready = new Promise((follow, refuse) => {
+  place.addEventListener("crankstar", () => follow(place.crankstar.ready), { once: true })
+  fail = refuse
+})
 ready.catch(() => {})  // the page says it
 place.crankstar = { ready, settled: () => ready.then(() => place.crankstar.settled()) }
-const letters = atob(document.getElementById("crankstar-script").textContent)
-const bytes = new Uint8Array(letters.length)
-for (let i = 0; i < bytes.length; i++) bytes[i] = letters.charCodeAt(i)
-const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))
-const script = document.createElement("script")
-script.type = "module"
-script.textContent = await new Response(stream).text()
-document.body.append(script)
+try {
+  const letters = atob(document.getElementById("crankstar-script").textContent)
+  const bytes = new Uint8Array(letters.length)
+  for (let i = 0; i < bytes.length; i++) bytes[i] = letters.charCodeAt(i)
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))
+  const script = document.createElement("script")
+  script.type = "module"
+  script.textContent = await new Response(stream).text()
+  document.body.append(script)
+} catch (error) {
+  fail(error)  // what stands in the page stays: that the file is incomplete
+}
 """
 """The script that puts the packed one in the page, and says until it is there that it comes."""
 

@@ -71,9 +71,21 @@ def check_place(place: Path) -> None:
 
 
 def build(subjects: Sequence[Subject], place: Path, *, tell: Tell) -> None:
-    """Write a site, whole or not at all. Raises SiteError, EngineFileError, PageError, OSError."""
+    """Write a site, whole or not at all. Raises SiteError, EngineFileError, PageError."""
     place = place.resolve()
     check_place(place)
+    try:
+        _build(subjects, place, tell)
+    except OSError as error:  # a full disk; the draft that it names is of no concern
+        raise SiteError(
+            "{folder} cannot be written ({reason}); free some space, or name another place with -o",
+            folder=one_line(str(place)),
+            reason=error.strerror or error,
+        ) from None
+
+
+def _build(subjects: Sequence[Subject], place: Path, tell: Tell) -> None:
+    """Write a site, whole or not at all. Raises OSError and what `build` does."""
     with _draft(place) as draft:
         scripts = _shared(draft)
         cards = [card_of(subject) for subject in subjects]
