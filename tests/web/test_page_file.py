@@ -70,6 +70,19 @@ def test_no_other_script_runs_in_it_and_nothing_is_loaded(
     assert any("Content Security Policy" in complaint for complaint in complaints)
 
 
+def test_a_file_read_in_another_language_says_how_it_is_written_in_that(
+    built_page: Build, page: Page
+) -> None:
+    place = built_page("single")
+    opened(page, place, "a=0&tab=about")
+    told = page.get_by_text("--lang")
+    assert told.count() == 0
+    page.get_by_role("radio", name="Русский").check()
+    assert "--lang ru" in told.inner_text()
+    page.get_by_role("radio", name="English").check()
+    assert told.count() == 0
+
+
 @pytest.mark.parametrize("kept", ["H4sIAAAA", "no base64!"])
 def test_a_page_whose_script_is_damaged_says_so_and_is_not_waited_for(
     built_page: Build, page: Page, tmp_path: Path, kept: str

@@ -118,7 +118,7 @@ def _filters(cards: Sequence[Card]) -> str:
                 _("Layout"), _select("layout", [(name, _(LAYOUTS[name])) for name in layouts])
             ),
             _labelled(_("Cylinders"), _select("cylinders", [(str(n), str(n)) for n in counts])),
-            f'<output aria-live="polite" name="count">{len(cards)}</output>',
+            _labelled(_("Engines"), f'<output aria-live="polite">{len(cards)}</output>'),
         )
     )
 

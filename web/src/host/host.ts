@@ -37,6 +37,8 @@ export interface Host {
   fitted(exhibit: Exhibit): Promise<Exhibit | null>
   /** Language that the host asks for, as in `ja`; empty for none. */
   readonly language: string
+  /** Language in which a file was written, verdict and figures in it; absent where one can ask. */
+  readonly written?: string
   /** The state of the page as text: of the address for a page, of the model for a notebook. */
   readState(): string
   /** `visit`: it is worth an entry that Back leads to, where the host has such. */

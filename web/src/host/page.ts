@@ -116,6 +116,7 @@ export async function pageHost(holder: Document): Promise<Host> {
   return {
     kind: 'page',
     exhibition: data.exhibition,
+    written: holder.documentElement.lang,
     anyUnits: false,
     ...shelf(data),
     drawing: drawing(() => ofPage(holder)),

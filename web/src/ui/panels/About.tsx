@@ -64,6 +64,14 @@ function About() {
           choices={LANGUAGES}
           chosen={(code) => set(store.language, code)}
         />
+        {host.written && host.written !== language.value && (
+          <p>
+            {t(
+              'Verdict, tables and figures are in the language in which this file was written. {option} with crankstar page writes them in this one.',
+              { option: `--lang ${language.value}` },
+            )}
+          </p>
+        )}
         <p>{t('Made by crankstar {version}.', { version })}</p>
         {store.engine.value.startsWith('~') && (
           <p>
