@@ -566,8 +566,8 @@ def test_nothing_in_a_name_becomes_an_element_of_the_page(small_bundle: str) -> 
     held_there = json.loads(found.scripts[0])
     assert held_there["encoding"] == "gzip+base64"
     assert json.loads(gzip.decompress(b64decode(held_there["data"]))) == tree()
-    assert gzip.decompress(b64decode(found.scripts[1])).decode() == small_bundle
-    assert gzip.decompress(b64decode(found.scripts[3])).decode() == DRAWING
+    assert gzip.decompress(b64decode(found.scripts[1])).decode() == DRAWING
+    assert gzip.decompress(b64decode(found.scripts[2])).decode() == small_bundle
 
 
 def test_the_policy_allows_its_scripts_alone_and_asks_nothing_of_the_network(
@@ -582,7 +582,7 @@ def test_the_policy_allows_its_scripts_alone_and_asks_nothing_of_the_network(
     ]
     allowed = [
         f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'"
-        for script in (found.scripts[2], small_bundle, DRAWING)
+        for script in (found.scripts[3], small_bundle, DRAWING)
     ]
     assert policy is not None
     assert f"script-src {' '.join(allowed)};" in policy

@@ -16,6 +16,7 @@ from PIL import Image
 from playwright.sync_api import Page, expect
 from scipy.spatial.transform import Rotation
 from tests.mounted_engines import BLOCK, FOUNDATION, HEAVY, SOFT, standing
+from tests.report.reading import plain
 from tests.web.engine_page import CARD, EIGHT, HANDLE, handle
 from tests.web.engine_page import opened as at_once
 from tests.web.everyone import Scheme, read_by_everyone
@@ -280,7 +281,7 @@ def cells(page: Page, title: str) -> list[list[str]]:
 
 
 def number(text: str) -> float:
-    return float(text.strip().replace("−", "-").removeprefix("+"))
+    return float(plain(text.strip()).removeprefix("+"))
 
 
 def test_every_number_of_the_panel_is_that_of_the_command(

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Locator, Page, expect
+from tests.report.reading import plain
 from tests.web.browsing import too_wide
 from tests.web.engine_page import handle, opened, turning
 
@@ -30,7 +31,7 @@ HOSTILE = '</script><img src=x onerror="document.title=1"><b>V8</b>'
 
 def number(text: str | None) -> float:
     """A number of the page, its minus a true minus."""
-    return float((text or "").replace("\N{MINUS SIGN}", "-").strip("\N{FIGURE SPACE} "))
+    return float(plain(text or "").strip("\N{FIGURE SPACE} "))
 
 
 def numbers(page: Page) -> dict[str, float]:

@@ -12,6 +12,7 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page, expect
+from tests.report.reading import plain
 from tests.web.browsing import barriers, too_wide
 from tests.web.engine_page import opened, written_of
 from tests.web.overflow import overflows
@@ -100,9 +101,9 @@ def opening(name: str) -> list[str]:
 
 def number(text: str) -> float:
     """The number in a text."""
-    found = re.search(r"[+−]?\d+\.?\d*(e[+-]?\d+)?", text)
+    found = re.search(r"[+-]?\d+\.?\d*(e[+-]?\d+)?", plain(text))
     assert found, text
-    return float(found.group().replace("−", "-"))
+    return float(found.group())
 
 
 def by_order(page: Page) -> dict[str, dict[float, float]]:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page
 from tests.newton import Road, road
+from tests.report.reading import plain
 from tests.web.engine_page import handle, opened, written_of
 
 from crankstar.engine.engine import Engine
@@ -49,7 +50,7 @@ def between(samples: np.ndarray, grid: np.ndarray, theta: np.ndarray | float) ->
 
 
 def number(text: str) -> float:
-    return float(text.replace("\u2212", "-").replace("\u2007", "").replace("+", ""))
+    return float(plain(text).replace("\u2007", "").lstrip("+"))
 
 
 @pytest.mark.long

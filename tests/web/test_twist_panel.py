@@ -17,6 +17,7 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Page, expect
 from tests import newton
+from tests.report.reading import plain
 from tests.twisting_engines import CLOCKWISE, COUNTER_CLOCKWISE, FLYWHEEL, twisting
 from tests.web.browsing import barriers, too_wide
 from tests.web.engine_page import EIGHT, HANDLE, handle, opened
@@ -228,7 +229,7 @@ def cells(page: Page, title: str) -> list[list[str]]:
 
 def numbers(row: list[str]) -> list[float]:
     """The numbers of a row."""
-    return [float(cell.replace("−", "-")) for cell in row]
+    return [float(plain(cell)) for cell in row]
 
 
 def test_every_number_of_the_panel_is_that_of_the_command(

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
+from tests.report.reading import plain
 from tests.web.engine_page import opened
 
 from crankstar import spectra
@@ -23,9 +24,9 @@ THETA = 40.0
 
 def number(text: str) -> float:
     """The number that a cell begins with."""
-    found = re.search(r"[+−]?\d+\.?\d*(e[+−]\d+)?", text)
+    found = re.search(r"[+-]?\d+\.?\d*(e[+-]\d+)?", plain(text))
     assert found, text
-    return float(found.group().replace("−", "-"))
+    return float(found.group())
 
 
 def test_the_difference_now_is_that_of_the_two_balances(built_page: Build, page: Page) -> None:

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 from tests.files.test_estimate_one_range import TWIN
+from tests.report.reading import plain
 from tests.web.browsing import too_wide
 from tests.web.engine_page import handle, opened
 from tests.web.serving import Server
@@ -52,7 +53,7 @@ def greatest(page: Page, quantity: str) -> list[float]:
     """The greatest values of a quantity in the table of orders."""
     group = page.locator("table.orders tbody").filter(has=page.get_by_text(quantity, exact=False))
     cells = group.first.locator("td.right").all_text_contents()
-    return [float(re.sub(r" \(.*", "", text).replace("\N{MINUS SIGN}", "-")) for text in cells]
+    return [float(plain(re.sub(r" \(.*", "", text))) for text in cells]
 
 
 @pytest.mark.long

@@ -132,10 +132,10 @@ def document(tree: Tree, *, shared: Shared | None = None) -> str:
         script, drawing = bundle(), figures_script()
         allowed = policy(UNPACK, script, drawing)
         packed_script, packed_drawing = _packed(script, BUNDLE.name), _packed(drawing, FIGURES)
-        element = (
+        element = (  # what begins stands last: nothing does in a file that is cut short
+            f'<script type="application/gzip" id="crankstar-figures">{packed_drawing}</script>\n'
             f'<script type="application/gzip" id="crankstar-script">{packed_script}</script>\n'
-            f'<script type="module">{UNPACK}</script>\n'
-            f'<script type="application/gzip" id="crankstar-figures">{packed_drawing}</script>'
+            f'<script type="module">{UNPACK}</script>'
         )
     else:
         allowed = SHARED_POLICY
