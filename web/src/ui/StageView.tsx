@@ -1,4 +1,4 @@
-import { effect, untracked } from '@preact/signals'
+import { computed, effect, untracked } from '@preact/signals'
 import { useLayoutEffect, useRef } from 'preact/hooks'
 import type { App } from '../app'
 import type { Exhibit } from '../exhibit'
@@ -64,6 +64,7 @@ export function StageView({
     const stage = createStage(element, first, app.host.exhibition.stroke_colours, app.clock.refresh)
     made(index, stage)
     let current = first
+    const compared = computed(() => app.store.tab.value === 'remedies')
     const ends = [
       effect(() => {
         const exhibit = app.staged.value[index] ?? current
@@ -73,7 +74,7 @@ export function StageView({
         // this engine and the one beside it to one scale; where one switches between them, as it is
         // and with weights too: everywhere else a roll that only shafts leave would make the arrow
         // of the engine as it is too small to be seen
-        const cured = app.store.tab.value === 'remedies' ? app.cured.value : []
+        const cured = compared.value ? app.cured.value : []
         const all = new Set([...app.staged.value, ...app.engines.value, ...cured])
         stage.beside(
           [...all].filter((other): other is Exhibit => other != null && other !== current),
