@@ -79,6 +79,9 @@ def test_a_file_read_in_another_language_says_how_it_is_written_in_that(
     assert told.count() == 0
     page.get_by_role("radio", name="Русский").check()
     assert "--lang ru" in told.inner_text()
+    verdict = page.get_by_role("tab").filter(has_text="Заключение")
+    assert verdict.count() == 1
+    assert told.inner_text().startswith("Заключение,"), "a panel is called what its tab is"
     page.get_by_role("radio", name="English").check()
     assert told.count() == 0
 
