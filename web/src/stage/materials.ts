@@ -12,9 +12,7 @@ import { MOST, type Twisted } from './twist'
 const ALONG = /* glsl */ `
 uniform float whole;
 varying float vAlong;
-float along(mat4 instance, vec3 at) {
-  return mix((instance * vec4(at, 1.0)).z, instance[3].z, whole);
-}`
+float along(mat4 instance, vec4 at) { return mix(at.z, instance[3].z, whole); }`
 
 /**
  * A crank that twists: each point is turned with its throw (`mark.x`, from the front), clockwise
@@ -49,14 +47,14 @@ attribute float tint;
 varying vec3 vNormal;
 varying float vTint;
 void main() {
-  mat4 place = viewMatrix * modelMatrix * instanceMatrix;
-  vAlong = along(instanceMatrix, position);
-  vNormal = mat3(place) * twisted(normal);
+  vec4 at = instanceMatrix * vec4(twisted(position), 1.0);
+  vAlong = along(instanceMatrix, at);
+  vNormal = mat3(modelViewMatrix) * (mat3(instanceMatrix) * twisted(normal));
   vTint = tint;
 #ifdef TWISTING
   vHeat = heat[int(mark.y)];
 #endif
-  gl_Position = projectionMatrix * place * vec4(twisted(position), 1.0);
+  gl_Position = projectionMatrix * (modelViewMatrix * at);
 }`
 
 const SHADED = /* glsl */ `${CUT}
@@ -89,9 +87,9 @@ void main() {
 const LINE_VERTEX = /* glsl */ `${ALONG}${TWIST}
 attribute mat4 instanceMatrix;
 void main() {
-  vAlong = along(instanceMatrix, position);
-  vec4 place = instanceMatrix * vec4(twisted(position), 1.0);
-  gl_Position = projectionMatrix * viewMatrix * modelMatrix * place;
+  vec4 at = instanceMatrix * vec4(twisted(position), 1.0);
+  vAlong = along(instanceMatrix, at);
+  gl_Position = projectionMatrix * (modelViewMatrix * at);
   gl_Position.z -= 0.0004 * gl_Position.w;
 }`
 
@@ -120,12 +118,12 @@ varying vec4 vHue;
 varying float vHigh;
 varying vec3 vNormal;
 void main() {
-  mat4 place = viewMatrix * modelMatrix * instanceMatrix;
+  vec4 at = instanceMatrix * vec4(position, 1.0);
   vHue = hue;
-  vAlong = along(instanceMatrix, position);
+  vAlong = along(instanceMatrix, at);
   vHigh = position.y;
-  vNormal = normalize(mat3(place) * normal);
-  gl_Position = projectionMatrix * place * vec4(position, 1.0);
+  vNormal = normalize(mat3(modelViewMatrix) * (mat3(instanceMatrix) * normal));
+  gl_Position = projectionMatrix * (modelViewMatrix * at);
 }`
 
 const GLOW = /* glsl */ `${CUT}

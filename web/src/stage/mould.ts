@@ -2,8 +2,13 @@ import { BufferAttribute, BufferGeometry, ShapeUtils, Vector2 } from 'three'
 import type { Outline } from './outlines'
 import type { Mark } from './twist'
 
-/** How many corners round things have; coarse is half, for pictures that a processor draws. */
-export type Detail = 'fine' | 'coarse'
+/**
+ * How many corners round things have, for pictures that a processor draws: coarse is half of them,
+ * rough a third, where they are small. Lines are dear there: what is turned has them only where it
+ * is widest.
+ */
+export type Detail = 'fine' | 'coarse' | 'rough'
+const EACH: Readonly<Record<Detail, number>> = { fine: 1, coarse: 2, rough: 3 }
 
 /** A prism along z, with holes through it. */
 export interface Prism {
@@ -56,10 +61,10 @@ export class Mould {
 
   prism({ outline: whole, from, to, tint, holes: through, mark }: Prism): void {
     this.#mark = mark
-    const [outline, ...holes] = [whole, ...through].map((ring) => this.#rounded(ring)) as [Outline]
+    const rings = [whole, ...through].map((ring) => thinned(ring, EACH[this.#detail]))
     const [low, high] = from < to ? [from, to] : [to, from]
-    for (const ring of [outline, ...holes])
-      this.#wall(ring, low, high, tint, ring === outline ? 1 : -1)
+    for (const ring of rings) this.#wall(ring, low, high, tint, ring === rings[0] ? 1 : -1)
+    const [outline, ...holes] = rings.map(({ corners }) => corners) as [Outline]
     const corners = [outline, ...holes].flat()
     const triangles =
       holes.length === 0 && convex(outline) ? fan(outline.length) : cut(outline, holes)
@@ -78,18 +83,14 @@ export class Mould {
     }
   }
 
-  /** A coarse outline is without each second corner, where it is round and stays so. */
-  #rounded(ring: Outline): Outline {
-    if (this.#detail === 'fine') return ring
-    const normals = normalsOf(ring)
-    const bends = (from: number, to: number) => !even(around(normals, from), around(normals, to))
-    return ring.filter(
-      (_, index) => index % 2 === 0 || bends(index - 2, index) || bends(index - 1, index + 1),
-    )
-  }
-
   /** The side of a prism, `out` -1 for a hole; both rings run counter-clockwise. */
-  #wall(ring: Outline, low: number, high: number, tint: number, out: 1 | -1): void {
+  #wall(
+    { corners: ring, sharp }: Ring,
+    low: number,
+    high: number,
+    tint: number,
+    out: 1 | -1,
+  ): void {
     const count = ring.length
     const corner = (index: number) => around(ring, index)
     const normals = normalsOf(ring)
@@ -97,7 +98,7 @@ export class Mould {
       const [x, y] = around(normals, index)
       return [out * x, out * y]
     }
-    const smooth = (index: number) => even(normal(index - 1), normal(index))
+    const smooth = (index: number) => !around(sharp, index)
     // at each corner, where the wall before it ends and the wall after it begins
     const edges = ring.map((_, index) => {
       const [before, after] = [normal(index - 1), normal(index)]
@@ -135,9 +136,10 @@ export class Mould {
   }
 
   turned({ profile, from, to, steps: finely }: Turned): void {
-    const steps = this.#detail === 'fine' ? finely : Math.ceil(finely / 2)
+    const steps = Math.ceil(finely / EACH[this.#detail])
     const whole = to - from > 6.28
     const ringed = new Set<string>()
+    const lined = this.#detail === 'fine' ? () => true : outermost(profile)
     for (let part = 0; part + 1 < profile.length; part++) {
       const [a, b] = [profile[part], profile[part + 1]] as [readonly number[], readonly number[]]
       const [r0, y0, r1, y1] = [a[0], a[1], b[0], b[1]] as [number, number, number, number]
@@ -151,13 +153,14 @@ export class Mould {
         this.#point(r1 * cos, y1, r1 * sin, nr * cos, ny, nr * sin, b[2] as number)
         if (step === steps) break
         const at = first + 2 * step
-        this.#index.push(at, at + 1, at + 3, at, at + 3, at + 2)
+        if (r1 > 0) this.#index.push(at, at + 1, at + 3)
+        if (r0 > 0) this.#index.push(at, at + 3, at + 2)
       }
-      for (const [r, y] of [
-        [r0, y0],
-        [r1, y1],
+      for (const [r, y, place] of [
+        [r0, y0, part],
+        [r1, y1, part + 1],
       ] as const) {
-        if (r > 0 && !ringed.has(`${r} ${y}`)) this.#ring(r, y, from, to, steps)
+        if (r > 0 && lined(place) && !ringed.has(`${r} ${y}`)) this.#ring(r, y, from, to, steps)
         ringed.add(`${r} ${y}`)
       }
       if (!whole) {
@@ -228,6 +231,13 @@ function around<T>(ring: readonly T[], index: number): T {
   return ring[(index + ring.length) % ring.length] as T
 }
 
+/** Tells of the corners of a profile whether its widest part begins or ends there. */
+function outermost(profile: Turned['profile']): (place: number) => boolean {
+  const widest = Math.max(...profile.map(([radius]) => radius))
+  const wide = (place: number) => profile[place]?.[0] === widest
+  return (place) => wide(place) && !(wide(place - 1) && wide(place + 1))
+}
+
 /** The outward normal of each side of an outline, which begins at the corner of that place. */
 function normalsOf(ring: Outline): readonly Corner[] {
   return ring.map(([x, y], index) => {
@@ -235,6 +245,38 @@ function normalsOf(ring: Outline): readonly Corner[] {
     const length = Math.hypot(across - x, up - y) || 1
     return [(up - y) / length, (x - across) / length]
   })
+}
+
+/** An outline, and at which of its corners it has an edge that is seen. */
+interface Ring {
+  readonly corners: Outline
+  readonly sharp: readonly boolean[]
+}
+
+/** Corners that a thing that is round all over keeps. */
+const ROUND = 10
+
+/** The ring with its sharp corners, and of those between them one of so many. */
+function thinned(ring: Outline, each: number): Ring {
+  const normals = normalsOf(ring)
+  const sharp = ring.map((_, index) => !even(around(normals, index - 1), around(normals, index)))
+  if (each === 1) return { corners: ring, sharp }
+  const edges = sharp.flatMap((edge, index) => (edge ? [index] : []))
+  const kept = edges.flatMap((edge, place) => {
+    const steps = (edges[place + 1] ?? (edges[0] as number) + ring.length) - edge
+    return spaced(edge, steps, 1 + Math.ceil((steps - 1) / each))
+  })
+  const round = Math.min(ring.length, Math.max(ROUND, Math.ceil(ring.length / each)))
+  const corners = edges.length > 0 ? kept : spaced(0, ring.length, round)
+  return {
+    corners: corners.map((index) => around(ring, index)),
+    sharp: corners.map((index) => around(sharp, index)),
+  }
+}
+
+/** So many places from one on, evenly over some steps. */
+function spaced(from: number, steps: number, count: number): number[] {
+  return Array.from({ length: count }, (_, place) => from + Math.round((place * steps) / count))
 }
 
 /** Whether two sides with these normals meet without an edge that is seen. */

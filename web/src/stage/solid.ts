@@ -1,3 +1,4 @@
+import { BufferGeometry } from 'three'
 import { type Detail, Mould, type Shape } from './mould'
 import type { Outline } from './outlines'
 import type { Mark } from './twist'
@@ -10,12 +11,29 @@ export const BAR = [
   [0, 1, 0],
 ] as const
 
+/** Solids that are kept: those of two long engines, as they are and with weights and shafts. */
+const KEPT = 96
+const KNOWN = new Map<string, Solid>()
+
+/** The solid that is made from what the key says: an edited engine keeps most of its parts. */
+export function solidOf(key: string, make: () => Solid): Solid {
+  const solid = KNOWN.get(key) ?? make()
+  KNOWN.delete(key)
+  KNOWN.set(key, solid)
+  for (const oldest of KNOWN.keys()) {
+    if (KNOWN.size <= KEPT) break
+    KNOWN.delete(oldest)
+  }
+  return solid
+}
+
 /**
  * A body that is put together from prisms along z and turned shapes about y; each has a `tint` from
  * 0 (the part's own colour) to 1 (its second colour). It is made when it is drawn.
  */
 export class Solid {
   readonly #pieces: ((mould: Mould) => void)[] = []
+  readonly #shapes = new Map<Detail, Shape>()
   #mark: Mark | null = null
 
   /** Marks the prism that follows as a part of a crank that twists. */
@@ -48,9 +66,24 @@ export class Solid {
     return this
   }
 
+  /** The shape, worked out once; whoever draws it has geometries of his own. */
   shape(detail: Detail = 'fine'): Shape {
+    const { faces, lines } = this.#shapes.get(detail) ?? this.#made(detail)
+    return { faces: again(faces), lines: again(lines) }
+  }
+
+  #made(detail: Detail): Shape {
     const mould = new Mould(detail)
     for (const piece of this.#pieces) piece(mould)
-    return mould.shape()
+    const shape = mould.shape()
+    this.#shapes.set(detail, shape)
+    return shape
   }
+}
+
+/** A geometry of the same numbers. */
+function again(geometry: BufferGeometry): BufferGeometry {
+  const other = new BufferGeometry().setIndex(geometry.getIndex())
+  for (const [name, values] of Object.entries(geometry.attributes)) other.setAttribute(name, values)
+  return other
 }

@@ -2,9 +2,10 @@ import { Matrix4, OrthographicCamera, Scene, Vector3, WebGLRenderer } from 'thre
 import type { Exhibit, StrokeColours } from '../exhibit'
 import { type Batch, detail } from './batch'
 import { materials } from './materials'
+import type { Detail } from './mould'
 import { BOX, BOXES } from './mounts'
 import { LIGHT, type Palette } from './palette'
-import type { Pane } from './panes'
+import { type Pane, pixelsOf } from './panes'
 import { arrows } from './parts/arrows'
 import { Block } from './parts/block'
 import { bores } from './parts/bores'
@@ -38,6 +39,8 @@ interface Machine {
 /** Milliseconds of rest before a slow machine draws finely, and in how many more pixels. */
 const REST_MS = 500
 const FINER = 2
+/** Pixels across a bore below which a rough piston looks round: its sides are less than a pixel off. */
+const SMALL = 48
 
 /** The columns of a matrix as a box has them. */
 const ORIGIN_FIRST = [3, 0, 1, 2] as const
@@ -157,8 +160,7 @@ class WebglPicture implements Picture {
       this.#finer = finer
       this.#renderer.setPixelRatio(this.#density * finer)
     }
-    const coarse = !this.quick && this.#live && finer === 1
-    detail(this.#scene, coarse ? 'coarse' : 'fine')
+    detail(this.#scene, this.quick || !this.#live || finer > 1 ? 'fine' : this.#hasty())
     this.#renderer.autoClear = true
     for (const pane of this.#panes) {
       const { x, y, width, height } = pane
@@ -169,6 +171,13 @@ class WebglPicture implements Picture {
       this.#renderer.render(this.#scene, this.#camera)
       this.#renderer.autoClear = false
     }
+  }
+
+  /** What is to be drawn again at once: roughly where pistons are small, so that none has corners. */
+  #hasty(): Detail {
+    const bores = this.#machine?.exhibit.scene.cylinders.map(({ bore }) => bore) ?? []
+    const across = Math.max(...bores) * Math.max(...this.#panes.map(pixelsOf))
+    return across < SMALL ? 'rough' : 'coarse'
   }
 
   #look({ frame: { look, centre, half }, width, height }: Pane): void {

@@ -12,7 +12,7 @@ import { arrows } from '../../src/stage/parts/arrows'
 import { toothBearings } from '../../src/stage/parts/meshing'
 import { journals } from '../../src/stage/parts/shafts'
 import { quantity, roundValue } from '../../src/stage/round'
-import { BAR, Solid } from '../../src/stage/solid'
+import { BAR, Solid, solidOf } from '../../src/stage/solid'
 import type { View } from '../../src/stage/stage'
 import { tint, windowsOf } from '../../src/stage/strokes'
 import { twistChoiceOf } from '../../src/torsion'
@@ -70,6 +70,65 @@ test('drawn coarsely, round things have half the corners and nearly the same vol
   const lines = (solid: Solid) => solid.shape('coarse').lines.getAttribute('position').count
   // two rings of eighteen lines: no corner of a round outline has become an edge
   expect(lines(round)).toBe(2 * 18 * 2)
+})
+
+test('drawn roughly, round things have a third of the corners, and ten at least', () => {
+  const corners = (solid: Solid, detail: Detail) =>
+    solid.shape(detail).lines.getAttribute('position').count / 4
+  const ring = (count: number) => new Solid().prism(circle(0, 0, 1, count), 0, 1)
+  expect([36, 24, 20].map((count) => corners(ring(count), 'rough'))).toEqual([12, 10, 10])
+  expect([36, 24, 20].map((count) => corners(ring(count), 'coarse'))).toEqual([18, 12, 10])
+  for (const count of [20, 24, 36])
+    expect(volume(ring(count), 'rough') / volume(ring(count))).toBeGreaterThan(0.93)
+  // sharp corners stay, and what is round between them is thinned evenly
+  const weight = new Solid().prism(sector(1, 2, 2, 0.9), 0, 1)
+  expect(volume(weight, 'rough') / volume(weight)).toBeGreaterThan(0.97)
+  const teeth = new Solid().prism(gear(1, 24), 0, 1)
+  expect(volume(teeth, 'rough')).toBe(volume(teeth))
+})
+
+test('drawn coarsely, what is turned has lines only where it is widest, at the ends of that', () => {
+  const grooved = new Solid().turned([
+    [0, 0, 0],
+    [0.8, 0, 0],
+    [0.8, 0.3, 0],
+    [1, 0.3, 0],
+    [1, 0.5, 0],
+    [1, 0.5, 1],
+    [1, 0.6, 1],
+    [1, 0.6, 0],
+    [1, 0.9, 0],
+    [0.9, 1, 0],
+    [0, 1, 0],
+  ])
+  const heights = (detail: Detail) => {
+    const at = grooved.shape(detail).lines.getAttribute('position')
+    const places = Array.from({ length: at.count }, (_, index) => at.getY(index).toFixed(2))
+    return [...new Set(places)].sort().map(Number)
+  }
+  expect(heights('fine')).toEqual([0, 0.3, 0.5, 0.6, 0.9, 1])
+  expect(heights('coarse')).toEqual([0.3, 0.9])
+})
+
+test('a solid is made once from what its key says, and each that draws it has its own geometry', () => {
+  let made = 0
+  const bar = () => {
+    made++
+    return new Solid().turned(BAR)
+  }
+  const first = solidOf('a bar', bar)
+  expect(solidOf('a bar', bar)).toBe(first)
+  expect(made).toBe(1)
+  const [one, other] = [first.shape().faces, first.shape().faces]
+  expect(one).not.toBe(other)
+  expect(one.getAttribute('position')).toBe(other.getAttribute('position'))
+  expect(one.getIndex()).toBe(other.getIndex())
+  one.setAttribute('hue', one.getAttribute('tint'))
+  expect(first.shape().faces.hasAttribute('hue')).toBe(false)
+  // what was not drawn for long is forgotten
+  for (let index = 0; index < 96; index++) solidOf(`another ${index}`, () => new Solid())
+  solidOf('a bar', bar)
+  expect(made).toBe(2)
 })
 
 test('the faces of a solid are closed and look outward: its volume is that of the prism and the turned shape', () => {

@@ -4,7 +4,7 @@ import type { Places } from '../../motion'
 import { alike, Batch } from '../batch'
 import type { Materials } from '../materials'
 import { circle } from '../outlines'
-import { Solid } from '../solid'
+import { Solid, solidOf } from '../solid'
 import type { Part } from './part'
 
 /** Radius of a piston pin as a share of the bore. */
@@ -19,12 +19,13 @@ export interface Pistons extends Part {
 
 export function pistons(parent: Group, scene: Scene, paint: Materials): Pistons {
   const numbered = scene.cylinders.map((cylinder, index) => ({ cylinder, index }))
-  const groups = alike(numbered, ({ cylinder: c }) =>
-    [c.bore, c.pin_height, c.skirt, shank(c)].join(),
-  )
+  const key = ({ cylinder: c }: (typeof numbered)[number]) =>
+    ['piston', c.bore, c.pin_height, c.skirt, shank(c)].join()
+  const groups = alike(numbered, key)
   const batches = groups.map((group) => {
     const first = group[0] as (typeof group)[number]
-    return new Batch(parent, piston(first.cylinder), group.length, paint.piston, paint.partLines)
+    const solid = solidOf(key(first), () => piston(first.cylinder))
+    return new Batch(parent, solid, group.length, paint.piston, paint.partLines)
   })
   const places = numbered.map(({ index }) => {
     const which = groups.findIndex((group) => group.some((one) => one.index === index))

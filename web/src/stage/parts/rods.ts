@@ -4,7 +4,7 @@ import type { Places } from '../../motion'
 import { alike, Batch } from '../batch'
 import type { Materials } from '../materials'
 import { band, circle, strip, towards } from '../outlines'
-import { Solid } from '../solid'
+import { Solid, solidOf } from '../solid'
 import type { Part } from './part'
 import { PIN, shank } from './pistons'
 
@@ -21,14 +21,15 @@ interface Rod {
 }
 
 export function rods(parent: Group, scene: Scene, paint: Materials): Part {
-  const groups = alike(rodsOf(scene), (rod) =>
-    JSON.stringify([sizes(rod.cylinder), rod.pin, rod.gap, rod.knuckles]),
-  )
+  const key = (rod: Rod) =>
+    JSON.stringify(['rod', sizes(rod.cylinder), rod.pin, rod.gap, rod.knuckles])
+  const groups = alike(rodsOf(scene), key)
   const batches = groups.map((group) => {
     const first = group[0] as Rod
     const inner = first.cylinder.rod === 'slave' || first.cylinder.rod === 'blade'
     const colour = inner ? paint.slave : paint.rod
-    return new Batch(parent, shapeOf(first), group.length, colour, paint.partLines)
+    const solid = solidOf(key(first), () => shapeOf(first))
+    return new Batch(parent, solid, group.length, colour, paint.partLines)
   })
   return {
     move: ({ bigEnd, direction }: Places) => {

@@ -4,7 +4,7 @@ import { type Places, turned } from '../../motion'
 import { Batch } from '../batch'
 import type { Materials } from '../materials'
 import { band, circle, gear, type Outline, sector, towards } from '../outlines'
-import { Solid } from '../solid'
+import { Solid, solidOf } from '../solid'
 import type { Crank, Mark } from '../twist'
 import { toothBearings } from './meshing'
 import type { Part } from './part'
@@ -29,7 +29,9 @@ export function shafts(
     const twists = index === 0 ? crank : null
     const colour = shaft.kind === 'crankshaft' ? paint.crankshaft : paint.balanceShaft
     const [own, ink] = twists ? [paint.twisting, paint.twistingLines] : [colour, paint.lines]
-    const batch = new Batch(parent, shapeOf(shaft, twists), 1, own, ink)
+    const key = JSON.stringify(['shaft', shaft, twists?.places])
+    const solid = solidOf(key, () => shapeOf(shaft, twists))
+    const batch = new Batch(parent, solid, 1, own, ink)
     return { batch, shaft, z: 0, start: 0 }
   })
   const drawn = turning.map(({ batch }) => batch)
@@ -37,7 +39,9 @@ export function shafts(
   scene.gears.forEach((wheel, index) => {
     const shaft = scene.shafts[wheel.shaft]
     if (!shaft) return
-    const batch = new Batch(parent, wheelOf(wheel, shaft), 1, paint.gear, paint.lines)
+    const key = JSON.stringify(['gear', wheel, shaft.journal_radius])
+    const solid = solidOf(key, () => wheelOf(wheel, shaft))
+    const batch = new Batch(parent, solid, 1, paint.gear, paint.lines)
     turning.push({ batch, shaft, z: wheel.z, start: bearings[index] ?? 0 })
   })
   return {
