@@ -48,7 +48,8 @@ class Spectrum:
 
     def __getitem__(self, index: object) -> Spectrum:
         """The same spectrum for some of the leading axis: one part, or several."""
-        return replace(self, forward=self.forward[index], backward=self.backward[index])  # pyright: ignore[reportArgumentType, reportCallIssue]
+        forward, backward = self.forward[index], self.backward[index]  # pyright: ignore[reportArgumentType, reportCallIssue]
+        return Spectrum(self.orders, forward, backward, self.sense, self.complete)
 
 
 class Ellipse(NamedTuple):
@@ -137,7 +138,7 @@ def selected(spectrum: Spectrum, orders: ArrayLike) -> Spectrum:
     engine has it. One of a spectrum that was computed for others raises MessageError.
     """
     wanted = checked(np.atleast_1d(np.asarray(orders, float)))
-    hits = np.isclose(spectrum.orders[None, :], wanted[:, None], rtol=0, atol=1e-9)
+    hits = np.abs(spectrum.orders - wanted[:, None]) <= 1e-9
     absent = wanted[~hits.any(axis=1)]
     if absent.size and not spectrum.complete:
         raise MessageError(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import firing_angles
@@ -23,6 +24,7 @@ class Firing:
         return max(self.intervals_deg) - min(self.intervals_deg) < 1e-3
 
 
+@lru_cache(maxsize=256)  # strokes, verdict, gas and figures all want it
 def firing(engine: Engine) -> Firing:
     """When each chamber fires; nothing at all of an engine without a firing order."""
     angles = firing_angles(engine)

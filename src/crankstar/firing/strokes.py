@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise, permutations
 from math import degrees
 from typing import Literal, NamedTuple
@@ -111,6 +112,7 @@ class Disturbance(NamedTuple):
     both_open_deg: float
 
 
+@lru_cache(maxsize=64)
 def working_cycle(engine: Engine) -> WorkingCycle:
     """The strokes and valve events of every chamber.
 

@@ -159,7 +159,7 @@ def balance(
     [0.] [1.436983]
     """
     reference = reference or default_reference(engine)
-    raw = _spectra(engine, reference, None if orders is None else tuple(orders))
+    raw = spectra_of(engine, reference, None if orders is None else tuple(orders))
     scale, units = scales(engine, speed)
     return Balance(
         parts=parts(engine),
@@ -174,8 +174,10 @@ def balance(
 
 
 @lru_cache(maxsize=160)  # figures and sheets of an estimated engine want those of every corner
-def _spectra(engine: Engine, reference: Reference, orders: tuple[float, ...] | None) -> Totals:
-    """The spectra of all parts at 1 rad/s, in SI units."""
+def spectra_of(
+    engine: Engine, reference: Reference, orders: tuple[float, ...] | None = None
+) -> Totals:
+    """The spectra of all parts at 1 rad/s, in SI units; kept, as several analyses want them."""
     out = part_spectra(mechanism(engine), reference=reference, orders=orders)
     out.force.orders.setflags(write=False)  # those of every Balance of this engine
     return out

@@ -13,7 +13,7 @@ from crankstar.dynamics import whirl
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import values_kept
 from crankstar.language.numbers import NEGLIGIBLE, number, wave
-from crankstar.mechanics.balance import Balance, of_parts
+from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.bounds import greatest, length
 from crankstar.mechanics.remains import Sums, ranked
 from crankstar.page.records import Pair, PartForce, Quantity, Row, Sum, Vectors, Whirl
@@ -76,12 +76,16 @@ def by_cylinder(
 ) -> tuple[PartForce, ...]:
     """What each cylinder does to the block."""
     bank = {number: name for name, numbers in engine.banks.items() for number in numbers}
+    own = {cylinder.number: list[int]() for cylinder in engine.cylinders}
+    for row, part in enumerate(result.parts):
+        if part.cylinder is not None:
+            own[part.cylinder].append(row)
     return tuple(
         PartForce(
             number=cylinder.number,
             bank=bank[cylinder.number],
             z=cylinder.z * along,
-            force=vectors(of_parts(result, cylinder=cylinder.number).force, orders),
+            force=vectors(spectra.total(result.force[own[cylinder.number]]), orders),
         )
         for cylinder in engine.cylinders
     )

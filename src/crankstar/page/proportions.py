@@ -126,11 +126,12 @@ def _bores(engine: Engine, assumed: list[str]) -> Real:
 def _alike(engine: Engine, cylinder: Cylinder) -> Iterator[Cylinder]:
     """The other cylinders whose axes are parallel and point the same way."""
     for other in engine.cylinders:
-        if (
-            other is not cylinder
-            and abs(np.exp(1j * other.bearing) - np.exp(1j * cylinder.bearing)) < 1e-6
-        ):
+        if other is not cylinder and _parallel(other, cylinder):
             yield other
+
+
+def _parallel(one: Cylinder, other: Cylinder) -> bool:
+    return abs(2 * sin((one.bearing - other.bearing) / 2)) < 1e-6
 
 
 def _distance(engine: Engine, first: Cylinder, second: Cylinder) -> float:
@@ -156,8 +157,7 @@ def _along(engine: Engine, bores: Real, assumed: list[str]) -> float:
         if gap < 1e-9:
             continue
         parallel = (
-            any(alike is second for alike in _alike(engine, first))
-            and abs(_aside(engine, first) - _aside(engine, second)) < bore
+            _parallel(first, second) and abs(_aside(engine, first) - _aside(engine, second)) < bore
         )
         same_pin = (first.shaft, first.throw) == (second.shaft, second.throw)
         on_shaft = PIN_GAP if first.shaft == second.shaft else 0.0

@@ -274,15 +274,16 @@ def _box(
     sizes: Proportions,
 ) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
     """The smallest upright box that holds all parts at every crank angle."""
-    points = np.array([*_round_parts(shafts, wheels), *_bores(cylinders, shafts)])
+    points = [np.array([*_round_parts(shafts, wheels), *_bores(cylinders, shafts)])]
     for row, cylinder in enumerate(cylinders):
         place = complex(shafts[cylinder.shaft].up, shafts[cylinder.shaft].right)
         end = sizes.big_ends[row] + place
         margin = 1.6 * shafts[cylinder.shaft].throws[cylinder.throw].pin_radius
         z = np.full(end.size, cylinder.rod_z)
         for side in (-margin, margin):
-            points = np.vstack([points, np.column_stack([end.real + side, end.imag + side, z])])
-    low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+            points.append(np.column_stack([end.real + side, end.imag + side, z]))
+    every = np.concatenate(points)
+    low, high = every.min(axis=0).tolist(), every.max(axis=0).tolist()
     return tuple(low), tuple(high)
 
 

@@ -34,7 +34,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import end_webs
 from crankstar.engine.records import Shaft, Weight
 from crankstar.mechanics import remains
-from crankstar.mechanics.balance import default_reference
+from crankstar.mechanics.balance import default_reference, spectra_of
 from crankstar.mechanics.excitation import Totals, part_spectra, total
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.remedy.counterweights import RemedyError, apart, turned_weights
@@ -68,18 +68,22 @@ def needs(engine: Engine, *, highest: int = 2, zero: float = ZERO) -> tuple[Need
     >>> [(str(need.ratio), abs(need.force)) for need in needs(load("triple-120"))]  # couples alone
     [('1', 0.0), ('-1', 0.0), ('2', 0.0), ('-2', 0.0)]
     """
-    parts = part_spectra(mechanism(engine), reference=default_reference(engine))
+    parts = spectra_of(engine, default_reference(engine))
     orders = parts.force.orders[parts.force.orders <= highest + 1e-9].tolist()
     ratios = sorted({Fraction(order).limit_denominator(1000) for order in orders})
+    sums = total(parts)
     remaining = [
-        Need(ratio, *_vectors(parts, ratio, zero)) for order in ratios for ratio in (order, -order)
+        Need(ratio, *_vectors(parts, sums, ratio, zero))
+        for order in ratios
+        for ratio in (order, -order)
     ]
     return tuple(need for need in remaining if need.force or need.couple)
 
 
-def _vectors(parts: Totals, ratio: Fraction, share: float = ZERO) -> tuple[complex, complex]:
+def _vectors(
+    parts: Totals, sums: Totals, ratio: Fraction, share: float = ZERO
+) -> tuple[complex, complex]:
     """Force and couple that turn at this ratio; zero where negligible beside the parts."""
-    sums = total(parts)
 
     def vector_of(name: str) -> complex:
         spectrum = spectra.selected(getattr(sums, name), [abs(float(ratio))])
@@ -164,7 +168,7 @@ def unbalances(
     """
     reference = default_reference(engine)
     parts = part_spectra(mechanism(engine), reference=reference)
-    force, moment = _vectors(parts, ratio)
+    force, moment = _vectors(parts, total(parts), ratio)
     arms, squared = [plane - reference.z for plane in planes], float(ratio) ** 2
     if not (force or moment):
         return []

@@ -120,15 +120,20 @@ def _steady(spectrum: Spectrum) -> np.ndarray:
     return (still.forward + still.backward)[:, 0]
 
 
-def _peak_cells(loads: Spectrum, largest: float) -> list[tuple[Value, ...]]:
-    """Of each load its greatest, at which crank angle, where it points."""
+def _peak_cells(loads: Spectrum, largest: float | None = None) -> list[tuple[Value, ...]]:
+    """Of each load its greatest, at which crank angle, where it points.
+
+    `largest` is what they are small beside, by default the greatest of them.
+    """
+    found = tops(loads)
+    largest = max((float(top.value) for top in found), default=0.0) if largest is None else largest
     return [
         (
             top.value,
             round(degrees(top.theta), 6) + 0.0 if top.value > NEGLIGIBLE * largest else None,
             _place(top.vector, largest),
         )
-        for top in tops(loads)
+        for top in found
     ]
 
 
@@ -174,9 +179,8 @@ def peaks(engine: Engine, loads: BearingLoads, *, gas: bool = False) -> Table:
         *_peak_columns(loads.unit),
         Column(_("mean"), loads.unit, key="mean"),
     )
-    largest = float(spectra.peaks(loads.load).max(initial=0.0))
     steady = _steady(loads.load).tolist()
-    tops = _peak_cells(loads.load, largest)
+    tops = _peak_cells(loads.load)
     rows: list[tuple[Value, ...]] = []
     for bearing, top, mean in zip(loads.bearings, tops, steady, strict=True):
         place = _("assumed") if bearing.assumed else _("from the file")
@@ -235,10 +239,9 @@ def pins(loads: BearingLoads) -> Table:
         Column(_("cylinders"), kind="list", key="cylinders"),
         *_peak_columns(loads.unit),
     )
-    largest = float(spectra.peaks(loads.pin).max(initial=0.0))
     rows = tuple(
         (pin.shaft, pin.throw, pin.cylinders, *top)
-        for pin, top in zip(loads.pins, _peak_cells(loads.pin, largest), strict=True)
+        for pin, top in zip(loads.pins, _peak_cells(loads.pin), strict=True)
     )
     return Table(_("Loads of the rods on crank pins"), columns, rows, key="pins")
 
