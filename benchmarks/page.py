@@ -45,7 +45,6 @@ V18 = {
 """The longest engine whose edits are measured; none of the catalog has eighteen cylinders."""
 EDIT = """async bearing => {
     const box = document.getElementById('edit:layout.banks[2].bearing')
-    const drawn = () => new Promise(done => requestAnimationFrame(() => setTimeout(done)))
     const took = []
     for (let step = 1; step <= 25; step++) {
         const [before, from] = [HANDLE.exhibits[0], performance.now()]
@@ -53,9 +52,9 @@ EDIT = """async bearing => {
         box.dispatchEvent(new Event('input', { bubbles: true }))
         while (HANDLE.exhibits[0] === before) {
             if (performance.now() - from > 20000) throw new Error(`${box.value} is refused`)
-            await new Promise(done => setTimeout(done, 1))
+            await new Promise(requestAnimationFrame)
         }
-        await drawn()
+        await new Promise(done => setTimeout(done))  // until the frame that shows it is handed over
         took.push(performance.now() - from)
         // drawn finely by then, where no card draws
         await new Promise(done => setTimeout(done, 900))
