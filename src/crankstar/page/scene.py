@@ -280,8 +280,9 @@ def _box(
         end = sizes.big_ends[row] + place
         margin = 1.6 * shafts[cylinder.shaft].throws[cylinder.throw].pin_radius
         z = np.full(end.size, cylinder.rod_z)
-        for side in (-margin, margin):
-            points.append(np.column_stack([end.real + side, end.imag + side, z]))
+        points += [
+            np.column_stack([end.real + side, end.imag + side, z]) for side in (-margin, margin)
+        ]
     every = np.concatenate(points)
     low, high = every.min(axis=0).tolist(), every.max(axis=0).tolist()
     return tuple(low), tuple(high)
