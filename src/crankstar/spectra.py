@@ -146,10 +146,8 @@ def selected(spectrum: Spectrum, orders: ArrayLike) -> Spectrum:
             order=f"{absent[0]:g}",
             orders=", ".join(f"{order:g}" for order in spectrum.orders) or "-",
         )
-    forward, backward = (
-        np.einsum("...n,mn->...m", values, hits.astype(float)) + 0j
-        for values in (spectrum.forward, spectrum.backward)
-    )
+    chosen = hits.T.astype(float)
+    forward, backward = spectrum.forward @ chosen + 0j, spectrum.backward @ chosen + 0j
     return replace(spectrum, orders=wanted, forward=forward, backward=backward)
 
 
