@@ -1,4 +1,4 @@
-"""How thoroughly random engines are tried; signals and width as tests need them.
+"""How thoroughly random engines are tried; signals, width and fonts as tests need them.
 
 `HYPOTHESIS_PROFILE=long` for many, `explore` for others each time.
 """
@@ -7,9 +7,12 @@ import os
 import signal
 from collections import Counter
 from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 from hypothesis import HealthCheck, settings
+from tests.fonts import only_of_packages
 
 for name in ("COLUMNS", "CRANKSTAR_LANG", "LANGUAGE", "LC_ALL"):
     os.environ.pop(name, None)  # of the one who started the suite
@@ -28,6 +31,14 @@ settings.register_profile(
 settings.register_profile("long", settings.get_profile("default"), max_examples=300)
 settings.register_profile("explore", settings.get_profile("long"), derandomize=False)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "default"))
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """The same fonts on every machine."""
+    if "PYTEST_XDIST_WORKER" not in os.environ:  # which has those of the process that started it
+        folder = TemporaryDirectory(prefix="crankstar-fonts-", ignore_cleanup_errors=True)
+        config.add_cleanup(folder.cleanup)
+        only_of_packages(Path(folder.name))
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -1,7 +1,8 @@
 """How wide letters are, and texts in lines of a width.
 
-The widths are those of DejaVu Sans, the widest sans-serif font in common use: what is kept apart in
-it is apart in Arial, Helvetica and Noto Sans as well.
+The widths are those of DejaVu Sans, the widest sans-serif font in common use, and of Noto Sans,
+which travels with the package, where that is wider: what is kept apart in them is apart in Arial
+and Helvetica as well.
 """
 
 from __future__ import annotations
@@ -13,20 +14,20 @@ NO_BREAK = "\N{NO-BREAK SPACE}"
 SMALL, TEXT = 12, 13
 """Sizes of letters, px."""
 WIDTHS = {
-    0.3: "'ijlIJ",
-    0.33: f" {NO_BREAK},.·/:;|",
-    0.4: "f()[]t-!¹²³r",
+    0.3: "'ijlJ",
+    0.34: f" {NO_BREAK},.·:;I",
+    0.4: "f()[]t-!¹²³r/",
     0.47: '"',
-    0.5: "*_°´–",
-    0.54: "sz?гзεζcсэ",
-    0.57: "LΓνkυχт",
-    0.62: "FvxyPTYaoeπτρκγλθδчьвухбеарАГТУ",
-    0.77: "ABCDHKNRUVXZ&БВДИЙКЛНПСЦЧЬЭЯΑΒΗΝΩ",
-    0.8: "OQGΘΟΦΨОы",
-    0.84: "w#+<=>~±×÷ωю−ъЪ",
-    0.92: "фжш",
-    0.98: "m%WMщМФЫ",
-    1.09: "@…ЖЮШЩ",
+    0.5: "_°´–",
+    0.55: "sz?гзεζcсэ|*",
+    0.57: "LΓνkт",
+    0.62: "FvxyPTYaoeτρκγλθδчьвухбеарГТУυχ",
+    0.69: "АХΔΛΖΧдц",
+    0.77: "ABCDHKNRUVXZ&БВДИЙКЛНПСЦЧЬЭЯΑΒΗΝΠΩφψм",
+    0.84: "OQGΘΟΦΨОыw#+<=>~±×÷ωю−ъЪ≤≥^",
+    0.92: "фжш∠○",
+    0.98: "m%WMΜщМФЫ",
+    1.09: "@…ЖЮШЩ—№",
 }
 """Of letters by their width in their size; of others it is `USUAL`, of Japanese ones 1."""
 USUAL = 0.65
