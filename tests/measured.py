@@ -8,31 +8,50 @@ from typing import Any, NamedTuple
 
 from playwright.sync_api import Page
 
-MEASURE = """() => [...document.querySelectorAll('main > svg')].map(svg => {
-  const home = svg.getBoundingClientRect()
-  const part = node => {
-    const box = node.getBoundingClientRect(), style = getComputedStyle(node)
-    let opacity = 1
-    for (let at = node; at instanceof Element; at = at.parentElement)
-      opacity *= parseFloat(getComputedStyle(at).opacity)
-    opacity *= parseFloat(style.fillOpacity)
-    const scale = node.getScreenCTM(), turned = Math.abs(scale.b) > Math.abs(scale.a)
-    return {text: node.textContent.trim(), left: box.left - home.left, top: box.top - home.top,
-      right: box.right - home.left, bottom: box.bottom - home.top, turned, opacity,
-      size: parseFloat(style.fontSize) * Math.hypot(scale.a, scale.b), colour: style.fill,
-      lines: Math.max(1, new Set([...node.querySelectorAll('tspan')].map(
-        one => Math.round(one.getBoundingClientRect().top))).size)}
+FAMILIES = ("Noto Sans", "DejaVu Sans")
+"""The font that travels with the package, and the widest one in common use (`tests/fonts.py`)."""
+MEASURE = """() => {
+  const pen = document.createElement('canvas').getContext('2d')
+  // where the letters of a text end: no font fills the line that a browser reserves for it
+  const inked = (node, style, box) => {
+    const lines = [...node.querySelectorAll('tspan')]
+    const tops = new Set(lines.map(one => Math.round(one.getBoundingClientRect().top)))
+    pen.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`
+    const whole = node.textContent, several = tops.size > 1
+    const over = pen.measureText(several ? lines[0].textContent : whole).actualBoundingBoxAscent
+    const under =
+      pen.measureText(several ? lines.at(-1).textContent : whole).actualBoundingBoxDescent
+    const to = node.getScreenCTM(), size = Math.hypot(to.a, to.b)
+    const last = node.getNumberOfChars() - 1
+    const [first, end] = [0, last].map(at => node.getStartPositionOfChar(at).matrixTransform(to))
+    let { left, right, top, bottom } = box
+    if (Math.abs(to.b) <= Math.abs(to.a))
+      [top, bottom] = [first.y - over * size, end.y + under * size]
+    else if (to.b < 0) [left, right] = [first.x - over * size, end.x + under * size]
+    else [left, right] = [end.x - under * size, first.x + over * size]
+    return { left, right, top, bottom, size }
   }
-  return {width: home.width, height: home.height,
-    texts: [...svg.querySelectorAll('text')].filter(
-      node => node.textContent.trim() && node.getBoundingClientRect().width).map(part)}
-})"""
-BLANK = 0.17
-"""Share of the height of a line, at its head and at its foot, in which no letter is drawn."""
+  return [...document.querySelectorAll('main > svg')].map(svg => {
+    const home = svg.getBoundingClientRect()
+    const part = node => {
+      const style = getComputedStyle(node)
+      let opacity = parseFloat(style.fillOpacity)
+      for (let at = node; at instanceof Element; at = at.parentElement)
+        opacity *= parseFloat(getComputedStyle(at).opacity)
+      const { left, right, top, bottom, size } = inked(node, style, node.getBoundingClientRect())
+      return {text: node.textContent.trim(), left: left - home.left, top: top - home.top,
+        right: right - home.left, bottom: bottom - home.top, opacity,
+        size: parseFloat(style.fontSize) * size, colour: style.fill}
+    }
+    return {width: home.width, height: home.height,
+      texts: [...svg.querySelectorAll('text')].filter(
+        node => node.textContent.trim() && node.getBoundingClientRect().width).map(part)}
+  })
+}"""
 
 
 class Text(NamedTuple):
-    """A text of a picture: its box without the blank of its line, px, and its letters."""
+    """A text of a picture: the box of what is drawn of it, px, and its letters."""
 
     text: str
     left: float
@@ -71,9 +90,10 @@ class Measured(NamedTuple):
         ]
 
 
-def measured(page: Page, drawings: Sequence[str]) -> list[Measured]:
-    """Each SVG as the page shows it."""
-    page.set_content(f"<main>{''.join(drawings)}</main>")
+def measured(page: Page, drawings: Sequence[str], family: str = "") -> list[Measured]:
+    """Each SVG as the page shows it, with the fonts that it names or with a family of fonts."""
+    style = f"<style>text {{ font-family: '{family}' !important }}</style>" if family else ""
+    page.set_content(f"{style}<main>{''.join(drawings)}</main>")
     return [_picture(picture) for picture in page.evaluate(MEASURE)]
 
 
@@ -82,20 +102,10 @@ def _picture(picture: dict[str, Any]) -> Measured:
 
 
 def _text(found: dict[str, Any]) -> Text:
-    ends = {side: found[side] for side in ("left", "right", "top", "bottom")}
-    low, high = ("left", "right") if found["turned"] else ("top", "bottom")
-    blank = BLANK * (ends[high] - ends[low]) / found["lines"]
-    ends |= {low: ends[low] + blank, high: ends[high] - blank}
     red, green, blue = (
-        int(float(part)) for part in found["colour"].split("(")[1].rstrip(")").split(",")[:3]
+        int(float(part)) for part in found.pop("colour").split("(")[1].rstrip(")").split(",")[:3]
     )
-    return Text(
-        found["text"],
-        **ends,
-        size=found["size"],
-        colour=(red, green, blue),
-        opacity=found["opacity"],
-    )
+    return Text(**found, colour=(red, green, blue))
 
 
 def contrast(one: tuple[int, int, int], other: tuple[int, int, int]) -> float:

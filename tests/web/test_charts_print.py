@@ -13,7 +13,7 @@ import pytest
 from playwright.sync_api import Page
 from tests.commands import Run
 from tests.files.conftest import refused, run
-from tests.measured import Measured, contrast, measured
+from tests.measured import FAMILIES, Measured, contrast, measured
 from tests.methods.test_diagnosis import four, heavy, lines, seen
 
 import crankstar
@@ -53,13 +53,15 @@ def pictures(engine: Engine) -> dict[str, str]:
 
 
 def assert_clear(drawings: dict[str, str], page: Page) -> list[Measured]:
-    seen = measured(page, [*drawings.values()])
-    faults = {
-        name: (picture.collisions(), picture.cut())
-        for name, picture in zip(drawings, seen, strict=True)
-        if picture.collisions() or picture.cut()
-    }
-    assert faults == {}
+    """No text collides or is cut in any of the fonts; the pictures in those that they name."""
+    for family in (*FAMILIES[1:], ""):
+        seen = measured(page, [*drawings.values()], family)
+        faults = {
+            name: (picture.collisions(), picture.cut())
+            for name, picture in zip(drawings, seen, strict=True)
+            if picture.collisions() or picture.cut()
+        }
+        assert faults == {}, family
     assert sum(len(picture.texts) for picture in seen) > 6 * len(seen)
     return seen
 
