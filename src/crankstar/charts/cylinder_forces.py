@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import cycle, pairwise
 from math import degrees, pi
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -31,7 +31,7 @@ from crankstar.charts.drawing import (
 from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, span
 from crankstar.charts.labels import Label
-from crankstar.charts.letters import SMALL, TEXT
+from crankstar.charts.letters import SMALL, TEXT, text_width
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, picture
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
@@ -248,17 +248,23 @@ ROUNDING = 1e-6
 """m r w^2: components below this are not written."""
 
 
+SQUARE, APART, ROW = 9.0, 14.0, 14.0
+"""px of the names of the arrows: before a name, between two of them, and a row."""
+
+
 def _key(entries: Sequence[tuple[str, str]]) -> Panel:
     """The names of the arrows in their colours."""
-    widths = [7.0 * len(name) + 22 for name, _ in entries]
-    starts = [sum(widths[:i]) for i in range(len(widths))]
-    rows = [
-        {"x": start, "text": name, "colour": colour}
-        for start, (name, colour) in zip(starts, entries, strict=True)
-    ]
+    rows: list[dict[str, Any]] = []
+    end, line = 0.0, 0
+    for name, colour in entries:
+        width = SQUARE + text_width(name)
+        if end and end + width > panel_width():
+            end, line = 0.0, line + 1
+        rows.append({"x": end, "y": (line + 0.5) * ROW, "text": name, "colour": colour})
+        end += width + APART
     x, base = field("x:Q", scale=span(0, panel_width()), axis=None), of_rows(rows)
     marks = base.mark("point", shape="square", filled=True, size=90, opacity=1)
     words = base.mark("text", align="left", dx=9, fontSize=TEXT, baseline="middle")
-    channels = {"x": x, "color": COLOUR}
+    channels = {"x": x, "y": field("y:Q", scale=None, axis=None), "color": COLOUR}
     layers = [marks.encode(**channels), words.encode(**channels, text=field("text:N"))]
-    return layered(layers, width=panel_width(), height=14)
+    return layered(layers, width=panel_width(), height=(line + 1) * ROW)
