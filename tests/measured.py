@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import combinations
+from math import hypot
 from typing import Any, NamedTuple
 
 from playwright.sync_api import Page
@@ -13,23 +14,18 @@ FAMILIES = ("Noto Sans", "DejaVu Sans")
 MEASURE = """() => {
   const pen = document.createElement('canvas').getContext('2d')
   // where the letters of a text end: no font fills the line that a browser reserves for it
-  const inked = (node, style, box) => {
+  const inked = node => {
     const lines = [...node.querySelectorAll('tspan')]
     const tops = new Set(lines.map(one => Math.round(one.getBoundingClientRect().top)))
-    pen.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`
-    const whole = node.textContent, several = tops.size > 1
-    const over = pen.measureText(several ? lines[0].textContent : whole).actualBoundingBoxAscent
-    const under =
-      pen.measureText(several ? lines.at(-1).textContent : whole).actualBoundingBoxDescent
-    const to = node.getScreenCTM(), size = Math.hypot(to.a, to.b)
-    const last = node.getNumberOfChars() - 1
-    const [first, end] = [0, last].map(at => node.getStartPositionOfChar(at).matrixTransform(to))
-    let { left, right, top, bottom } = box
-    if (Math.abs(to.b) <= Math.abs(to.a))
-      [top, bottom] = [first.y - over * size, end.y + under * size]
-    else if (to.b < 0) [left, right] = [first.x - over * size, end.x + under * size]
-    else [left, right] = [end.x - under * size, first.x + over * size]
-    return { left, right, top, bottom, size }
+    const [head, foot] = (tops.size > 1 ? [lines[0], lines.at(-1)] : [node, node])
+      .map(one => pen.measureText(one.textContent))
+    const [first, last] = [0, node.getNumberOfChars() - 1].map(
+      at => node.getStartPositionOfChar(at))
+    const { x, width } = node.getBBox(), to = node.getScreenCTM()
+    const top = first.y - head.actualBoundingBoxAscent
+    const bottom = last.y + foot.actualBoundingBoxDescent
+    return [[x, top], [x + width, top], [x + width, bottom], [x, bottom]]
+      .map(([x, y]) => new DOMPoint(x, y).matrixTransform(to))
   }
   return [...document.querySelectorAll('main > svg')].map(svg => {
     const home = svg.getBoundingClientRect()
@@ -38,10 +34,11 @@ MEASURE = """() => {
       let opacity = parseFloat(style.fillOpacity)
       for (let at = node; at instanceof Element; at = at.parentElement)
         opacity *= parseFloat(getComputedStyle(at).opacity)
-      const { left, right, top, bottom, size } = inked(node, style, node.getBoundingClientRect())
-      return {text: node.textContent.trim(), left: left - home.left, top: top - home.top,
-        right: right - home.left, bottom: bottom - home.top, opacity,
-        size: parseFloat(style.fontSize) * size, colour: style.fill}
+      pen.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`
+      const to = node.getScreenCTM()
+      return {text: node.textContent.trim(), opacity, colour: style.fill,
+        corners: inked(node).map(({ x, y }) => [x - home.left, y - home.top]),
+        size: parseFloat(style.fontSize) * Math.hypot(to.a, to.b)}
     }
     return {width: home.width, height: home.height,
       texts: [...svg.querySelectorAll('text')].filter(
@@ -51,16 +48,58 @@ MEASURE = """() => {
 
 
 class Text(NamedTuple):
-    """A text of a picture: the box of what is drawn of it, px, and its letters."""
+    """A text of a picture: the corners of what is drawn of it, around it, px, and its letters."""
 
     text: str
-    left: float
-    top: float
-    right: float
-    bottom: float
+    corners: tuple[tuple[float, float], ...]
     size: float
     colour: tuple[int, int, int]
     opacity: float
+
+    @property
+    def left(self) -> float:
+        """Its leftmost point."""
+        return min(x for x, _y in self.corners)
+
+    @property
+    def right(self) -> float:
+        """Its rightmost point."""
+        return max(x for x, _y in self.corners)
+
+    @property
+    def top(self) -> float:
+        """Its highest point."""
+        return min(y for _x, y in self.corners)
+
+    @property
+    def bottom(self) -> float:
+        """Its lowest point."""
+        return max(y for _x, y in self.corners)
+
+    def overlap(self, other: Text) -> float:
+        """How far one has to be moved to stand clear of the other, px; not positive if it does."""
+        return min(
+            _overlap(self.corners, other.corners, side)
+            for each in (self, other)
+            for side in each.sides()
+        )
+
+    def sides(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """The directions of its line and of its height, as unit vectors."""
+        (x0, y0), (x1, y1), *_rest = self.corners
+        long = hypot(x1 - x0, y1 - y0)
+        x, y = (x1 - x0) / long, (y1 - y0) / long
+        return (x, y), (-y, x)
+
+
+def _overlap(
+    one: Sequence[tuple[float, float]],
+    other: Sequence[tuple[float, float]],
+    side: tuple[float, float],
+) -> float:
+    """How far two sets of points overlap in a direction."""
+    here, there = ([x * side[0] + y * side[1] for x, y in each] for each in (one, other))
+    return min(max(here), max(there)) - max(min(here), min(there))
 
 
 class Measured(NamedTuple):
@@ -75,8 +114,7 @@ class Measured(NamedTuple):
         return [
             (one.text, other.text)
             for one, other in combinations(self.texts, 2)
-            if min(one.right, other.right) - max(one.left, other.left) > by
-            and min(one.bottom, other.bottom) - max(one.top, other.top) > by
+            if one.overlap(other) > by
         ]
 
     def cut(self, by: float = 1.0) -> list[str]:
@@ -103,9 +141,10 @@ def _picture(picture: dict[str, Any]) -> Measured:
 
 def _text(found: dict[str, Any]) -> Text:
     red, green, blue = (
-        int(float(part)) for part in found.pop("colour").split("(")[1].rstrip(")").split(",")[:3]
+        int(float(part)) for part in found["colour"].split("(")[1].rstrip(")").split(",")[:3]
     )
-    return Text(**found, colour=(red, green, blue))
+    corners = tuple((x, y) for x, y in found["corners"])
+    return Text(found["text"], corners, found["size"], (red, green, blue), found["opacity"])
 
 
 def contrast(one: tuple[int, int, int], other: tuple[int, int, int]) -> float:
