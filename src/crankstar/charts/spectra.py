@@ -44,6 +44,10 @@ WHISKERS = N_("Estimated masses or lengths: each thin line is the range of a bar
 NONE = {"force": N_("no force"), "couple": N_("no couple"), "roll": N_("no rolling moment")}
 
 
+SYMBOL, COLUMNS_APART = 18.0, 26.0
+"""px of the legend: a square with its room, and between two columns."""
+
+
 class Bars(NamedTuple):
     """Lengths by order: of the vectors with and against the crank, or of the rolling moment.
 
@@ -132,8 +136,7 @@ def _panel(one: Bars, names: Sequence[str], reach: float, width: float) -> Panel
         axis={"tickCount": 3, "titlePadding": 18},  # its second line stands where one would end
     )
     colours = {"domain": [_(AHEAD), _(AGAINST)], "range": [BLUE, ORANGE]}
-    legend = {"orient": "top", "title": None, "symbolType": "square", "columnPadding": 26}
-    colour = constant(GREY) if foot else field("what:N", scale=colours, legend=legend)
+    colour = constant(GREY) if foot else field("what:N", scale=colours, legend=_legend())
     rows = []
     for order, (ahead, against) in one.lengths.items():
         for begin, length, what in ((0.0, ahead, AHEAD), (ahead, against, AGAINST)):
@@ -165,6 +168,18 @@ def _panel(one: Bars, names: Sequence[str], reach: float, width: float) -> Panel
         words = constant(_(NONE[one.quantity]))
         layers.append(middle.encode(x=constant(width / 2), y=y, text=words))
     return layered(layers, width=width, height=curve_height(HEIGHT))
+
+
+def _legend() -> dict[str, Any]:
+    """The names of the two directions in a row, or one below the other where that is too narrow."""
+    row = text_width(_(AHEAD)) + text_width(_(AGAINST)) + 2 * SYMBOL + COLUMNS_APART
+    return {
+        "orient": "top",
+        "title": None,
+        "symbolType": "square",
+        "columnPadding": COLUMNS_APART,
+        "columns": 2 if row <= panel_width() else 1,
+    }
 
 
 def _breadth(names: Sequence[str], width: float) -> float:
