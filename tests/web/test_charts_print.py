@@ -20,6 +20,7 @@ import crankstar
 from crankstar import charts
 from crankstar.charts.themes import THEMES
 from crankstar.engine.engine import Engine
+from crankstar.language.messages import spoken
 from crankstar.remedy import with_counterweights
 from crankstar.studies.diagnosis import diagnosed
 
@@ -88,6 +89,17 @@ def test_texts_that_collide_or_are_cut_are_seen(page: Page) -> None:
     (picture,) = measured(page, [drawing])
     assert picture.collisions() == [("force", "couple")]
     assert picture.cut() == ["moment"]
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("name", ["kr250-racer", "v8-cross-plane"])
+def test_the_japanese_names_of_forces_stand_apart(name: str, family: str, page: Page) -> None:
+    with spoken("ja"):
+        drawing = charts.svg(charts.force_arrows(crankstar.load(name)), "x")
+    (picture,) = measured(page, [drawing], family)
+    assert picture.collisions() == []
+    assert picture.cut() == []
+    assert sum("1次" in each.text for each in picture.texts) == 1
 
 
 def numbers(picture: Measured) -> set[int]:
