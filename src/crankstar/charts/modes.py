@@ -27,8 +27,10 @@ LEAST, GREATEST = 18.0, 150.0
 """px^2: the dots of a mass that is nought beside the others, and of the greatest."""
 LONGEST = 180.0
 """px: of the name of a mass."""
-SLANTED = 0.87
-"""The height of a slanted name over its length."""
+SLANTED, COSINE = 0.87, 0.5
+"""The height and the width of a slanted name over its length."""
+EDGE = 0.4
+"""Of the step between two masses: from the first and the last one to the edges of a panel."""
 
 
 def mode_shapes(source: Engine | Chain) -> Chart:
@@ -64,7 +66,12 @@ def _panel(chain: TorsionChain, mode: Mode, *, foot: bool) -> Panel:
     turns = mode.shape / chain.ratio
     reach = ROOM * float(np.abs(turns).max())
     x = _across(chain, foot=foot)
-    y = field("y:Q", scale=span(-reach, reach), title=None, axis={"tickCount": 3, "minExtent": 34})
+    y = field(
+        "y:Q",
+        scale=span(-reach, reach),
+        title=None,
+        axis={"tickCount": 3, "minExtent": _beside(chain)},
+    )
     ends = [(each.before, each.after, each.stiffness == 0) for each in chain.sections]
     shafts = [
         {
@@ -131,6 +138,20 @@ def mass_names(chain: TorsionChain) -> list[str]:
     ]
 
 
+def _beside(chain: TorsionChain) -> float:
+    """Room (px) for the numbers left of a panel, and for slanted names that reach beyond its edge.
+
+    Those are measured with narrower letters than those of a reader's screen.
+    """
+    names = mass_names(chain)
+    slot = panel_width() / (len(names) - 1 + 2 * EDGE)
+    reach = max(
+        COSINE * min(text_width(name, TEXT), LONGEST) + TEXT / 2 - (at + EDGE) * slot
+        for at, name in enumerate(names)
+    )
+    return max(34.0, round(reach, 1))
+
+
 def _across(chain: TorsionChain, *, foot: bool) -> Channel:
     names = mass_names(chain)
     last = len(names) - 1
@@ -151,5 +172,4 @@ def _across(chain: TorsionChain, *, foot: bool) -> Channel:
         axis |= {"labelAlign": "right", "labelBaseline": "middle"}
         if foot:  # measured with other letters than those of a reader's screen
             axis["minExtent"] = SLANTED * min(longest, LONGEST) + 1.5 * TEXT
-    room = 0.4
-    return field("x:Q", scale={**span(-room, last + room), "zero": False}, title=None, axis=axis)
+    return field("x:Q", scale={**span(-EDGE, last + EDGE), "zero": False}, title=None, axis=axis)
