@@ -165,7 +165,7 @@ def test_a_drive_line_has_a_campbell_diagram_with_speeds() -> None:
     asked = charts.campbell(fan_drive(), speeds=over, orders=[1.0])
     [mark] = [row for row in rows_of(asked.to_dict()) if "order" in row]
     assert mark["x"] == pytest.approx(60 * torsion(fan_drive()).modes[0].frequency)
-    assert "give --speeds" in str(charts.campbell(fan_drive()).to_dict())
+    assert "--speeds" in str(charts.campbell(fan_drive()).to_dict())
 
 
 @pytest.mark.parametrize("quantity", ["amplitude", "stress", "torque"])
@@ -269,8 +269,8 @@ def test_what_is_missing_is_said() -> None:
     own = tree()
     del own["gas"]
     still = engine_of(own, name="six")
-    assert "give --speeds" in str(charts.campbell(still).to_dict())
-    assert "give --speeds" in str(charts.torsion_response_chart(still).to_dict())
+    assert "--speeds" in str(charts.campbell(still).to_dict())
+    assert "--speeds" in str(charts.torsion_response_chart(still).to_dict())
     for part in (own["torsion"], *own["torsion"]["disc"]):
         part.pop("diameter", None)
     own["torsion"].pop("shear_limit")

@@ -260,11 +260,14 @@ def _key(entries: Sequence[tuple[str, str]]) -> Panel:
         width = SQUARE + text_width(name)
         if end and end + width > panel_width():
             end, line = 0.0, line + 1
-        rows.append({"x": end, "y": (line + 0.5) * ROW, "text": name, "colour": colour})
+        rows.append({"x": end, "y": -(line + 0.5) * ROW, "text": name, "colour": colour})
         end += width + APART
-    x, base = field("x:Q", scale=span(0, panel_width()), axis=None), of_rows(rows)
+    height = (line + 1) * ROW
+    x = field("x:Q", scale=span(0, panel_width()), axis=None)
+    y = field("y:Q", scale=span(-height, 0), axis=None)
+    base = of_rows(rows)
     marks = base.mark("point", shape="square", filled=True, size=90, opacity=1)
     words = base.mark("text", align="left", dx=9, fontSize=TEXT, baseline="middle")
-    channels = {"x": x, "y": field("y:Q", scale=None, axis=None), "color": COLOUR}
+    channels = {"x": x, "y": y, "color": COLOUR}
     layers = [marks.encode(**channels), words.encode(**channels, text=field("text:N"))]
-    return layered(layers, width=panel_width(), height=(line + 1) * ROW)
+    return layered(layers, width=panel_width(), height=height)
