@@ -265,7 +265,7 @@ def test_labels_do_not_cover_each_other(name: str, engine: str, order: int) -> N
     for panel, layers in zip(panels(chart.to_dict()), drawn(chart), strict=True):
         boxes = []
         for layer, rows in layers:
-            if kind(layer) != "text" or "y" not in layer["encoding"]:
+            if kind(layer) != "text" or layer["encoding"]["x"].get("field") != "x3":
                 continue
             (left, right), (bottom, _) = (
                 layer["encoding"][axis]["scale"]["domain"] for axis in "xy"
