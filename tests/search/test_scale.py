@@ -543,7 +543,7 @@ def test_a_cluster_without_workers_is_told(monkeypatch):
 
     wait = Client.wait_for_workers
     monkeypatch.setattr(
-        Client, "wait_for_workers", lambda client, count, timeout: wait(client, count, timeout=0.1)
+        Client, "wait_for_workers", lambda client, count, **_: wait(client, count, timeout=0.1)
     )
     with (
         local_cluster(0) as found,
