@@ -8,13 +8,12 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 from urllib.request import urlopen
 
 import pytest
+from tests.holding import PATIENCE, awaited
 
-PATIENCE = 60.0
 COMMAND = [sys.executable, "-m", "crankstar"]
 
 
@@ -71,13 +70,11 @@ def test_in_a_terminal_without_a_browser_or_in_ci_it_prints_help(more: dict[str,
 
 def test_in_a_terminal_with_a_browser_it_serves_the_gallery(tmp_path: Path) -> None:
     opened, browser = tmp_path / "opened", tmp_path / "browser"
-    browser.write_text(f'#!/bin/sh\necho "$1" > {opened}.new && mv {opened}.new {opened}\n')
+    browser.write_text(f'#!/bin/sh\necho "$1" > "{opened}.new" && mv "{opened}.new" "{opened}"\n')
     browser.chmod(0o755)
     process, terminal = started(surroundings(BROWSER=str(browser)))
-    ends = time.monotonic() + PATIENCE
     try:
-        while not opened.exists() and time.monotonic() < ends:
-            time.sleep(0.1)
+        awaited(opened.exists)
         address = opened.read_text().strip()
         assert re.fullmatch(r"http://127\.0\.0\.1:\d+/gallery", address)
         with urlopen(address, timeout=PATIENCE) as answer:  # noqa: S310 - of this machine

@@ -21,6 +21,7 @@ import numpy as np
 import pytest
 from tests.catalog import EVERY_ENGINE
 from tests.commands import Ran, Run
+from tests.holding import PATIENCE
 from tests.texts import EXPLICIT, SHORT
 
 import crankstar
@@ -857,7 +858,7 @@ def shell(script: str, folder: Path, **environment: str) -> Ran:
         cwd=folder,
         env={**os.environ, "PYTHONUNBUFFERED": "", **environment},
         capture_output=True,
-        timeout=60,
+        timeout=PATIENCE,
         check=False,
     )
     return Ran(
@@ -936,7 +937,7 @@ def test_the_command_itself_is_installed(tmp_path: Path) -> None:
         capture_output=True,
         text=True,
         check=True,
-        timeout=60,
+        timeout=PATIENCE,
     )
     assert done.stdout == "mine.toml: good (two and a balance shaft, 2 pistons)\n"
 
@@ -983,7 +984,7 @@ def test_help_is_printed_in_any_width(columns: str) -> None:
             env={**os.environ, "COLUMNS": columns},
             capture_output=True,
             text=True,
-            timeout=60,
+            timeout=PATIENCE,
             check=True,
         )
         assert 20 < len(done.stdout.splitlines()) < 700

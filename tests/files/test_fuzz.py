@@ -1,4 +1,4 @@
-"""Files spoilt at random give an engine with finite forces or a refusal in sentences, and soon."""
+"""Files spoilt at random give an engine with finite forces or a refusal in sentences."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import copy
 import json
 import random
 import sys
-import time
 import tomllib
 from collections.abc import Callable
 from io import BytesIO, TextIOWrapper
@@ -27,20 +26,14 @@ from crankstar.tables import analysis as tables
 from crankstar.tables import engines as description
 from crankstar.tables.terminal import rendered
 
-GREATEST_TIME = 2.0
-"""Seconds that any file at all may take, on a machine that has other things to do."""
-
 
 def accepted(read: Callable[[], Engine]) -> Engine | None:
-    """The engine, or None if it is refused in sentences; in good time."""
-    begin = time.process_time()
+    """The engine, or None if it is refused in sentences."""
     try:
-        engine = read()
+        return read()
     except EngineFileError as error:
         check_sentences(error)
-        engine = None
-    assert time.process_time() - begin < GREATEST_TIME
-    return engine
+        return None
 
 
 def check_answers(engine: Engine) -> None:
@@ -216,10 +209,8 @@ def try_words(
             sys, "stdin", TextIOWrapper(BytesIO(SHORT.encode() if seed % 2 else b""))
         )
         words = spoilt_words(random.Random(seed))  # noqa: S311
-        begin = time.process_time()
         with pytest.raises(SystemExit) as left:
             cli.main(words)
-        assert time.process_time() - begin < GREATEST_TIME
         out, err = capsys.readouterr()
         assert left.value.code in (0, 2), words
         assert (left.value.code == 2) == bool(err), words

@@ -8,13 +8,13 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 from urllib.parse import unquote
 
 import pytest
 from tests.commands import Run
+from tests.holding import PATIENCE, awaited, reached
 
 from crankstar.site import building, pages
 
@@ -147,31 +147,58 @@ def pages_tree(name: str) -> dict[str, object]:
     return tree_of(name)[1]
 
 
+HELD = """
+import os, signal, sys, threading
+from pathlib import Path
+from crankstar.site import building
+
+def held(subject, draft, scripts):
+    def ending(*_):
+        with open("../pipe", "rb", buffering=0) as pipe:
+            pipe.read(1)
+        os._exit(0)
+
+    signal.signal(signal.SIGTERM, ending)
+    building.write(draft, f"pictures/{subject.name}.svg", b"half a picture")
+    threading.Event().wait()
+
+if __name__ == "__main__":
+    building._engine = held
+    building.PROCESSES, os.cpu_count = 2, lambda: 2
+    from crankstar.__main__ import main
+    main()
+"""
+"""A site whose processes never end what they have begun, and end only when a pipe lets them."""
+
+
 @pytest.mark.many(first=1)
 @pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("sent", [[signal.SIGINT], [signal.SIGINT] * 3, [signal.SIGTERM]])
 def test_a_site_that_is_interrupted_leaves_nothing(tmp_path: Path, sent: list[int]) -> None:
     """Also while its processes write: an interrupt comes to all of them, as in a terminal."""
-    words = [sys.executable, "-m", "crankstar", "site", "-o", "site"]
-    process = subprocess.Popen(words, cwd=tmp_path, start_new_session=True, stderr=-1)
+    folder, pipe, script = tmp_path / "folder", tmp_path / "pipe", tmp_path / "held.py"
+    folder.mkdir()
+    os.mkfifo(pipe)
+    script.write_text(HELD)
+    words = [sys.executable, str(script), "site", "single", "i4", "-o", "site"]
+    process = subprocess.Popen(words, cwd=folder, start_new_session=True, stderr=-1)
     try:
-        ends = time.monotonic() + 60
-        while not [*tmp_path.glob(".site.*/pictures/*")] and time.monotonic() < ends:
-            time.sleep(0.05)
-        began = time.monotonic()
-        for number in sent:
+        awaited(lambda: len([*folder.glob(".site.*/pictures/*")]) == 2)
+        for place, number in enumerate(sent):
             if number == signal.SIGINT:
                 os.killpg(process.pid, number)
             else:
                 process.send_signal(number)
-            time.sleep(0.02)
-        _out, said = process.communicate(timeout=60)
+            if place == 0:
+                ending = reached(pipe)
+        with ending:
+            ending.write(b"12")
+            _out, said = process.communicate(timeout=PATIENCE)
         assert process.returncode == (130 if sent[0] == signal.SIGINT else -signal.SIGTERM)
         assert said == b""
-        assert time.monotonic() - began < 10  # what is begun would take longer
     finally:
         process.kill()
-    assert [*tmp_path.iterdir()] == []
+    assert [*folder.iterdir()] == []
 
 
 def test_a_site_in_a_write_protected_directory_is_refused_before_it_is_drawn(

@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import inf, nan
 from pathlib import Path
-from time import process_time
 from typing import Any
 
 import numpy as np
@@ -35,6 +34,7 @@ from tests.exactly import (
     snapped,
     vectors,
 )
+from tests.holding import PATIENCE
 from tests.judged import Judged, lines
 from tests.strategies import OF_ANY_KIND
 
@@ -391,19 +391,17 @@ def test_a_quantity_without_derivation_is_told_in_a_sentence(quantity: Any) -> N
     ],
     ids=["64 in line", "64 in a vee", "256 in line", "256 in a vee"],
 )
-def test_very_long_engines_are_derived_in_time(
+def test_very_long_engines_are_derived(
     count: int, part: int, bearings: tuple[Fraction, ...]
 ) -> None:
     shuffled = np.random.default_rng(count).permutation(part)[:count]
     engine = row([Fraction(int(turn), part) for turn in shuffled], bearings)
     for order, quantity in ((1, "force"), (2, "couple")):
-        start = process_time()
         told = derivation(engine, order, quantity)  # pyright: ignore[reportArgumentType]
-        assert process_time() - start < 10
         assert faults(Judged.of(engine, told)) == []
 
 
-def test_masses_of_many_figures_are_derived_in_time() -> None:
+def test_masses_of_many_figures_are_derived() -> None:
     """Their squares are whole numbers too large to factor.
 
     The derivation runs in a process of its own, because nothing else can end it.
@@ -421,7 +419,7 @@ for quantity in ("force", "couple"):
     checked(engine.model_copy(update={"cylinders": cylinders}), 1, quantity)
 """
     root = Path(__file__).parents[2]
-    subprocess.run([sys.executable, "-c", code], check=True, cwd=root, timeout=20)
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=root, timeout=PATIENCE)
 
 
 # -- the shape of the whole, and the real engine

@@ -8,7 +8,6 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from math import cos, pi, sin, sqrt
 from pathlib import Path
 from xml.etree import ElementTree
@@ -16,6 +15,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from tests.catalog import EVERY_ENGINE
+from tests.holding import PATIENCE, awaited
 
 import crankstar
 from crankstar import spectra
@@ -208,27 +208,47 @@ def test_a_raster_is_as_large_as_it_was_asked_for() -> None:
     assert dark.getpixel((1, 1)) == (0x14, 0x18, 0x1D)
 
 
+HELD = """
+import threading
+from pathlib import Path
+from crankstar.pictures import films
+
+told = films._told
+
+def held(*arguments):
+    for each in told(*arguments):
+        yield each
+        if [*Path().glob("drafts/*/film.mp4")]:
+            Path("../held").touch()
+            threading.Event().wait()
+
+films._told = held
+from crankstar.__main__ import main
+main()
+"""
+"""A film of which no more is drawn once its file has been begun."""
+
+
 @pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize(("sent", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, -15)])
 def test_an_interrupted_film_leaves_no_word_and_no_file(
     tmp_path: Path, sent: int, code: int
 ) -> None:
-    (tmp_path / "drafts").mkdir()
+    folder = tmp_path / "folder"
+    (folder / "drafts").mkdir(parents=True)
     words = "animate", "i4", "-o", "x.mp4", "--seconds", "20"
     process = subprocess.Popen(
-        [sys.executable, "-m", "crankstar", *words],
-        cwd=tmp_path,
-        env={**os.environ, "TMPDIR": str(tmp_path / "drafts")},
+        [sys.executable, "-c", HELD, *words],
+        cwd=folder,
+        env={**os.environ, "TMPDIR": str(folder / "drafts")},
         start_new_session=True,
         stderr=subprocess.PIPE,
     )
     try:
-        ends = time.monotonic() + 60
-        while not [*tmp_path.glob("drafts/*/film.mp4")] and time.monotonic() < ends:
-            time.sleep(0.05)
+        awaited((tmp_path / "held").exists)
         os.killpg(process.pid, sent)
-        assert process.communicate(timeout=60)[1] == b""
+        assert process.communicate(timeout=PATIENCE)[1] == b""
         assert process.returncode == code
     finally:
         process.kill()
-    assert [path.name for path in tmp_path.rglob("*")] == ["drafts"]
+    assert [path.name for path in folder.rglob("*")] == ["drafts"]

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.holding import PATIENCE
 
 DOUBLED = """
 import resource, sys
@@ -34,7 +35,7 @@ def test_a_loop_is_compiled_whatever_becomes_of_its_cache(disk, tmp_path: Path):
         check=False,
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
         env=os.environ | {"NUMBA_CACHE_DIR": str(cache)},
     )
     assert (ran.stdout, ran.stderr, ran.returncode) == ("42\n", "", 0)
@@ -70,7 +71,7 @@ def test_code_that_is_kept_is_loaded_without_numba_learning_scipy_and_outlives_a
             check=True,
             capture_output=True,
             text=True,
-            timeout=60,
+            timeout=PATIENCE,
             env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "cache")},
         ).stdout
 

@@ -7,6 +7,7 @@ import threading
 from pathlib import Path
 
 import pytest
+from tests.holding import PATIENCE
 
 from crankstar.search.interrupts import aside
 
@@ -17,18 +18,18 @@ def test_what_work_gives_and_raises_comes_through():
         aside(lambda: 1 // 0)
 
 
+@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_ends_the_waiting_and_not_the_work():
     begun, go, done = threading.Event(), threading.Event(), threading.Event()
 
     def work():
         begun.set()
-        go.wait(20)
+        go.wait(PATIENCE)
         done.set()
 
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     watch = threading.Thread(
         target=lambda: (
-            begun.wait(20)
+            begun.wait(PATIENCE)
             and signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
         )
     )
@@ -37,11 +38,10 @@ def test_an_interrupt_ends_the_waiting_and_not_the_work():
         with pytest.raises(KeyboardInterrupt):
             aside(work)
     finally:
-        signal.signal(signal.SIGINT, before)
         watch.join()
     assert not done.is_set()
     go.set()
-    assert done.wait(20)
+    assert done.wait(PATIENCE)
 
 
 FIRST = """
@@ -64,6 +64,6 @@ def test_the_first_process_of_a_program_is_kept_from_interrupts_like_the_later_o
     script = tmp_path / "first.py"
     script.write_text(FIRST)
     ran = subprocess.run(
-        [sys.executable, str(script)], capture_output=True, text=True, timeout=60, check=True
+        [sys.executable, str(script)], capture_output=True, text=True, timeout=PATIENCE, check=True
     )
     assert ran.stdout.split() == ["True", "False"]

@@ -7,7 +7,6 @@ import socket
 import subprocess
 import sys
 import threading
-import time
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from dataclasses import replace
@@ -16,6 +15,7 @@ from typing import Any
 
 import psutil
 import pytest
+from tests.holding import PATIENCE, awaited
 from tests.search.asked import every_kind, front
 
 from crankstar.search import checkpoint, distribution, executors, halves, regions, run
@@ -28,6 +28,12 @@ from crankstar.search.work import results_of
 KINDS = every_kind()
 MIDDLE = front(12)
 """236 blocks."""
+
+
+@pytest.fixture(autouse=True)
+def patient(monkeypatch):
+    """A scheduler may take its time to answer on a busy machine."""
+    monkeypatch.setattr(executors, "SCHEDULER_SECONDS", PATIENCE)
 
 
 @pytest.fixture(scope="module")
@@ -68,25 +74,25 @@ class Shuffled(Executor):
 
     def __init__(self, seed, losses=()):
         self.chance, self.losses, self.lost = random.Random(seed), losses, set()  # noqa: S311
-        self.waiting, self.lock, self.open = [], threading.Lock(), True
+        self.waiting, self.changed, self.open = [], threading.Condition(), True
         self.thread = threading.Thread(target=self.work)
         self.thread.start()
 
     def submit(self, fn, /, *args, **_):
         future = Future()
-        with self.lock:
+        with self.changed:
             self.waiting.append((future, fn, args))
+            self.changed.notify()
         return future
 
     def work(self):
-        while self.open:
-            with self.lock:
+        while True:
+            with self.changed:
+                self.changed.wait_for(lambda: self.waiting or not self.open)
+                if not self.open:
+                    return
                 self.chance.shuffle(self.waiting)
-                item = self.waiting.pop() if self.waiting else None
-            if item is None:
-                time.sleep(0.001)
-                continue
-            future, fn, args = item
+                future, fn, args = self.waiting.pop()
             key = (args[0].start, args[0].stop)
             if self.losses and key not in self.lost:
                 self.lost.add(key)
@@ -100,7 +106,9 @@ class Shuffled(Executor):
                 future.set_result(fn(*args))
 
     def shutdown(self, *_, **__):
-        self.open = False
+        with self.changed:
+            self.open = False
+            self.changed.notify()
         self.thread.join()
 
 
@@ -135,7 +143,8 @@ def test_the_answer_is_the_same_by_processes_threads_and_whoever_comes_first(ans
 
 
 @pytest.mark.parametrize("name", KINDS)
-def test_the_answer_is_the_same_by_a_cluster(answers, name, daskers):
+def test_the_answer_is_the_same_by_a_cluster(answers, name, daskers, monkeypatch):
+    monkeypatch.setattr(executors, "LOOK_SECONDS", PATIENCE)
     with cluster(daskers.scheduler_address) as workers:
         assert workers.count == 2
         assert answer_to(KINDS[name], workers=workers, range_size=7) == answers[name]
@@ -295,24 +304,26 @@ def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(
 
 
 @pytest.mark.usefixtures("interruptible")
-def test_processes_that_are_gone_before_their_pool_knows_leave_no_fault(two, monkeypatch):
+def test_processes_that_are_gone_before_their_pool_knows_leave_no_fault(monkeypatch):
     """A fault in the thread of the pool would be printed at the user; here it is an error."""
-    pool = two.executor
-    shutdown = pool.shutdown
-
-    def late(**how):
-        if thread := pool._executor_manager_thread:
-            thread.join(timeout=20)  # it ends when it finds that the processes have
-            assert not thread.is_alive()
-        shutdown(**how)
-
-    monkeypatch.setattr(pool, "shutdown", late)
 
     def interrupt(progress):
         if progress.rate:
             signal.raise_signal(signal.SIGINT)
 
-    assert searched(MIDDLE, workers=two, range_size=5, watch=interrupt).interrupted
+    with processes(2) as workers:
+        pool, joined = workers.executor, []
+        shutdown = pool.shutdown
+
+        def late(**how):
+            if thread := pool._executor_manager_thread:
+                thread.join(timeout=PATIENCE)  # it ends when it finds that the processes have
+                joined.append(not thread.is_alive())
+            shutdown(**how)
+
+        monkeypatch.setattr(pool, "shutdown", late)
+        assert searched(MIDDLE, workers=workers, range_size=5, watch=interrupt).interrupted
+    assert joined[0]
 
 
 def test_a_search_stopped_in_a_wider_attempt_still_has_what_the_narrower_one_found(monkeypatch):
@@ -380,6 +391,9 @@ from contextlib import nullcontext
 question = front(15)
 def told(progress):
     print(progress.done, progress.blocks, flush=True)
+    if progress.done >= 32 and not sys.stdin.closed:
+        sys.stdin.read()
+        sys.stdin.close()
 if __name__ == "__main__":
     with executors.processes(2) if sys.argv[1] == "2" else nullcontext() as workers:
         kept = checkpoint.opened(run.checkpoints.Path(sys.argv[2]), question)
@@ -390,9 +404,10 @@ if __name__ == "__main__":
 
 @contextmanager
 def started(workers, path):
-    """A search of some seconds in a process group of its own, some stretches done."""
+    """A search in a process group of its own, held after some stretches until its input ends."""
     process = subprocess.Popen(
         [sys.executable, "-c", SCRIPT, workers, str(path)],
+        stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -416,22 +431,22 @@ def test_sigterm_ends_a_search_quietly_with_its_workers_and_its_semaphores(worke
     with started(workers, tmp_path / "file") as process:
         children = psutil.Process(process.pid).children(recursive=True)
         process.terminate()
-        _, err = process.communicate(timeout=30)
+        _, err = process.communicate(timeout=PATIENCE)
     assert (process.returncode, err) == (-signal.SIGTERM, "")
-    assert not psutil.wait_procs(children, timeout=10)[1]
+    assert not psutil.wait_procs(children, timeout=PATIENCE)[1]
 
 
 @pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.long), "2"])
-def test_ctrl_c_ends_at_once_and_quietly_and_nothing_is_lost(workers, tmp_path, fifteen):
+def test_ctrl_c_ends_quietly_with_what_is_under_way_and_nothing_is_lost(workers, tmp_path, fifteen):
+    """No stretch is given out after it: those under way may still come."""
     path = tmp_path / "file"
     with started(workers, path) as process:
-        began = time.monotonic()
         os.killpg(process.pid, signal.SIGINT)
-        out, err = process.communicate(timeout=30)
-        assert time.monotonic() - began < 3
+        out, err = process.communicate(timeout=PATIENCE)
     assert err == ""
     assert out.splitlines()[-1].startswith("ended True False ")
+    assert len(out.splitlines()) <= 1 + distribution.AHEAD * int(workers)
     assert process.returncode == 0
     told = []
     kept = checkpoint.opened(path, front(15))
@@ -446,8 +461,8 @@ def test_a_search_killed_in_the_middle_goes_on_and_leaves_no_processes(tmp_path,
         children = psutil.Process(process.pid).children(recursive=True)
         assert len(children) >= 2
         os.kill(process.pid, signal.SIGKILL)
-        process.communicate(timeout=20)
-    _, alive = psutil.wait_procs(children, timeout=10)
+        process.communicate(timeout=PATIENCE)
+    _, alive = psutil.wait_procs(children, timeout=PATIENCE)
     assert not alive
     written = path.read_bytes()
     path.write_bytes(written[: len(written) - 40])
@@ -458,7 +473,7 @@ def test_a_search_killed_in_the_middle_goes_on_and_leaves_no_processes(tmp_path,
 
 
 @pytest.mark.long
-def test_a_scheduler_that_does_not_answer_is_told_in_time(monkeypatch):
+def test_a_scheduler_that_does_not_answer_is_told(monkeypatch):
     monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 1.0)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         port = silent.getsockname()[1]
@@ -469,31 +484,34 @@ def test_a_scheduler_that_does_not_answer_is_told_in_time(monkeypatch):
             "no.such.host.invalid:1",
             "",
         ):
-            began = time.monotonic()
             with pytest.raises(SearchError, match="No dask scheduler answers"), cluster(address):
                 pass
-            assert time.monotonic() - began < 8
+
+
+def _impatient(monkeypatch):
+    """A scheduler and its workers are given up soon, now that they are known to be gone."""
+    monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 2.0)
+    monkeypatch.setattr(executors, "LOOK_SECONDS", 0.5)
 
 
 CLUSTER = """
-import time
+import sys
 from distributed import LocalCluster
 if __name__ == "__main__":
     with LocalCluster(
         n_workers=1, threads_per_worker=1, dashboard_address=":0", silence_logs=50
     ) as found:
         print(found.scheduler_address, flush=True)
-        time.sleep(600)
+        sys.stdin.read()
 """
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("way", [signal.SIGKILL, signal.SIGSTOP])
-def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told_in_time(way, monkeypatch):
-    monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 2.0)
-    monkeypatch.setattr(executors, "LOOK_SECONDS", 0.5)
+def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told(way, monkeypatch):
     with subprocess.Popen(
         [sys.executable, "-c", CLUSTER],
+        stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         text=True,
@@ -505,13 +523,14 @@ def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told_in_time(way
 
         def strike(progress):
             if progress.done > 40 and not hit:
-                hit.append(time.monotonic())
+                hit.append(progress.done)
+                _impatient(monkeypatch)
                 process.send_signal(way)
 
         try:
             with pytest.raises(SearchError, match="The scheduler at"), cluster(address) as workers:
                 searched(front(15), workers=workers, range_size=8, watch=strike)
-            assert time.monotonic() - hit[0] < 15
+            assert hit
         finally:
             for child in [psutil.Process(process.pid), *children]:
                 with suppress(psutil.NoSuchProcess):
@@ -519,8 +538,13 @@ def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told_in_time(way
 
 
 @pytest.mark.long
-def test_a_cluster_without_workers_is_told_in_time(monkeypatch):
-    monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 2.0)
+def test_a_cluster_without_workers_is_told(monkeypatch):
+    from distributed import Client
+
+    wait = Client.wait_for_workers
+    monkeypatch.setattr(
+        Client, "wait_for_workers", lambda client, count, **_: wait(client, count, timeout=0.1)
+    )
     with (
         local_cluster(0) as found,
         pytest.raises(SearchError, match="has no workers; start one"),
@@ -530,12 +554,15 @@ def test_a_cluster_without_workers_is_told_in_time(monkeypatch):
 
 
 @pytest.mark.long
-def test_a_cluster_that_loses_all_its_workers_is_told_in_time(monkeypatch):
-    monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 2.0)
-    monkeypatch.setattr(executors, "LOOK_SECONDS", 0.5)
+def test_a_cluster_that_loses_all_its_workers_is_told(monkeypatch):
+    def lose(_):
+        found.scale(0)
+        awaited(lambda: not found.scheduler.workers)
+        _impatient(monkeypatch)
+
     with (
         local_cluster(1) as found,
         cluster(found.scheduler_address) as workers,
         pytest.raises(SearchError, match="has had no workers, for 2 s"),
     ):
-        searched(front(15), workers=workers, range_size=8, watch=lambda _: found.scale(0))
+        searched(front(15), workers=workers, range_size=8, watch=lose)

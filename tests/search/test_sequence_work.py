@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.holding import PATIENCE
 from tests.search import plain_orders as plain
 
 from crankstar import cli
@@ -146,7 +147,7 @@ def test_a_part_that_is_halted_is_shown_and_not_kept(
         if number == 3:
             signal.raise_signal(signal.SIGINT)
         if number > 3 and pool_halt is not None:
-            pool_halt.wait(30)  # the loops come up only when all is over
+            pool_halt.wait(PATIENCE)  # the loops come up only when all is over
         return loops(*given)
 
     monkeypatch.setattr(sequence_kernels, "visited", visited)

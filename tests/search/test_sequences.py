@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import os
 import signal
 from fractions import Fraction
 from pathlib import Path
@@ -475,6 +474,7 @@ def test_a_sum_is_zero_only_where_it_is_exactly() -> None:
     assert values[kept].min() == pytest.approx(10**0.5)
 
 
+@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_ends_the_search_with_the_best_so_far(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -486,7 +486,7 @@ def test_an_interrupt_ends_the_search_with_the_best_so_far(
     def watch(now: Progress) -> None:
         told.append(now.done)
         if len(told) == 20:
-            os.kill(os.getpid(), signal.SIGINT)
+            signal.raise_signal(signal.SIGINT)
 
     front = sequence_front(about, watch=watch)
     assert not front.complete

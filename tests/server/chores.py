@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
-import time
+import threading
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
 from crankstar.language.messages import _
+from crankstar.server import search_process
 from crankstar.server.refusal import refused
 
 
@@ -22,10 +23,33 @@ def number() -> bytes:
     return str(os.getpid()).encode()
 
 
-def sleep(seconds: float) -> bytes:
-    """Takes a while."""
-    time.sleep(seconds)
-    return b"slept"
+def other(number: int) -> bytes:
+    """One of many different questions with the same answer."""
+    del number
+    return b"other"
+
+
+def held(pipe: str) -> bytes:
+    """Is held until who has opened a named pipe for writing closes it."""
+    return Path(pipe).read_bytes() or b"held"
+
+
+def for_ever() -> bytes:
+    """Never ends."""
+    threading.Event().wait()
+    return b""
+
+
+def compile_for_ever(pipe: Connection, asked: dict[str, Any]) -> None:
+    """A search that says when it compiles a loop, and never comes out of the compiler."""
+    from numba.core.dispatcher import Dispatcher
+
+    def compiling(*_: Any) -> None:
+        pipe.send(search_process.Progressed(0, 1, "compiling"))
+        threading.Event().wait()
+
+    Dispatcher.compile = compiling
+    search_process.work(pipe, asked)
 
 
 def choke_once(path: str) -> Any:
@@ -53,9 +77,10 @@ def refuse() -> bytes:
     raise refused(418, "request", sentence="this is a teapot")
 
 
-def count(path: str) -> bytes:
-    """Adds a line to a file, slowly."""
-    time.sleep(0.3)
+def count(path: str, pipe: str = "") -> bytes:
+    """Adds a line to a file, held by a pipe before if there is one."""
+    if pipe:
+        held(pipe)
     with open(path, "a", encoding="utf-8") as file:  # noqa: PTH123
         file.write("once\n")
     return b"counted"

@@ -13,6 +13,7 @@ import schemathesis
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from schemathesis.checks import CHECKS
+from tests.holding import PATIENCE
 from tests.spoilt import TREES, mutated
 from tests.strategies import LONG, OF_ANY_KIND
 from tests.web.serving import Server
@@ -95,7 +96,7 @@ def test_whatever_the_description_allows_is_answered_as_it_says(case: Any, serve
         case.body = (
             {"cylinders": 1} if isinstance(case.body, dict) else case.body
         )  # searches would take all the processors
-    found = case.call(base_url=server.address.rstrip("/"), timeout=30)
+    found = case.call(base_url=server.address.rstrip("/"), timeout=PATIENCE)
     case.validate_response(found, excluded_checks=REFUSED_IN_WORDS)
 
 

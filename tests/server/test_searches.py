@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-import time
 from itertools import count
 from multiprocessing import Pipe
-from pathlib import Path
+from time import monotonic
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from tests.holding import PATIENCE, awaited
 from tests.server import chores
 from tests.web.serving import Server, serving
 
@@ -48,14 +48,14 @@ def stopped(server: Server, search: Any) -> Any:
     return search
 
 
-def ended(server: Server, search: Any, *, seconds: float = 60.0) -> Any:
+def ended(server: Server, search: Any) -> Any:
     """The search once it has ended."""
-    until = time.monotonic() + seconds
-    while search["state"] == "running" and time.monotonic() < until:
-        time.sleep(0.1)
-        search = looked(server, search)
-    assert search["state"] != "running"
-    return search
+    return awaited(lambda: over(looked(server, search)))
+
+
+def over(search: Any) -> Any:
+    """A search that has ended; None while it runs."""
+    return None if search["state"] == "running" else search
 
 
 def test_a_search_finds_what_the_package_finds_and_each_row_makes_its_engine(
@@ -151,11 +151,8 @@ def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once()
         crowded = server.ask("api/search", LONG)
         assert crowded.status == 429
         assert "searches are running" in crowded.json["problems"][0]["message"]
-        at_once = stopped(server, second)
-        assert at_once["sentences"] == ["Stopped before anything was found."]
-        until = time.monotonic() + 60
-        while not looked(server, first)["done"] and time.monotonic() < until:
-            time.sleep(0.1)
+        stopped(server, second)
+        awaited(lambda: looked(server, first)["done"])
         assert looked(server, first)["state"] == "running"
         (incomplete,) = [
             sentence for sentence in stopped(server, first)["sentences"] if "INCOMPLETE" in sentence
@@ -173,37 +170,30 @@ def test_a_search_that_takes_much_longer_than_was_thought_is_stopped(
     every = Searches()
     try:
         search = json.loads(every.begun(SearchQuestion.model_validate(LONG).model_dump()))
-        until = time.monotonic() + 30
-        while search["state"] == "running" and time.monotonic() < until:
-            time.sleep(0.05)
-            search = json.loads(every.shown(search["id"]))
+        search = awaited(lambda: over(json.loads(every.shown(search["id"]))))
         assert search["state"] == "cancelled"
     finally:
         every.end()
 
 
-@pytest.mark.parametrize(
-    "seconds",
-    [0.0, 1.0, *(pytest.param(seconds, marks=pytest.mark.long) for seconds in (0.7, 2.0, 4.5))],
-)
-def test_a_search_is_stopped_even_while_it_compiles_its_loops(
-    seconds: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("compiles", [False, True], ids=["as it starts", "as it compiles"])
+def test_a_search_is_stopped_at_once_before_anything_was_found(
+    compiles: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """An exception in the midst of compiling would be lost, or make it fail."""
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    searches = Searches()
+    monkeypatch.setattr(search_process, "work", chores.compile_for_ever)
+    every = Searches()
     try:
-        search = json.loads(searches.begun(SearchQuestion.model_validate(LONG).model_dump()))
-        time.sleep(seconds)
-        searches.stopped(search["id"])
-        until = time.monotonic() + 5
-        while search["state"] == "running" and time.monotonic() < until:
-            time.sleep(0.05)
-            search = json.loads(searches.shown(search["id"]))
+        identity = json.loads(every.begun(SearchQuestion.model_validate(LONG).model_dump()))["id"]
+        if compiles:
+            awaited(lambda: json.loads(every.shown(identity))["note"] == "compiling")
+        every.stopped(identity)
+        search = json.loads(every.shown(identity))
         assert search["state"] == "cancelled"
         assert search["sentences"] == ["Stopped before anything was found."]
+        awaited(lambda: not every._searches[identity]._child.alive)
     finally:
-        searches.end()
+        every.end()
 
 
 def test_what_is_said_of_a_lost_search_is_in_the_language_of_the_server(
@@ -223,15 +213,14 @@ def test_what_is_said_of_a_lost_search_is_in_the_language_of_the_server(
     monkeypatch.setattr(searches, "LOST", "force")
     with spoken("ja"):
         search = searches._Search({})
-    while search.state == "running":
-        time.sleep(0.01)
+    awaited(lambda: search.state != "running")
     assert (search.state, search.note) == ("failed", "慣性力")
 
 
 def test_a_process_speaks_the_language_of_the_server() -> None:
     with spoken("ja"):
         child = processes.Child(chores.say)
-    assert child.receive(60) == "慣性力"
+    assert child.receive(PATIENCE) == "慣性力"
 
 
 def test_a_search_that_is_not_there_is_told_of(server: Server) -> None:
@@ -245,7 +234,7 @@ def test_the_oldest_of_many_searches_are_forgotten(monkeypatch: pytest.MonkeyPat
     numbers = count()
 
     class Ended:
-        state, ended = "done", time.monotonic()
+        state, ended = "done", monotonic()
 
         def __init__(self, _: Any) -> None:
             self.identity = str(next(numbers))

@@ -9,11 +9,11 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from tests.holding import PATIENCE, awaited
 from tests.web.serving import serving
 
 from crankstar.server.running import address_of
@@ -25,7 +25,9 @@ WRONG = 'format = 1\nname = "wrong"\ncycle = "three-stroke"\n'
 def refused(*words: str, env: dict[str, str] | None = None) -> str:
     """What a command line says that is refused."""
     line = [sys.executable, "-m", "crankstar", "serve", *words]
-    ran = subprocess.run(line, capture_output=True, text=True, timeout=60, check=False, env=env)
+    ran = subprocess.run(
+        line, capture_output=True, text=True, timeout=PATIENCE, check=False, env=env
+    )
     assert ran.returncode == 2, ran.stderr
     assert "Traceback" not in ran.stderr
     assert ran.stdout == ""
@@ -49,14 +51,19 @@ def alive(process: int) -> bool:
         return False
 
 
-def gone(processes: list[int]) -> bool:
-    """Whether processes have ended, or end soon."""
-    until = time.monotonic() + 10
-    while time.monotonic() < until:
-        if not any(map(alive, processes)):
-            return True
-        time.sleep(0.05)
-    return False
+def interrupted(process: subprocess.Popen[str]) -> bool:
+    """Whether a process has ended, its group having been interrupted once more."""
+    with suppress(ProcessLookupError):
+        os.killpg(process.pid, signal.SIGINT)
+    return process.poll() is not None
+
+
+def ignores(process: int, number: signal.Signals) -> bool:
+    """Whether a process ignores a signal."""
+    state = Path(f"/proc/{process}/status").read_text()
+    found = re.search(r"^SigIgn:\s*(\w+)", state, re.MULTILINE)
+    assert found
+    return bool(int(found[1], 16) >> (number - 1) & 1)
 
 
 KILLED = pytest.param(signal.SIGKILL, marks=pytest.mark.long)
@@ -73,24 +80,25 @@ def test_it_ends_without_a_word_and_leaves_no_process(number: signal.Signals) ->
         code, said = server.end(number)
         assert code == (-signal.SIGKILL if number == signal.SIGKILL else 0)
         assert said == HINT
-        assert gone(workers)
+        awaited(lambda: not any(map(alive, workers)))
 
 
 @pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_from_the_keyboard_which_every_process_gets_ends_it_just_so() -> None:
     with serving("i4", alone=True) as server:
         os.killpg(server.process.pid, signal.SIGINT)
-        assert server.process.wait(20) == 0
-        server.listener.join(20)
+        assert server.process.wait(PATIENCE) == 0
+        server.listener.join(PATIENCE)
         assert "".join(server.said) == HINT
 
 
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="reads the signals ignored from /proc")
 def test_an_interrupt_that_the_parent_ignores_does_not_end_it() -> None:
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         with serving("i4", alone=True) as server:
+            assert ignores(server.process.pid, signal.SIGINT)
             os.kill(server.process.pid, signal.SIGINT)
-            time.sleep(0.5)
             assert server.ask("api/health").status == 200
             assert server.end()[0] == 0
     finally:
@@ -98,15 +106,10 @@ def test_an_interrupt_that_the_parent_ignores_does_not_end_it() -> None:
 
 
 @pytest.mark.usefixtures("interruptible")
-@pytest.mark.parametrize("gap", [0.05, pytest.param(0.1, marks=pytest.mark.long)])
-def test_who_interrupts_twice_is_told_no_more(gap: float) -> None:
+def test_who_interrupts_until_it_ends_is_told_no_more() -> None:
     with serving("i4", alone=True) as server:
-        os.killpg(server.process.pid, signal.SIGINT)
-        time.sleep(gap)
-        with suppress(ProcessLookupError):
-            os.killpg(server.process.pid, signal.SIGINT)
-        server.process.wait(20)
-        server.listener.join(20)
+        awaited(lambda: interrupted(server.process))
+        server.listener.join(PATIENCE)
         assert "".join(server.said) == HINT
 
 

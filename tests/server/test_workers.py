@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 import threading
 from collections.abc import Awaitable, Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -11,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.holding import PATIENCE, awaited, reached
 from tests.server import chores
 
 from crankstar.server import processes, workers
@@ -19,13 +21,25 @@ from crankstar.server.refusal import Refused
 from crankstar.server.workers import Workers
 
 
-def with_workers(
-    work: Callable[[Workers], Awaitable[Any]], *, count: int = 1, seconds: float = 2.0
-) -> Any:
+@pytest.fixture(autouse=True)
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A process may take its time to start on a busy machine."""
+    monkeypatch.setattr(workers, "WAITING_SECONDS", PATIENCE)
+
+
+@pytest.fixture
+def pipe(tmp_path: Path) -> Path:
+    """A named pipe that holds a process."""
+    place = tmp_path / "pipe"
+    os.mkfifo(place)
+    return place
+
+
+def with_workers(work: Callable[[Workers], Awaitable[Any]], *, count: int = 1) -> Any:
     """What comes of working with workers."""
 
     async def whole() -> Any:
-        pool = Workers(count, seconds=seconds)
+        pool = Workers(count, seconds=PATIENCE)
         pool.begin()
         try:
             return await work(pool)
@@ -50,15 +64,17 @@ def test_a_process_that_takes_too_long_or_is_lost_is_replaced_and_the_next_task_
     async def work(pool: Workers) -> list[Any]:
         first = await pool.do(chores.number)
         assert await pool.do(chores.number) == first
-        late = await refusal(pool.do(chores.sleep, 60.0))
+        pool.seconds = 0.5
+        late = await refusal(pool.do(chores.for_ever))
+        pool.seconds = PATIENCE
         second = await pool.do(chores.number)
         lost = await refusal(pool.do(chores.die))
         third = await pool.do(chores.number)
         assert len({first, second, third}) == 3
         return [late, lost]
 
-    late, lost = with_workers(work, seconds=1.0)
-    assert late == (503, "question.too-long", {"seconds": 1.0})
+    late, lost = with_workers(work)
+    assert late == (503, "question.too-long", {"seconds": 0.5})
     assert lost == (503, "question.lost", {})
 
 
@@ -68,34 +84,32 @@ def test_a_process_that_cannot_say_what_it_found_is_replaced_without_a_word(
     async def work(pool: Workers) -> bytes:
         return await pool.do(chores.choke_once, str(tmp_path / "mark"))
 
-    assert with_workers(work, seconds=20.0) == b"breathes"
+    assert with_workers(work) == b"breathes"
     assert capfd.readouterr().err == ""
 
 
 def test_a_process_that_is_just_being_started_when_all_ends_is_ended_too(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    reached, go_on = threading.Event(), threading.Event()
+    starts, go_on = threading.Event(), threading.Event()
 
     @contextmanager
     def slow() -> Iterator[None]:
-        reached.set()
-        go_on.wait(20)
+        starts.set()
+        go_on.wait(PATIENCE)
         yield
 
     monkeypatch.setattr(processes, "held_back", slow)
     pool = Workers(1, seconds=1.0)
     with ThreadPoolExecutor(2) as threads:
         starting = threads.submit(pool.workers[0].ready)
-        assert reached.wait(20)
+        assert starts.wait(PATIENCE)
         ending = threads.submit(pool.end)
-        with pytest.raises(
-            TimeoutError
-        ):  # it waits for the start, or there would be nothing yet to end
-            ending.result(0.3)
+        awaited(lambda: pool.workers[0].ended)
+        assert not ending.done()  # it waits for the start, or there would be nothing yet to end
         go_on.set()
-        starting.result(20)
-        ending.result(20)
+        starting.result(PATIENCE)
+        ending.result(PATIENCE)
     assert pool.workers[0].child is None
     pool.workers[0].ready()  # nor is another begun after the end
     assert pool.workers[0].child is None
@@ -118,17 +132,16 @@ def test_refusals_come_through_and_mistakes_of_ours_are_told_without_the_words_o
     assert "secret.py" in capfd.readouterr().err  # for the one who started the server
 
 
-def test_a_process_works_on_while_another_is_busy() -> None:
-    async def work(pool: Workers) -> bool:
-        slow = asyncio.ensure_future(pool.do(chores.sleep, 1.0))
-        await asyncio.sleep(0)
-        quick = [await pool.do(chores.number) for _ in range(5)]
-        assert len(set(quick)) == 1
-        before = not slow.done()
-        await slow
-        return before
+def test_a_process_works_on_while_another_is_busy(pipe: Path) -> None:
+    async def work(pool: Workers) -> bytes:
+        slow = asyncio.ensure_future(pool.do(chores.held, str(pipe)))
+        with await asyncio.to_thread(reached, pipe):
+            quick = [await pool.do(chores.number) for _ in range(5)]
+            assert len(set(quick)) == 1
+            assert not slow.done()
+        return await slow
 
-    assert with_workers(work, count=2, seconds=20.0)
+    assert with_workers(work, count=2) == b"held"
 
 
 def test_too_many_who_wait_are_sent_away_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -137,32 +150,29 @@ def test_too_many_who_wait_are_sent_away_at_once(monkeypatch: pytest.MonkeyPatch
     async def work(pool: Workers) -> list[Any]:
         pool.waiting = 0
         return await asyncio.gather(
-            *(pool.do(chores.sleep, 0.05) for _ in range(8)), return_exceptions=True
+            *(pool.do(chores.other, 1) for _ in range(8)), return_exceptions=True
         )
 
     answers = with_workers(work)
     refused = [answer for answer in answers if isinstance(answer, Refused)]
     assert {refusal.status for refusal in refused} == {503}
-    assert answers.count(b"slept") == 8 - len(refused) == 3
+    assert answers.count(b"other") == 8 - len(refused) == 3
 
 
 def test_who_has_waited_too_long_for_a_process_is_sent_away(
-    monkeypatch: pytest.MonkeyPatch,
+    monkeypatch: pytest.MonkeyPatch, pipe: Path
 ) -> None:
-    monkeypatch.setattr(workers, "WAITING_SECONDS", 0.2)
-
     async def work(pool: Workers) -> tuple[int, str, Any]:
-        while pool.idle.empty():
-            await asyncio.sleep(0.05)
-        slow = asyncio.create_task(pool.do(chores.sleep, 1.0))
-        await asyncio.sleep(0.05)
-        told = await refusal(pool.do(chores.number))
-        assert not slow.done()
+        slow = asyncio.create_task(pool.do(chores.held, str(pipe)))
+        with await asyncio.to_thread(reached, pipe), monkeypatch.context() as patch:
+            patch.setattr(workers, "WAITING_SECONDS", 0.01)
+            told = await refusal(pool.do(chores.number))
+            assert not slow.done()
         await slow
         assert (await pool.do(chores.number)).isdigit()
         return told
 
-    assert with_workers(work, seconds=20.0) == (503, "question.busy", {})
+    assert with_workers(work) == (503, "question.busy", {})
 
 
 def test_a_question_that_many_ask_is_reckoned_once_and_its_answer_kept(tmp_path: Path) -> None:
@@ -178,20 +188,25 @@ def test_a_question_that_many_ask_is_reckoned_once_and_its_answer_kept(tmp_path:
 
 
 def test_who_leaves_does_not_take_the_answer_from_the_others_and_what_nobody_waits_for_is_dropped(
-    tmp_path: Path,
+    tmp_path: Path, pipe: Path
 ) -> None:
     kept, dropped = str(tmp_path / "kept.txt"), str(tmp_path / "dropped.txt")
 
     async def work(pool: Workers) -> bytes:
         answers = Answers(pool)
-        await answers.to(chores.sleep, 0.0)
-        leaves, stays = (asyncio.ensure_future(answers.to(chores.count, kept)) for _ in range(2))
-        alone = asyncio.ensure_future(answers.to(chores.count, dropped))
-        await asyncio.sleep(0.1)
-        leaves.cancel()
-        alone.cancel()
+        leaves, stays = (
+            asyncio.ensure_future(answers.to(chores.count, kept, str(pipe))) for _ in range(2)
+        )
+        with await asyncio.to_thread(reached, pipe):
+            alone = asyncio.ensure_future(answers.to(chores.count, dropped))
+            while not pool.waiting:
+                await asyncio.sleep(0)
+            leaves.cancel()
+            alone.cancel()
+            while pool.waiting:
+                await asyncio.sleep(0)
         found = await stays
-        await asyncio.sleep(0.5)
+        await pool.do(chores.number)  # after what was dropped, were it still done
         return found
 
     assert with_workers(work) == b"counted"
@@ -205,8 +220,8 @@ def test_answers_are_forgotten_when_there_are_too_many_of_them(tmp_path: Path) -
         answers = Answers(pool, greatest=20)
         for _ in range(2):
             await answers.to(chores.count, file)
-            for wait in (0.0, 0.001, 0.002, 0.003):
-                await answers.to(chores.sleep, wait)
+            for number in range(4):
+                await answers.to(chores.other, number)
             assert answers.size <= 20
 
     with_workers(work)

@@ -16,9 +16,16 @@ from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
 import pytest
+from tests.holding import PATIENCE
 
 READY = re.compile(r"^crankstar: .*?(http://\S+/)")
-END_SECONDS = 20
+START = f"""
+from crankstar.server import running, workers
+running.TASK_SECONDS = workers.WAITING_SECONDS = {PATIENCE}
+from crankstar.__main__ import main
+main()
+"""
+"""The command, with as much patience with its workers as tests have with it."""
 
 
 class Answer(NamedTuple):
@@ -55,7 +62,7 @@ class Server:
         wanted = {"Content-Type": "application/json", **(heads or {})}
         place = urlsplit(self.address)
         with closing(
-            http.client.HTTPConnection(place.hostname or "", place.port, timeout=60)
+            http.client.HTTPConnection(place.hostname or "", place.port, timeout=PATIENCE)
         ) as line:
             line.request(method or ("GET" if body is None else "POST"), f"/{path}", body, wanted)
             answer = line.getresponse()
@@ -69,17 +76,17 @@ class Server:
         """End the server by a signal; its exit code, and its output after the address."""
         self.process.send_signal(number)
         try:
-            code = self.process.wait(END_SECONDS)
+            code = self.process.wait(PATIENCE)
         except subprocess.TimeoutExpired:
             self.process.kill()
-            pytest.fail(f"the server did not end within {END_SECONDS} s: {''.join(self.said)}")
-        self.listener.join(END_SECONDS)
+            pytest.fail(f"the server did not end within {PATIENCE:g} s: {''.join(self.said)}")
+        self.listener.join(PATIENCE)
         return code, "".join(self.said)
 
 
 def command(*arguments: str) -> list[str]:
     """The command line of a server at a free port."""
-    return [sys.executable, "-m", "crankstar", "serve", *arguments, "--port", "0"]
+    return [sys.executable, "-c", START, "serve", *arguments, "--port", "0"]
 
 
 @contextmanager
@@ -100,18 +107,18 @@ def serving(*arguments: str, alone: bool = False) -> Iterator[Server]:
         found = READY.search(first)
         if found is None:
             process.kill()
-            listener.join(END_SECONDS)
+            listener.join(PATIENCE)
             pytest.fail(f"the server did not start: {first}{''.join(said)}")
         yield Server(found[1], process, said, listener)
     finally:
         if process.poll() is None:
             process.terminate()
             try:
-                process.wait(END_SECONDS)
+                process.wait(PATIENCE)
             except subprocess.TimeoutExpired:
                 process.kill()
         process.wait()
-        listener.join(END_SECONDS)
+        listener.join(PATIENCE)
         process.stderr.close()
 
 

@@ -53,9 +53,9 @@ class Watched:
         self._away = self._away + 1 if now is None else 0
         if now == self._seen and self._away != PATIENCE:
             return
-        if now is None and self._away != PATIENCE:
-            return
         self._seen = now
+        if now is None and self._away != PATIENCE:
+            return  # what comes back is new, also where its signature is that of before
         try:
             tree = await asyncio.to_thread(self._tree)
         except Refused as refusal:

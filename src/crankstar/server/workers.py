@@ -135,9 +135,9 @@ class _Worker:
         with self.changing:
             if self.ended or (self.child is not None and self.child.alive):
                 return
-            self.child = Child(_work)
+            child = self.child = Child(_work)  # which another thread may drop at any moment
         with suppress(EOFError, OSError, TimeoutError):  # lost: the next task will notice
-            self.child.receive(STARTING_SECONDS)
+            child.receive(STARTING_SECONDS)
 
     def do(self, task: Task, arguments: tuple[Any, ...], seconds: float) -> bytes | Refused:
         """The process's answer; one that is lost, perhaps for earlier work, is replaced once.
@@ -154,11 +154,12 @@ class _Worker:
 
     def _answer(self, task: Task, arguments: tuple[Any, ...], seconds: float) -> bytes | Refused:
         self.ready()
-        if self.child is None or self.ended:
+        child = self.child
+        if child is None or self.ended:
             raise EOFError
         try:
-            self.child.pipe.send((task, arguments))
-            return self.child.receive(seconds)
+            child.pipe.send((task, arguments))
+            return child.receive(seconds)
         except (EOFError, OSError, TimeoutError):
             self._drop()
             raise
