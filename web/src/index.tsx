@@ -36,7 +36,7 @@ export interface Handle {
   readonly revision: number
   /**
    * Resolves with the revision at which nothing is pending: all that was begun is drawn, fonts are
-   * there and transitions over. What waits for a rest is done at once.
+   * there and transitions over. What waits for a rest is done at once, unless an engine turns.
    */
   settled(): Promise<number>
   /** Milliseconds of script that each of the last frames took, figures included; at most 600. */
@@ -101,7 +101,8 @@ function handleOf(
     async settled() {
       await ready
       const { clock } = there()
-      return settled(() => (clock.waiting() && !clock.playing.peek()) || changing())
+      const turning = (): boolean => clock.playing.peek()
+      return settled(() => (clock.waiting() && !turning()) || changing(), turning)
     },
     frameTimes: () => there().clock.frameTimes(),
     get means() {

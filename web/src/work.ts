@@ -30,14 +30,13 @@ export function counted<T>(promise: Promise<T>): Promise<T> {
  * Returns what calls it off.
  */
 export function afterRest(run: () => void, rest: number): () => void {
-  const end = begin()
   const off = (): void => {
     clearTimeout(timer)
     resting.delete(timer)
-    end()
   }
   const due = (): void => {
     off()
+    revisions += 1
     run()
   }
   const timer = Number(setTimeout(due, rest))
@@ -51,14 +50,14 @@ const frame = (): Promise<void> =>
 
 /**
  * Resolves with the revision at which nothing is pending, for two frames: what a component begins
- * is begun in the effects that follow its frame. What waits for a rest does not wait any longer.
- * `busy` tells of what is not counted here.
+ * is begun in the effects that follow its frame. What waits for a rest does not wait any longer,
+ * unless something is `moving`, and so has no rest. `busy` tells of what is not counted here.
  */
-export async function settled(busy: () => boolean): Promise<number> {
+export async function settled(busy: () => boolean, moving: () => boolean): Promise<number> {
   let seen = -1
   for (let quiet = 0; quiet < 2; quiet++) {
     await frame()
-    for (const due of [...resting.values()]) due()
+    if (!moving()) for (const due of [...resting.values()]) due()
     if (pending || busy() || revisions !== seen) quiet = -1
     seen = revisions
   }

@@ -14,9 +14,9 @@ async function passed(count: number): Promise<void> {
 }
 
 /** What `settled` has come to: a list that is empty until then. */
-function awaited(busy: () => boolean = () => false): number[] {
+function awaited(busy = () => false, moving = () => false): number[] {
   const at: number[] = []
-  void settled(busy).then((revision) => at.push(revision))
+  void settled(busy, moving).then((revision) => at.push(revision))
   return at
 }
 
@@ -105,4 +105,17 @@ test('what is not counted here is asked for at every frame', async () => {
   busy = false
   await passed(5)
   expect(at).toHaveLength(1)
+})
+
+test('what waits for a rest waits on while something moves, and is not waited for', async () => {
+  const done: string[] = []
+  const off = afterRest(() => done.push('rest'), 300)
+  const at = awaited(
+    () => false,
+    () => true,
+  )
+  await passed(6)
+  expect(at).toEqual([revision()])
+  expect(done).toEqual([])
+  off()
 })
