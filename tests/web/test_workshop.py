@@ -347,9 +347,10 @@ def test_a_link_to_an_unknown_engine_says_so_in_one_sentence(
 def test_a_pin_that_is_dragged_is_not_framed(bench: Page) -> None:
     pin = bench.locator(".star .pin:not(.fixed)").last
     pin.scroll_into_view_if_needed()
-    pin.locator(".knob").hover()
-    bench.mouse.down()
+    knob = pin.locator(".knob").bounding_box()
+    assert knob is not None
+    drag(bench, (knob["x"] + knob["width"] / 2, knob["y"] + knob["height"] / 2), hold=True)
     try:
         assert pin.evaluate("pin => getComputedStyle(pin).outlineStyle") == "none"
     finally:
-        bench.mouse.up()
+        release(bench)
