@@ -12,12 +12,14 @@ import pytest
 from playwright.sync_api import (
     Browser,
     ConsoleMessage,
+    Error,
     Locator,
     Page,
     Route,
     ViewportSize,
     WebError,
     WebSocketRoute,
+    expect,
     sync_playwright,
 )
 from tests.front_end import WEB
@@ -52,14 +54,16 @@ NEWS = frozenset({"error", "warning", "assert"})
 """The kinds of console messages that are complaints."""
 DRIVER = re.compile(r"^\[\.WebGL-0x[0-9a-f]+\]GL Driver Message \(OpenGL, Performance, ")
 """How Chromium says that drawing without a graphics card is slow, which it is."""
-SETTLED = """async () => {
+HANG = 120_000
+"""Milliseconds after which what has not come is given up: it ends a hang, it measures nothing."""
+SETTLED = """async hang => {
     await new Promise(done => requestAnimationFrame(() => setTimeout(done)))
     const pages = [...document.querySelectorAll('*')].map(element => element.crankstar)
     const late = new Promise((_, fail) => setTimeout(
-        () => fail(new Error('the page draws itself again and again and does not settle')), 60000))
+        () => fail(new Error('the page draws itself again and again and does not settle')), hang))
     await Promise.race([late, Promise.allSettled(pages.map(page => page?.settled()))])
 }"""
-"""The next frame is there, and our pages have drawn all that was begun; an error after a minute."""
+"""The next frame is there, and our pages have ended all that was begun; an error after HANG."""
 READINGS = {
     Locator: (
         "all",
@@ -123,9 +127,18 @@ def settled() -> Iterator[None]:
     """Every reading of a page waits until the page has settled: none falls between two frames."""
     evaluate = Page.evaluate
 
+    def wait(page: Page) -> None:
+        while True:
+            try:
+                return evaluate(page, SETTLED, HANG)
+            except Error as error:
+                if "Execution context was destroyed" not in error.message:
+                    raise
+                page.wait_for_load_state()  # another page came in its place, and is waited for
+
     def patient(reading: Callable[..., Any]) -> Callable[..., Any]:
         def read(place: Page | Locator, *arguments: Any, **options: Any) -> Any:
-            evaluate(place.page if isinstance(place, Locator) else place, SETTLED)
+            wait(place.page if isinstance(place, Locator) else place)
             return reading(place, *arguments, **options)
 
         return read
@@ -145,6 +158,7 @@ def root() -> bool:
 @contextmanager
 def chromium() -> Iterator[Browser]:
     """The Chromium of tests, measurements and pictures, without a window."""
+    expect.set_options(timeout=HANG)
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
             executable_path=path_of("chromium"), chromium_sandbox=not root(), args=ARGUMENTS
@@ -191,13 +205,35 @@ def watched(
         context.on("weberror", broke)
         context.route(ELSEWHERE, refused)
         context.route_web_socket(re.compile(""), refused_socket)
+        context.set_default_timeout(HANG)
         page = context.new_page()
         page.on("crash", lambda _: complaints.append("the page crashed"))
         yield page
         for still_open in context.pages:
-            still_open.evaluate(SETTLED)  # so that what the page has begun is seen
+            still_open.evaluate(SETTLED, HANG)  # so that what the page has begun is seen
     finally:
         context.close()
+
+
+def drag(page: Page, *places: tuple[float, float], hold: bool = False) -> None:
+    """Presses the mouse at the first of these places, drags it to each other, and releases it.
+
+    The page has settled after each event before the next one comes. `hold`: it is not released.
+    """
+    for step, (x, y) in enumerate(places):
+        page.mouse.move(x, y)
+        page.evaluate(SETTLED, HANG)
+        if step == 0:
+            page.mouse.down()
+            page.evaluate(SETTLED, HANG)
+    if not hold:
+        release(page)
+
+
+def release(page: Page) -> None:
+    """Releases the mouse; the page has settled then."""
+    page.mouse.up()
+    page.evaluate(SETTLED, HANG)
 
 
 def too_wide(page: Page) -> list[str]:

@@ -40,6 +40,10 @@ WebGL2RenderingContext.prototype.clear = function (...what) {
   window.drawings++; clear.apply(this, what)
 }"""
 """Each drawing of the stage, counted as `drawings`, begins with an empty canvas."""
+FRAMES = """async count => {
+    for (; count; count--) await new Promise(requestAnimationFrame)
+}"""
+"""So many frames have come, however long they took."""
 MOVES = "start => Math.abs(HANDLE.theta - start) > 1"
 
 
@@ -85,15 +89,9 @@ def handle(page: Page, expression: str) -> Any:
     return page.evaluate(f"() => {HANDLE}.{expression}")
 
 
-def turning(page: Page) -> bool:
-    """Whether the engine turns, seen from the angle."""
-    try:
-        page.wait_for_function(
-            MOVES.replace("HANDLE", HANDLE), arg=handle(page, "theta"), timeout=2000
-        )
-    except TimeoutError:
-        return False
-    return True
+def turns_on(page: Page) -> None:
+    """Returns once the engine has turned on from where it is."""
+    page.wait_for_function(MOVES.replace("HANDLE", HANDLE), arg=handle(page, "theta"))
 
 
 def drawn(

@@ -17,7 +17,7 @@ from websockets.sync.client import ClientConnection, connect
 
 COMMANDS = ("firefox-esr", "firefox")
 LISTENS = re.compile(r"WebDriver BiDi listening on (ws://\S+)")
-SECONDS = 60.0
+SECONDS = 120.0
 
 
 def firefox() -> str | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import statistics
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -12,7 +11,7 @@ from typing import Any, Literal
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
-from tests.web.browsing import barriers, too_wide, watched
+from tests.web.browsing import HANG, barriers, drag, release, too_wide, watched
 from tests.web.engine_page import CARD, COUNTED
 from tests.web.serving import Server
 
@@ -23,7 +22,6 @@ REFUSED = re.compile(r"console error: Failed to load resource: .* 422 ")
 """Chromium reports every refusal; these tests are about engines that are refused."""
 BEARING = "edit:layout.banks[1].bearing"
 HOSTILE = "</script><img src=x onerror=alert(1)>"
-WAIT_SECONDS = 20
 COLOURS: tuple[Literal["light", "dark"], ...] = ("light", "dark")
 WIDTHS = (400, 900, 1600)
 
@@ -55,11 +53,10 @@ def on_stage(page: Page) -> dict[str, Any]:
 
 
 def eventually(what: Callable[[], Any], wanted: Any) -> None:
-    """Waits until it is as wanted."""
-    end = time.monotonic() + WAIT_SECONDS
+    """Asks, each time when the page has settled, until it is as wanted."""
+    end = time.monotonic() + HANG / 1000
     while (seen := what()) != wanted:
         assert time.monotonic() < end, f"{seen!r} has not become {wanted!r}"
-        time.sleep(0.02)
 
 
 def bank_angles(page: Page) -> list[float]:
@@ -99,27 +96,19 @@ def test_a_bare_number_takes_the_unit_that_was_there(editing: Page) -> None:
     expect(field(editing, BEARING)).to_have_value("60 deg")
 
 
-def test_a_change_is_on_the_stage_at_once(editing: Page) -> None:
-    """Benchmarks require 100 ms; here only that it does not take a second."""
-    took = editing.evaluate(
-        """async id => {
-            const page = document.querySelector('[data-crankstar]').crankstar
+def test_of_changes_that_come_faster_than_answers_the_last_is_on_the_stage(editing: Page) -> None:
+    editing.evaluate(
+        """id => {
             const box = document.getElementById(id)
-            const took = []
             for (let angle = 20; angle < 45; angle++) {
-                const from = performance.now()
                 box.value = `${angle} deg`
                 box.dispatchEvent(new Event('input', { bubbles: true }))
-                const there = () => performance.now() > 60_000
-                    || page.exhibits[0].file.layout.banks[0].bearing === box.value
-                while (!there()) await new Promise(done => setTimeout(done, 1))
-                took.push(performance.now() - from)
             }
-            return took
         }""",
         BEARING,
     )
-    assert statistics.median(took) < 1000, took
+    assert bank_angles(editing) == [44, -45]
+    assert on_stage(editing)["file"]["layout"]["banks"][0]["bearing"] == "44 deg"
 
 
 @pytest.mark.long
@@ -193,14 +182,15 @@ def test_a_drag_moves_the_engine_while_it_lasts_and_is_one_step(editing: Page) -
     box = slider.bounding_box()
     assert box is not None
     middle = box["y"] + box["height"] / 2
-    editing.mouse.move(box["x"] + 0.625 * box["width"], middle)
-    editing.mouse.down()
-    for place in range(1, 7):
-        before = bank_angles(editing)[0]
-        editing.mouse.move(box["x"] + (0.625 - 0.03 * place) * box["width"], middle)
-        eventually(lambda before=before: bank_angles(editing)[0] < before, wanted=True)
-    editing.mouse.up()
-    eventually(lambda: editing.locator(".editor").get_attribute("aria-busy"), "false")
+    places = [(box["x"] + share * box["width"], middle) for share in (0.625, 0.55, 0.5, 0.45)]
+    drag(editing, *places[:2], hold=True)
+    angles = [bank_angles(editing)[0]]
+    for place in places[2:]:
+        editing.mouse.move(*place)
+        angles.append(bank_angles(editing)[0])
+    assert 45 > angles[0] > angles[1] > angles[2]
+    release(editing)
+    expect(editing.locator(".editor")).to_have_attribute("aria-busy", "false")
     last = on_stage(editing)["file"]["layout"]["banks"][0]["bearing"]
     assert last == field(editing, BEARING).input_value() != "45 deg"
     editing.get_by_role("button", name="Undo").click()
@@ -215,10 +205,7 @@ def test_a_throw_is_turned_by_its_wheel_with_the_mouse_and_the_keys(editing: Pag
     box = wheel.bounding_box()
     assert box is not None
     across, down = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    editing.mouse.move(across + 12, down)
-    editing.mouse.down()
-    editing.mouse.move(across + 10, down + 10)
-    editing.mouse.up()
+    drag(editing, (across + 12, down), (across + 10, down + 10))
     eventually(lambda: on_stage(editing)["file"]["layout"]["throws"][1], "135 deg")
     wheel.focus()
     editing.keyboard.press("ArrowRight")
@@ -295,7 +282,6 @@ def test_every_key_of_the_schema_has_a_field(editing: Page, server: Server) -> N
             "() => document.querySelectorAll('.editor details:not([open])').forEach(one "
             "=> one.open = true)"
         )
-        editing.wait_for_timeout(300)
     defined = schema["$defs"]
     wanted = [("", key) for key in defined["ShortVee"]["properties"] if key != "format"]
     wanted += [("layout.", key) for key in defined["Vee"]["properties"]]
@@ -386,7 +372,7 @@ def test_a_row_of_a_search_becomes_the_engine(editing: Page) -> None:
     dialog.get_by_role("spinbutton", name="Number of cylinders").fill("7")
     dialog.get_by_role("button", name="Search").click()
     rows = dialog.locator("tbody tr")
-    rows.first.wait_for(timeout=90_000)  # the first search of an installation compiles its loops
+    rows.first.wait_for()
     assert rows.count() == 4
     expect(rows.nth(1)).to_contain_text("1-7-2-5-4-3-6")
     expect(dialog).to_contain_text("Proved complete")
@@ -405,7 +391,7 @@ def test_a_search_is_cancelled(editing: Page) -> None:
     dialog.get_by_role("button", name="Search").click()
     dialog.get_by_role("progressbar").wait_for()
     dialog.get_by_role("button", name="Cancel").click()
-    expect(dialog.get_by_role("status")).to_contain_text("Cancelled", timeout=1000 * WAIT_SECONDS)
+    expect(dialog.get_by_role("status")).to_contain_text("Cancelled")
     expect(dialog.get_by_role("progressbar")).to_have_count(0)
     expect(dialog.get_by_role("button", name="Search")).to_be_enabled()
 

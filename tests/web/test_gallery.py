@@ -78,7 +78,7 @@ def test_pictures_that_are_seen_turn_unless_less_motion_is_wished(gallery: Page)
     gallery.emulate_media(reduced_motion="no-preference", color_scheme="dark")
     gallery.reload()
     shown = f"{gallery.url.split('/gallery')[0]}/pictures/{names()[0]}-dark-turning.webp"
-    expect(first).to_have_js_property("currentSrc", shown, timeout=30_000)
+    expect(first).to_have_js_property("currentSrc", shown)
     assert sources(gallery, f"/{names()[-1]}-dark-turning") == []
 
 

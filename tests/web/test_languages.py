@@ -97,7 +97,6 @@ def through_engines(page: Page, seen: Seen) -> None:
             if place and tab.get_attribute("data-tab") in ONCE:
                 continue
             tab.click()
-            page.wait_for_load_state("networkidle")
             for _ in range(2):  # what stands in them comes when they are open
                 page.evaluate(OPENED)
                 page.evaluate(f"async () => await {HANDLE}.settled()")

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 from tests.mounted_engines import standing
-from tests.web.browsing import barriers, too_wide, watched
+from tests.web.browsing import barriers, drag, too_wide, watched
 from tests.web.engine_page import HANDLE
 from tests.web.overflow import overflows
 from tests.web.serving import Server
@@ -40,7 +40,7 @@ def file_of(page: Page) -> dict[str, Any]:
 def waiting(page: Page, condition: str) -> None:
     """Until something holds of the `file` of the engine on the stage."""
     known = f"const file = {HANDLE}.exhibits[0].file"
-    page.wait_for_function(f"() => {{ {known}; return {condition} }}", timeout=15_000)
+    page.wait_for_function(f"() => {{ {known}; return {condition} }}")
 
 
 def unfolded(page: Page) -> Locator:
@@ -70,11 +70,7 @@ def dragged(page: Page, side: str, thing: str, right: float, down: float) -> Non
     assert box
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     page.keyboard.down("Shift")
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x + right / 2, y + down / 2)
-    page.mouse.move(x + right, y + down)
-    page.mouse.up()
+    drag(page, (x, y), (x + right / 2, y + down / 2), (x + right, y + down))
     page.keyboard.up("Shift")
 
 
@@ -220,11 +216,7 @@ def test_a_mount_is_dragged_on_the_stage(laying: Page) -> None:
     assert box
     x = box["x"] + pane["origin"][0] + 0.310 * pane["scale"]
     y = box["y"] + pane["origin"][1] - 0.040 * pane["scale"]
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x - 10, y + 15)
-    page.mouse.move(x - 20, y + 30)
-    page.mouse.up()
+    drag(page, (x, y), (x - 10, y + 15), (x - 20, y + 30))
     waiting(page, "file.mounts[1].right !== '310 mm'")
     now = file_of(page)["mounts"][1]
     right, up = (float(now[key].split()[0]) for key in ("right", "up"))

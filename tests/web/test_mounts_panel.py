@@ -358,10 +358,6 @@ def test_courses_run_with_the_crank_and_add_up_all_orders(tmp_path: Path, page: 
     ground = forces.sum(axis=0)
     for step, angle in enumerate(EIGHT):
         handle(page, f"theta = {angle}")
-        page.wait_for_function(
-            "angle => Math.abs(HANDLE.theta - angle) < 1e-6".replace("HANDLE", HANDLE), arg=angle
-        )
-        page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done)))")
         values = page.locator(".cycle-curves:not(.over-speed) output").all_inner_texts()
         told_numbers = [number(each) for each in values]
         # the point is the centre of mass, unless another is asked for

@@ -13,7 +13,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 from tests.report.reading import plain
 from tests.web.browsing import too_wide
-from tests.web.engine_page import handle, opened, turning
+from tests.web.engine_page import FRAMES, handle, opened, turns_on
 
 from crankstar import spectra
 from crankstar.dynamics.bearings import bearing_loads
@@ -200,7 +200,7 @@ def test_a_figure_out_of_view_rests_while_the_engine_turns_and_is_right_after(
     drawn = "all => all.map(drawing => drawing.innerHTML)"
     first = figures.evaluate_all(drawn)
     handle(page, "play()")
-    assert turning(page)
+    turns_on(page)
     moved = figures.evaluate_all(drawn)
     assert moved[0] != first[0]
     assert moved[-1] == first[-1]
@@ -267,7 +267,8 @@ def test_a_page_that_plays_does_not_write_its_angle_all_the_time(
         "history.replaceState = function(...all)"
         " { window.written += 1; return old.apply(this, all) } }"
     )
-    page.wait_for_timeout(900)
+    page.evaluate(FRAMES, 10)
+    turns_on(page)
     assert page.evaluate("window.written") == 0
     assert "a=" not in page.url
 

@@ -8,7 +8,7 @@ from urllib.parse import parse_qs
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
-from tests.web.browsing import watched
+from tests.web.browsing import HANG, SETTLED, watched
 from tests.web.serving import Server, serving
 
 from crankstar.files.catalog import names
@@ -44,7 +44,7 @@ def test_every_panel_opens_under_the_policy_of_the_server(page: Page, server: Se
     assert len(tabs) >= 8
     for tab in tabs:
         tab.click()
-        page.wait_for_load_state("networkidle")
+        page.evaluate(SETTLED, HANG)
     page.get_by_role("tab", name="Derivation").click()
     page.wait_for_selector("math")
     page.get_by_role("tab", name="Stars").click()

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Page, Position, ViewportSize, expect
-from tests.web.engine_page import CARD, drawn, farthest_off, handle, opened
+from tests.web.engine_page import CARD, FRAMES, drawn, farthest_off, handle, opened
 
 from crankstar.files.catalog import load, names
 
@@ -205,7 +205,7 @@ def test_a_window_of_any_height_comes_to_rest(language: str, built_page: Build, 
     for height in range(900, 600, -20):
         page.set_viewport_size({"width": 1280, "height": height})
         before = page.evaluate(CANVAS)  # once the page has settled
-        page.wait_for_timeout(60)
+        page.evaluate(FRAMES, 4)
         assert page.evaluate(CANVAS) == before, height
         views.add(before[1])
     assert views == {0, 1}

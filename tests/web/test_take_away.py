@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from PIL import Image, ImageSequence
 from playwright.sync_api import Locator, Page, expect
-from tests.web.browsing import barriers, too_wide
+from tests.web.browsing import HANG, barriers, too_wide
 from tests.web.engine_page import CARD, READY, handle, opened, written_of
 from tests.web.serving import Server
 
@@ -46,9 +46,10 @@ SEEN = """async data => {
     const to = canvas.getContext('2d', { willReadFrequently: true })
     const frames = []
     for (const frame of [0, 1, 23]) {
-        video.currentTime = (frame + 0.5) / 24 * video.duration
-        await new Promise(done => { video.onseeked = done })
-        await new Promise(done => setTimeout(done, 200)) // until it is presented
+        await new Promise(done => {
+            video.requestVideoFrameCallback(done) // when it is presented
+            video.currentTime = (frame + 0.5) / 24 * video.duration
+        })
         to.drawImage(video, 0, 0, 160, 120)
         frames.push([...to.getImageData(0, 0, 160, 120).data])
     }
@@ -66,7 +67,7 @@ def dialog(page: Page) -> Locator:
 
 def taken(page: Page, button: Locator, folder: Path) -> Path:
     """The file that a button saves."""
-    with page.expect_download(timeout=120_000) as download:
+    with page.expect_download(timeout=HANG) as download:
         button.click()
     place = folder / download.value.suggested_filename
     download.value.save_as(place)

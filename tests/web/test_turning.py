@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
-from tests.web.engine_page import drawn, farthest_off, handle, opened, turning
+from tests.web.engine_page import FRAMES, drawn, farthest_off, handle, opened, turns_on
 
 from crankstar.files.catalog import load
 
@@ -28,14 +28,14 @@ def test_it_plays_when_it_is_opened_and_stops_and_plays_again(
 ) -> None:
     page.emulate_media(reduced_motion="no-preference")
     opened(page, built_page("v8-cross-plane"), "")
-    assert turning(page)
+    turns_on(page)
     page.get_by_role("button", name="Stop").click()
     stood = handle(page, "theta")
     assert not handle(page, "playing")
-    page.wait_for_timeout(200)
+    page.evaluate(FRAMES, 10)
     assert handle(page, "theta") == stood
     page.get_by_role("button", name="Play").click()
-    assert turning(page)
+    turns_on(page)
 
 
 @pytest.mark.long
@@ -47,7 +47,7 @@ def test_it_does_not_start_by_itself_where_motion_is_not_wished(
     assert not handle(page, "playing")
     assert handle(page, "theta") == 0
     page.get_by_role("button", name="Play").click()
-    assert turning(page), "a wish that is said is followed"
+    turns_on(page)  # a wish that is said is followed
 
 
 TYPED = {

@@ -133,10 +133,10 @@ def test_figures_and_derivations_are_asked_of_the_kernel(show: Show, page: Page)
     show("v8-cross-plane", state="tab=forces")
     expect(
         page.get_by_role("tabpanel").locator("svg[role=img], svg.marks, canvas").first
-    ).to_be_visible(timeout=20_000)
+    ).to_be_visible()
     assert cell(page, "document.querySelectorAll('script').length") == 0
     page.get_by_role("tab", name="Derivation").click()
-    expect(page.get_by_role("tabpanel").locator("math").first).to_be_visible(timeout=20_000)
+    expect(page.get_by_role("tabpanel").locator("math").first).to_be_visible()
 
 
 @pytest.mark.long

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, Route, expect
-from tests.web.browsing import barriers, watched
+from tests.web.browsing import barriers, drag, release, watched
 from tests.web.serving import Server
 from tests.web.test_editing import REFUSED, bank_angles, eventually, on_stage
 
@@ -63,12 +63,11 @@ def test_what_a_held_slider_says_covers_no_label(bench: Page, share: float) -> N
     slider.scroll_into_view_if_needed()
     place = slider.bounding_box()
     assert place is not None
-    bench.mouse.move(place["x"] + share * place["width"], place["y"] + place["height"] / 2)
-    bench.mouse.down()
-    bench.mouse.move(place["x"] + share * place["width"] + 1, place["y"] + place["height"] / 2)
+    across, down = place["x"] + share * place["width"], place["y"] + place["height"] / 2
+    drag(bench, (across, down), (across + 1, down), hold=True)
     told = row.locator(".readout").bounding_box()
     label, sweep = row.locator("label").bounding_box(), row.locator(".sweep").bounding_box()
-    bench.mouse.up()
+    release(bench)
     assert told is not None
     assert label is not None
     assert sweep is not None
@@ -165,12 +164,12 @@ def test_a_throw_is_dragged_on_the_star_and_rests_at_angles_that_make_sense(benc
     assert star is not None
     assert knob is not None
     middle = (star["x"] + star["width"] / 2, star["y"] + star["height"] / 2)
-    bench.mouse.move(knob["x"] + knob["width"] / 2, knob["y"] + knob["height"] / 2)
-    bench.mouse.down()
-    bearing = radians(45 + 118)  # of pin 1, and nearly 120
-    bench.mouse.move(middle[0] + 60 * sin(bearing), middle[1] - 60 * cos(bearing), steps=4)
+    press = (knob["x"] + knob["width"] / 2, knob["y"] + knob["height"] / 2)
+    way = (radians(45 + angle) for angle in (100, 118))  # of pin 1, and nearly 120
+    places = ((middle[0] + 60 * sin(angle), middle[1] - 60 * cos(angle)) for angle in way)
+    drag(bench, press, *places, hold=True)
     expect(bench.locator(".bench .star figcaption")).to_have_text("Pin 2: 120°")
-    bench.mouse.up()
+    release(bench)
     eventually(lambda: file_of(bench)["layout"]["throws"][1], "120 deg")
     pin.focus()
     bench.keyboard.press("Shift+ArrowRight")
@@ -190,11 +189,9 @@ def test_a_bank_is_dragged_on_the_front_view(bench: Page) -> None:
         angle = radians(bearing)
         return box["x"] + x + head * sin(angle), box["y"] + y - head * cos(angle)
 
-    bench.mouse.move(*place(45))
-    bench.mouse.down()
-    bench.mouse.move(*place(31), steps=5)
+    drag(bench, place(45), place(38), place(31), hold=True)
     expect(bench.locator(".stage-readout")).to_have_text("Bank angle: 60°")
-    bench.mouse.up()
+    release(bench)
     eventually(lambda: bank_angles(bench), [30, -30])
     expect(bench.locator(".stage-readout")).to_have_count(0)
     bench.get_by_role("button", name="Undo").click()
@@ -350,9 +347,10 @@ def test_a_link_to_an_unknown_engine_says_so_in_one_sentence(
 def test_a_pin_that_is_dragged_is_not_framed(bench: Page) -> None:
     pin = bench.locator(".star .pin:not(.fixed)").last
     pin.scroll_into_view_if_needed()
-    pin.locator(".knob").hover()
-    bench.mouse.down()
+    knob = pin.locator(".knob").bounding_box()
+    assert knob is not None
+    drag(bench, (knob["x"] + knob["width"] / 2, knob["y"] + knob["height"] / 2), hold=True)
     try:
         assert pin.evaluate("pin => getComputedStyle(pin).outlineStyle") == "none"
     finally:
-        bench.mouse.up()
+        release(bench)

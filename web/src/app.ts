@@ -24,6 +24,7 @@ import { settingOf, withGasRoll, withoutPower } from './torque'
 import { type TwistChoice, twistChoiceOf } from './torsion'
 import { InUnits, keepUnits, keptUnits } from './units'
 import { visits } from './visits'
+import { afterRest, begin, counted } from './work'
 
 /** What all parts of the page share. */
 export interface App {
@@ -162,9 +163,10 @@ export function createApp(host: Host): App {
   function cure(): void {
     for (const exhibit of engines.peek()) {
       if (known.peek().has(exhibit)) continue
-      host
-        .fitted(exhibit)
-        .then((after) => set(known, new Map(known.peek()).set(exhibit, after)), failed)
+      counted(host.fitted(exhibit)).then(
+        (after) => set(known, new Map(known.peek()).set(exhibit, after)),
+        failed,
+      )
     }
   }
 
@@ -190,7 +192,7 @@ export function createApp(host: Host): App {
   function convert(exhibits: readonly Exhibit[], wanted: string): void {
     for (const exhibit of exhibits) {
       if (others.of(exhibit, wanted)) continue
-      host.inUnits(exhibit, wanted).then(
+      counted(host.inUnits(exhibit, wanted)).then(
         (converted) => {
           others.put(exhibit, wanted, converted)
           arrived.value += 1
@@ -248,8 +250,10 @@ export function createApp(host: Host): App {
       const before = language.value
       language.value = store.language.value || host.language
       // a server tells of its engines in one language: asked again, when the link has the choice
-      if (host.kind === 'server' && begun && language.value !== before)
+      if (host.kind === 'server' && begun && language.value !== before) {
+        begin() // and ended by the page that comes in the place of this one
         window.setTimeout(() => location.reload(), 2 * WRITTEN_AFTER)
+      }
       begun = true
       // a notebook is not ours
       if (host.kind !== 'widget') document.documentElement.lang = language.value
@@ -257,9 +261,9 @@ export function createApp(host: Host): App {
   )
 
   const visited = visits(snapshot(store))
-  let later = 0
+  let callOff: (() => void) | null = null
   const write = (): void => {
-    later = 0
+    callOff = null
     const state = snapshot(store)
     host.writeState(stateText(state), visited.isNew(state, performance.now()))
   }
@@ -269,12 +273,10 @@ export function createApp(host: Host): App {
       snapshot(store)
       clock.refresh()
       // the text stands as it was given until something is changed
-      if (!first && !later) later = window.setTimeout(write, WRITTEN_AFTER)
+      if (!first) callOff ??= afterRest(write, WRITTEN_AFTER)
       first = false
     }),
-    () => {
-      if (later) window.clearTimeout(later)
-    },
+    () => callOff?.(),
   )
 
   function put(exhibit: Exhibit, tree: Tree): void {
@@ -335,8 +337,8 @@ export function createApp(host: Host): App {
     host.onState((text) => {
       const state = stateOf(text)
       // what was changed just before does not lead back
-      if (later) window.clearTimeout(later)
-      later = 0
+      callOff?.()
+      callOff = null
       if (stateText(state) === stateText(snapshot(store))) return
       visited.seen(state)
       restore(store, state)

@@ -1,5 +1,6 @@
 import { type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import { withinCycle } from './angle'
+import { begin } from './work'
 
 /** Shows the engine at an angle (radians); a promise is awaited. */
 export type Follower = (theta: number) => unknown
@@ -54,6 +55,8 @@ export function createClock(
   async function show(): Promise<void> {
     const began = performance.now()
     showing += 1
+    // an engine that turns never settles, one at rest has when this is shown
+    const end = playing.peek() ? undefined : begin()
     const theta = (angle * Math.PI) / 180
     try {
       const waiting = [...followers].map((follower) => follower(theta))
@@ -61,6 +64,7 @@ export function createClock(
       if (waiting.some((done) => done instanceof Promise)) await Promise.all(waiting)
     } finally {
       showing -= 1
+      end?.()
     }
     times.push(performance.now() - began)
     if (times.length > KEPT) times.shift()

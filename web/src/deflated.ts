@@ -1,8 +1,15 @@
+import { counted } from './work'
+
 /** No engine file is longer than this; what unpacks to more was not packed here. */
 const LONGEST = 1_000_000
 
 /** Bytes sent through a compressing or expanding stream. */
-export async function piped(
+export const piped = (
+  bytes: Uint8Array<ArrayBuffer>,
+  through: GenericTransformStream,
+): Promise<Uint8Array<ArrayBuffer>> => counted(gone(bytes, through))
+
+async function gone(
   bytes: Uint8Array<ArrayBuffer>,
   through: GenericTransformStream,
 ): Promise<Uint8Array<ArrayBuffer>> {
@@ -34,5 +41,5 @@ export async function packedTree(tree: Readonly<Record<string, unknown>>): Promi
 /** Text that was packed with gzip. */
 export async function inflated(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))
-  return new Response(stream).text()
+  return counted(new Response(stream).text())
 }

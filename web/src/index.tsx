@@ -11,6 +11,7 @@ import { type State, snapshot } from './state'
 import { Shared } from './ui/context'
 import { Page } from './ui/Page'
 import { adopt } from './ui/sheets'
+import { revision, settled } from './work'
 
 /** What scripts and tests may ask of the element that holds the page, as `element.crankstar`. */
 export interface Handle {
@@ -27,8 +28,17 @@ export interface Handle {
   readonly exhibits: readonly Exhibit[]
   /** Where the parts of an engine stand, after everything has been drawn at the present angle. */
   read(index?: number): Reading
-  /** Resolves when all that was begun is drawn; while the engine turns, after two frames. */
-  settled(): Promise<void>
+  /**
+   * How much the pages of this document have begun: requests, figures, formulas and frames at rest,
+   * and what waits for a rest, as the address does. What never ends does not count: polls of the
+   * server, and frames of an engine that turns.
+   */
+  readonly revision: number
+  /**
+   * Resolves with the revision at which nothing is pending: all that was begun is drawn, fonts are
+   * there and transitions over. What waits for a rest is done at once, unless an engine turns.
+   */
+  settled(): Promise<number>
   /** Milliseconds of script that each of the last frames took, figures included; at most 600. */
   frameTimes(): number[]
   /** How the stage draws. */
@@ -39,8 +49,17 @@ export interface Holder extends HTMLElement {
   crankstar?: Handle
 }
 
+/** Whether the browser still loads fonts, or moves something that comes to an end. */
+const changing = (): boolean =>
+  document.fonts.status === 'loading' ||
+  document
+    .getAnimations()
+    .some(
+      ({ playState, effect }) =>
+        playState === 'running' && effect?.getComputedTiming().endTime !== Number.POSITIVE_INFINITY,
+    )
+
 function handleOf(
-  el: Holder,
   ready: Promise<void>,
   app: () => App | null,
   stages: ReadonlyMap<number, Stage>,
@@ -76,15 +95,14 @@ function handleOf(
       if (!stage) throw new RangeError(`There is no engine ${index} on the stage.`)
       return stage.read()
     },
+    get revision() {
+      return revision()
+    },
     async settled() {
       await ready
       const { clock } = there()
-      // twice: what a component begins is asked for in the effects that follow its frame
-      for (let quiet = 0; quiet < 2; quiet++) {
-        await new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
-        const busy = el.querySelector('figure[aria-busy=true]') || clock.waiting()
-        if (busy && !clock.playing.peek()) quiet = -1
-      }
+      const turning = (): boolean => clock.playing.peek()
+      return settled(() => (clock.waiting() && !turning()) || changing(), turning)
     },
     frameTimes: () => there().clock.frameTimes(),
     get means() {
@@ -135,7 +153,7 @@ export function show(
   ready.catch((error: unknown) => {
     draw(<p class="crankstar failed">{reasonOf(error)}</p>, el)
   })
-  const handle = handleOf(el, ready, () => app, stages)
+  const handle = handleOf(ready, () => app, stages)
   // who asked before this script had come holds an object in its place, which it takes over
   const held = el.crankstar ?? {}
   el.crankstar = Object.defineProperties(held, Object.getOwnPropertyDescriptors(handle)) as Handle

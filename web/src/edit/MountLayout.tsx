@@ -1,3 +1,4 @@
+import { useSignal } from '@preact/signals'
 import { useRef, useState } from 'preact/hooks'
 import { t } from '../language/messages'
 import {
@@ -226,7 +227,9 @@ interface ViewProps {
 /** A view in which things are dragged or moved by keys. */
 function View({ side, things, places, chosen, choose }: ViewProps) {
   const session = useSession()
-  const [held, setHeld] = useState<{ key: string; frame: Frame; off: Spot } | null>(null)
+  // no state: what is held must be known to the events that come before the next drawing
+  const grasp = useSignal<{ key: string; frame: Frame; off: Spot } | null>(null)
+  const held = grasp.value
   const root = useRef<HTMLDivElement>(null)
   const { scene } = session
   if (!scene) return null
@@ -239,21 +242,24 @@ function View({ side, things, places, chosen, choose }: ViewProps) {
     const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse())
     return [x / scale, y / scale]
   }
-  const move = (thing: Thing, to: Place, step: number): void => {
-    if (!thing.place) return
+  const move = (thing: Thing, to: (now: Place) => Spot, step: number): void => {
+    // from where it is, not from where it was last drawn
+    const now = thing.place && placeIn(session.tree.peek(), thing.path, thing.place)
+    if (!now) return
     session.direct(
-      placedAt(session.tree.peek(), thing.path, thing.place, to, step),
+      placedAt(session.tree.peek(), thing.path, now, placeAt(side, to(now), now), step),
       `${thing.path.join('.')} place`,
     )
   }
   const follow = (thing: Thing, event: PointerEvent): void => {
+    const own = grasp.peek()
     const spot = under(event)
-    if (!spot || !thing.place || held?.key !== thing.key) return
-    const to: Spot = [spot[0] - held.off[0], spot[1] - held.off[1]]
-    move(thing, placeAt(side, to, thing.place), event.shiftKey || event.altKey ? FINE_DRAG : DRAG)
+    if (!spot || own?.key !== thing.key) return
+    const to: Spot = [spot[0] - own.off[0], spot[1] - own.off[1]]
+    move(thing, () => to, event.shiftKey || event.altKey ? FINE_DRAG : DRAG)
   }
   const leave = (): void => {
-    setHeld(null)
+    grasp.value = null
     session.rest()
   }
   return (
@@ -283,9 +289,9 @@ function View({ side, things, places, chosen, choose }: ViewProps) {
                 event.currentTarget.setPointerCapture(event.pointerId)
                 event.currentTarget.focus()
                 const [atX, atY] = seen(side, place)
-                setHeld({ key: thing.key, frame, off: [spot[0] - atX, spot[1] - atY] })
+                grasp.value = { key: thing.key, frame, off: [spot[0] - atX, spot[1] - atY] }
               }}
-              onPointerMove={(event) => held?.key === thing.key && follow(thing, event)}
+              onPointerMove={(event) => follow(thing, event)}
               onPointerUp={leave}
               onPointerCancel={leave}
               onBlur={session.rest}
@@ -294,9 +300,11 @@ function View({ side, things, places, chosen, choose }: ViewProps) {
                 if (!way) return
                 event.preventDefault()
                 const step = event.shiftKey ? FINE_KEY : KEY
-                const [atX, atY] = seen(side, place)
-                const spot: Spot = [atX + step * way[0], atY + step * way[1]]
-                move(thing, placeAt(side, spot, place), FINE_KEY)
+                const next = (now: Place): Spot => {
+                  const [atX, atY] = seen(side, now)
+                  return [atX + step * way[0], atY + step * way[1]]
+                }
+                move(thing, next, FINE_KEY)
               }}
             >
               <circle class="grip" r="17" />

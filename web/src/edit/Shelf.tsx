@@ -2,6 +2,7 @@ import { useRef, useState } from 'preact/hooks'
 import type { Exhibit } from '../exhibit'
 import type { Tree } from '../host/host'
 import { language, plural, t } from '../language/messages'
+import { counted } from '../work'
 import { choiceText } from './choices'
 import { useSession } from './context'
 import {
@@ -89,7 +90,7 @@ export function Shelf({ beside }: Props) {
     session.note.value = t('{what} is now in the form.', { what: engine.name })
   }
   const takeIn = async (file: File): Promise<void> => {
-    const more = file.size > LARGEST ? null : imported(await file.text(), Date.now())
+    const more = file.size > LARGEST ? null : imported(await counted(file.text()), Date.now())
     const taken = more?.slice(0, Math.max(0, MOST - engines.length)) ?? []
     if (!more?.length)
       setSaid(t('{file} is no file of kept engines.', { file: file.name.slice(0, 80) }))

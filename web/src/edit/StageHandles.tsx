@@ -1,4 +1,4 @@
-import { useEffect, useState } from 'preact/hooks'
+import { useEffect, useRef, useState } from 'preact/hooks'
 import type { Control } from '../exhibit'
 import type { Reading } from '../stage/stage'
 import { useSession } from './context'
@@ -15,6 +15,9 @@ interface Held extends HTMLElement {
 export function StageHandles({ controls }: { controls: readonly Control[] }) {
   const session = useSession()
   const [told, setTold] = useState<{ text: string; x: number; y: number } | null>(null)
+  // an answer of the server that brings others while something is held does not end the drag
+  const latest = useRef(controls)
+  latest.current = controls
   useEffect(() => {
     const holder = document.querySelector<Held>('[data-crankstar]')
     const canvas = holder?.querySelector<HTMLElement>('.stage .canvas')
@@ -27,7 +30,7 @@ export function StageHandles({ controls }: { controls: readonly Control[] }) {
       if (!scene || event.pointerType === 'touch') return null
       const box = canvas.getBoundingClientRect()
       const { panes } = page.read()
-      const grip = { panes, scene, controls, session }
+      const grip = { panes, scene, controls: latest.current, session }
       return handleAt(grip, event.clientX - box.left, event.clientY - box.top)
     }
     const pressed = (event: PointerEvent): void => {
@@ -68,7 +71,7 @@ export function StageHandles({ controls }: { controls: readonly Control[] }) {
       canvas.removeEventListener('pointerup', left)
       canvas.removeEventListener('pointercancel', left)
     }
-  }, [session, controls])
+  }, [session])
   if (!told) return null
   return (
     <output class="stage-readout" style={{ left: `${told.x + 14}px`, top: `${told.y - 30}px` }}>

@@ -1,4 +1,5 @@
-import { useRef, useState } from 'preact/hooks'
+import { useSignal } from '@preact/signals'
+import { useRef } from 'preact/hooks'
 import type { Pin } from '../exhibit'
 import { t } from '../language/messages'
 import { useSession } from './context'
@@ -22,7 +23,8 @@ const STEPS: Readonly<Record<string, number>> = {
 export function Star({ pins }: { pins: readonly Pin[] }) {
   const session = useSession()
   const svg = useRef<SVGSVGElement>(null)
-  const [held, setHeld] = useState<string | null>(null)
+  // no state: what is held must be known to the events that come before the next drawing
+  const held = useSignal<string | null>(null)
   const first = pins[0]
   if (!first) return null
   const tree = session.tree.value
@@ -46,10 +48,10 @@ export function Star({ pins }: { pins: readonly Pin[] }) {
     else turn(pin, snappedAngle(Math.round(seen), snaps, REACH))
   }
   const leave = (): void => {
-    setHeld(null)
+    held.value = null
     session.rest()
   }
-  const turning = pins.find(({ path }) => path === held)
+  const turning = pins.find(({ path }) => path === held.value)
   return (
     <figure class="star" aria-label={t('Crank star')}>
       <svg ref={svg} viewBox="-80 -80 160 160">
@@ -79,9 +81,10 @@ export function Star({ pins }: { pins: readonly Pin[] }) {
                 }),
                 onPointerDown: (event: PointerEvent) => {
                   ;(event.currentTarget as Element).setPointerCapture(event.pointerId)
-                  setHeld(pin.path)
+                  held.value = pin.path
                 },
-                onPointerMove: (event: PointerEvent) => held === pin.path && follow(pin, event),
+                onPointerMove: (event: PointerEvent) =>
+                  held.peek() === pin.path && follow(pin, event),
                 onPointerUp: leave,
                 onPointerCancel: leave,
                 onBlur: session.rest,
@@ -90,7 +93,7 @@ export function Star({ pins }: { pins: readonly Pin[] }) {
                   if (step === undefined) return
                   event.preventDefault()
                   const size = event.shiftKey && Math.abs(step) === 1 ? step / 10 : step
-                  turn(pin, wrapped(angle + size, 0.001))
+                  turn(pin, wrapped(angleIn(session.tree.peek(), pin) + size, 0.001))
                 },
               })}
             >

@@ -2,6 +2,7 @@ import { useId, useRef, useState } from 'preact/hooks'
 import type { Fitting } from '../host/host'
 import { message, t } from '../language/messages'
 import { Switch } from '../Switch'
+import { begin } from '../work'
 import { useSession } from './context'
 import { answered } from './session'
 
@@ -91,7 +92,13 @@ export function Fit() {
 function lookAt(note: HTMLElement): void {
   note.focus({ preventScroll: true })
   // Once the new form stands: the browser holds on to the old place until then.
-  requestAnimationFrame(() => requestAnimationFrame(() => note.scrollIntoView({ block: 'center' })))
+  const end = begin()
+  requestAnimationFrame(() =>
+    requestAnimationFrame(() => {
+      note.scrollIntoView({ block: 'center' })
+      end()
+    }),
+  )
 }
 
 interface ChoiceProps<T extends string> {

@@ -2,6 +2,7 @@ import { effect } from '@preact/signals'
 import { useEffect, useMemo, useRef } from 'preact/hooks'
 import type { Service, Tree } from '../host/host'
 import { plural, t } from '../language/messages'
+import { afterRest } from '../work'
 import { useBench, Workbench } from './Bench'
 import benchCss from './bench.css?inline'
 import { CatalogPicker } from './catalog'
@@ -173,16 +174,16 @@ const KEPT_AFTER = 1000
 
 /** Keeps the engine that was edited last, to be offered another day. Returns what ends it. */
 function keepingLast(session: Session): () => void {
-  let timer: ReturnType<typeof setTimeout> | undefined
+  let callOff = (): void => {}
   const end = effect(() => {
     void session.valid.value
-    clearTimeout(timer)
+    callOff()
     if (session.canUndo.value)
-      timer = setTimeout(() => keepLast(browserStore(), keptNow(session)), KEPT_AFTER)
+      callOff = afterRest(() => keepLast(browserStore(), keptNow(session)), KEPT_AFTER)
   })
   return () => {
     end()
-    clearTimeout(timer)
+    callOff()
   }
 }
 

@@ -2,6 +2,7 @@ import { effect, type Signal, signal } from '@preact/signals'
 import type { Preset, Slider, WorkshopShown } from '../exhibit'
 import type { Tree } from '../host/host'
 import { reasonOf } from '../reason'
+import { afterRest } from '../work'
 import { latest } from './latest'
 import { answered, type Session } from './session'
 import { same } from './tree'
@@ -68,12 +69,12 @@ export function benchOf(session: Session, units: () => string): [Bench, () => vo
     },
   })
 
-  let timer: ReturnType<typeof setTimeout> | undefined
+  let callOff = (): void => {}
   const end = effect(() => {
     const tree = session.valid.value
     units()
-    clearTimeout(timer)
-    timer = setTimeout(() => live.ask(tree), shown.peek() === null ? 0 : REST)
+    callOff()
+    callOff = afterRest(() => live.ask(tree), shown.peek() === null ? 0 : REST)
   })
 
   return [
@@ -111,7 +112,7 @@ export function benchOf(session: Session, units: () => string): [Bench, () => vo
     },
     () => {
       end()
-      clearTimeout(timer)
+      callOff()
       live.stop()
     },
   ]

@@ -3,6 +3,7 @@ import type { CatalogEntry, Exhibit, Fact, Problem } from '../exhibit'
 import type { Answer, Service, Tree } from '../host/host'
 import { t } from '../language/messages'
 import { reasonOf } from '../reason'
+import { counted } from '../work'
 import { changes } from './changes'
 import { withoutOrder } from './control'
 import { after, begun, type History } from './history'
@@ -243,7 +244,7 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
       }, failed)
     },
     async open(answer, what) {
-      const opened = await answered(answer)
+      const opened = await answered(counted(answer))
       batch(() => {
         if (opened.ok) self.replace(opened.value)
         note.value = opened.ok ? t('{what} is now in the form.', { what }) : ''

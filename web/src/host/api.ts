@@ -1,19 +1,27 @@
 import type { Problem } from '../exhibit'
 import { language, t } from '../language/messages'
+import { begin } from '../work'
 import type { Answer } from './host'
 
 interface Request {
   readonly method?: 'GET' | 'POST' | 'DELETE'
   readonly body?: unknown
   readonly signal?: AbortSignal | undefined
+  /** Sent again and again as long as the page is there: the page settles without its answer. */
+  readonly polls?: boolean
 }
 
 /** The value, or every fault of the request. Rejects only if the server cannot be reached. */
 export async function requested<T>(path: string, request: Request = {}): Promise<Answer<T>> {
-  const response = await answered(path, request)
-  const answer: unknown = await response.json().catch(() => null)
-  if (response.ok && answer !== null) return { ok: true, value: answer as T }
-  return { ok: false, problems: problemsOf(response.status, answer) }
+  const end = request.polls ? undefined : begin()
+  try {
+    const response = await answered(path, request)
+    const answer: unknown = await response.json().catch(() => null)
+    if (response.ok && answer !== null) return { ok: true, value: answer as T }
+    return { ok: false, problems: problemsOf(response.status, answer) }
+  } finally {
+    end?.()
+  }
 }
 
 /** A file. Rejects with the sentences of all faults. */

@@ -16,7 +16,7 @@ const post = <T>(path: string, body: unknown, signal?: AbortSignal) =>
   requested<T>(path, { body, signal })
 
 const search = (id: string, method: 'GET' | 'DELETE') =>
-  requested<SearchShown>(`search/${encodeURIComponent(id)}`, { method })
+  requested<SearchShown>(`search/${encodeURIComponent(id)}`, { method, polls: method === 'GET' })
 
 /** Live editing by the API of `crankstar serve`. */
 export const service: Service = {

@@ -21,7 +21,7 @@ export function watched(known: Tree, changed: (news: News) => void): () => void 
   const ask = async (): Promise<void> => {
     const answer = document.hidden
       ? null
-      : await requested<WatchedShown>(`watched?after=${version}`).catch(() => null)
+      : await requested<WatchedShown>(`watched?after=${version}`, { polls: true }).catch(() => null)
     if (ended) return
     if (answer?.ok) {
       const { value } = answer

@@ -2,6 +2,7 @@ import { effect } from '@preact/signals'
 import type { App } from '../app'
 import type { Exhibit, Exhibition } from '../exhibit'
 import { t } from '../language/messages'
+import { counted } from '../work'
 import { drawing } from './drawing'
 import type { Host, Spec } from './host'
 import { unpacked } from './page'
@@ -56,7 +57,7 @@ let questions = 0
 function kernel(model: Model, question: Question): Promise<unknown> {
   questions += 1
   const id = `${questions} ${Math.random()}`
-  return new Promise((resolve, reject) => {
+  const reply = new Promise<unknown>((resolve, reject) => {
     const over = (): void => {
       window.clearTimeout(late)
       model.off('msg:custom', listener)
@@ -74,6 +75,7 @@ function kernel(model: Model, question: Question): Promise<unknown> {
     model.on('msg:custom', listener)
     model.send({ ...question, id })
   })
+  return counted(reply)
 }
 
 /** Where an exhibit stands in what the kernel has. */

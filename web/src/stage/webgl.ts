@@ -1,5 +1,6 @@
 import { Matrix4, OrthographicCamera, Scene, Vector3, WebGLRenderer } from 'three'
 import type { Exhibit, StrokeColours } from '../exhibit'
+import { afterRest } from '../work'
 import { type Batch, detail } from './batch'
 import { materials } from './materials'
 import type { Detail } from './mould'
@@ -89,7 +90,7 @@ class WebglPicture implements Picture {
   #density = 1
   #live = true
   #finer = 1
-  #resting = 0
+  #callOff = (): void => {}
 
   /** Without a graphics card (`quick`) motion is drawn coarsely, and finely at rest. */
   constructor(
@@ -149,8 +150,8 @@ class WebglPicture implements Picture {
     this.#slice = slice
     this.#render(1)
     if (this.quick) return
-    clearTimeout(this.#resting)
-    this.#resting = window.setTimeout(this.#rested, REST_MS)
+    this.#callOff()
+    this.#callOff = afterRest(this.#rested, REST_MS)
   }
 
   readonly #rested = (): void => this.#render(FINER)
@@ -285,7 +286,7 @@ class WebglPicture implements Picture {
   }
 
   lose(): void {
-    clearTimeout(this.#resting)
+    this.#callOff()
     this.#clear()
     this.#paint.dispose()
   }

@@ -4,6 +4,7 @@ import type { Drawing } from '../drawing/drawing'
 import type { Exhibit } from '../exhibit'
 import { t } from '../language/messages'
 import { reasonOf } from '../reason'
+import { counted } from '../work'
 import { useApp } from './context'
 import { Scroller } from './Scroller'
 
@@ -62,7 +63,7 @@ export function Figure({
       }
     }
     // one after the other: during a drag only the newest is requested
-    last.current = last.current.then(draw)
+    last.current = counted(last.current.then(draw))
     const turn = () => {
       const drawing = shown.current
       return drawing?.turns ? drawing.turnTo(clock.degrees() % (360 * exhibit.turns)) : undefined

@@ -1,5 +1,6 @@
 import font from 'virtual:math-font'
 import { bytesOf } from '../base64'
+import { counted } from '../work'
 
 /** The family of the font in which formulas are set. */
 const FAMILY = 'crankstar math'
@@ -8,6 +9,8 @@ let wanted: Promise<unknown> | null = null
 /** Has formulas set in the font that travels with the page, from the first time that one is shown. */
 export function loadMathFont(): Promise<unknown> {
   // from bytes, not from an address: no policy of a page has to allow it
-  wanted ??= new FontFace(FAMILY, bytesOf(font)).load().then((face) => document.fonts.add(face))
+  wanted ??= counted(
+    new FontFace(FAMILY, bytesOf(font)).load().then((face) => document.fonts.add(face)),
+  )
   return wanted
 }

@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
 import { message, t } from '../../language/messages'
 import { reasonOf } from '../../reason'
+import { counted } from '../../work'
 import { useApp, useExhibit } from '../context'
 import { Each } from '../Each'
 import { loadMathFont } from '../mathFont'
@@ -67,7 +68,7 @@ function Typeset() {
     html.value = ''
     trouble.value = ''
     if (key === undefined) return undefined
-    host.derivation(exhibit, key).then(
+    counted(host.derivation(exhibit, key)).then(
       (made) => {
         if (!ended) html.value = made
       },
