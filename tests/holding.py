@@ -15,7 +15,7 @@ LOOK_SECONDS = 0.02
 """How often a state is looked at that nobody reports."""
 
 
-def awaited(state: Callable[[], T]) -> T:
+def awaited(state: Callable[[], T | None]) -> T:
     """A state as soon as it is true; a test whose state never comes fails."""
     until = time.monotonic() + PATIENCE
     while not (found := state()):

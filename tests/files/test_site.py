@@ -184,14 +184,11 @@ def test_a_site_that_is_interrupted_leaves_nothing(tmp_path: Path, sent: list[in
     process = subprocess.Popen(words, cwd=folder, start_new_session=True, stderr=-1)
     try:
         awaited(lambda: len([*folder.glob(".site.*/pictures/*")]) == 2)
-        for place, number in enumerate(sent):
-            if number == signal.SIGINT:
-                os.killpg(process.pid, number)
-            else:
-                process.send_signal(number)
-            if place == 0:
-                ending = reached(pipe)
-        with ending:
+        send = os.killpg if signal.SIGINT in sent else os.kill
+        send(process.pid, sent[0])
+        with reached(pipe) as ending:
+            for number in sent[1:]:
+                send(process.pid, number)
             ending.write(b"12")
             _out, said = process.communicate(timeout=PATIENCE)
         assert process.returncode == (130 if sent[0] == signal.SIGINT else -signal.SIGTERM)

@@ -312,7 +312,8 @@ def test_processes_that_are_gone_before_their_pool_knows_leave_no_fault(monkeypa
             signal.raise_signal(signal.SIGINT)
 
     with processes(2) as workers:
-        pool, joined = workers.executor, []
+        pool: Any = workers.executor
+        joined = []
         shutdown = pool.shutdown
 
         def late(**how):

@@ -48,7 +48,7 @@ def compile_for_ever(pipe: Connection, asked: dict[str, Any]) -> None:
         pipe.send(search_process.Progressed(0, 1, "compiling"))
         threading.Event().wait()
 
-    Dispatcher.compile = compiling
+    setattr(Dispatcher, "compile", compiling)  # noqa: B010 - of another signature
     search_process.work(pipe, asked)
 
 
