@@ -12,6 +12,6 @@ OFTEN = {
     *("kr250-racer", "napier-lion", "napier-deltic", "jumo-205", "radial-9"),
 }
 EVERY_NAME = [
-    pytest.param(name, marks=[pytest.mark.long] * (name not in OFTEN)) for name in names()
+    pytest.param(name, marks=[pytest.mark.release] * (name not in OFTEN)) for name in names()
 ]
 EVERY_ENGINE = pytest.mark.parametrize("name", EVERY_NAME)

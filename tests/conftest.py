@@ -32,7 +32,7 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "default"))
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """What is tried of many cases: the first ones always, the others by `make test-long`."""
+    """What is tried of many cases: the first ones always, the others by `make release`."""
     seen: Counter[str] = Counter()
     for item in items:
         many = item.get_closest_marker("many")

@@ -106,7 +106,7 @@ def printed(command: str, folder: Path) -> str:
 @pytest.mark.parametrize(
     "page",
     [
-        pytest.param(page, marks=[pytest.mark.long] * (page.name in FULL_OF_SCREENS))
+        pytest.param(page, marks=[pytest.mark.release] * (page.name in FULL_OF_SCREENS))
         for page in PAGES
     ],
     ids=lambda page: page.name,

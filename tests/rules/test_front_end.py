@@ -106,7 +106,7 @@ def test_node_to_build_with_is_the_same_in_the_build_hook_and_for_the_checks() -
     assert MAKER["NODE"] in extras["lint"]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_sdist_and_wheel_have_the_page_in_them_and_install_without_node(tmp_path: Path) -> None:
     def run(*command: str | Path, **environment: str) -> str:
         done = subprocess.run(

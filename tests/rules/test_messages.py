@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 from tests.catalog import OFTEN
-from tests.strategies import LONG
+from tests.strategies import RELEASE
 
 import crankstar
 from crankstar import charts, cli
@@ -245,7 +245,7 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Asked:
 
 
 def test_no_sentence_of_a_verdict_lacks_its_translation(asked: Asked) -> None:
-    for name in crankstar.names() if LONG else sorted(OFTEN):
+    for name in crankstar.names() if RELEASE else sorted(OFTEN):
         verdict(crankstar.load(name))
     assert len(asked.sentences) > 50
     for language in LANGUAGES[1:]:
@@ -257,7 +257,10 @@ def test_no_sentence_of_a_verdict_lacks_its_translation(asked: Asked) -> None:
     [
         "audi-25-tfsi",
         "man-s90mc-c",
-        *(pytest.param(name, marks=pytest.mark.long) for name in ("v8-cross-plane", "kr250-racer")),
+        *(
+            pytest.param(name, marks=pytest.mark.release)
+            for name in ("v8-cross-plane", "kr250-racer")
+        ),
     ],
 )
 def test_no_heading_or_sentence_of_a_report_lacks_its_translation(name: str, asked: Asked) -> None:

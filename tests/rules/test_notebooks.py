@@ -53,10 +53,10 @@ def test_the_code_of_a_notebook_runs(path: Path) -> None:
         exec(compile("".join(cell["source"]), path.name, "exec"), names)  # noqa: S102 - our own
 
 
-@pytest.mark.long
+@pytest.mark.release
 @EACH
 def test_a_notebook_runs_in_jupyter(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """With the extra `notebook`, which `make test-long` installs."""
+    """With the extra `notebook`, which `make release` installs."""
     nbformat, nbclient = import_module("nbformat"), import_module("nbclient")
     monkeypatch.setenv("PYTHONPATH", str(ROOT / "src"))
     notebook = nbformat.read(path, as_version=4)

@@ -68,7 +68,10 @@ finally:
 @pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     "command",
-    [pytest.param(command, marks=[pytest.mark.long] * (command in SELDOM)) for command in MAY_LOAD],
+    [
+        pytest.param(command, marks=[pytest.mark.release] * (command in SELDOM))
+        for command in MAY_LOAD
+    ],
 )
 def test_a_command_loads_the_heavy_libraries_it_needs_and_no_other(
     command: str, tmp_path: Path

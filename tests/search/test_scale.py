@@ -153,7 +153,7 @@ def test_the_answer_is_the_same_after_several_attempts(monkeypatch, two, answers
     assert all(p.seconds_left is None or p.seconds_left >= 0 for p in told)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_lost_process_of_this_machine_changes_nothing(middle):
     others, killed = set(active_children()), []
 
@@ -174,7 +174,7 @@ def test_a_lost_process_of_this_machine_changes_nothing(middle):
     assert not {process.pid for process in active_children()} - {process.pid for process in others}
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_lost_worker_of_a_cluster_changes_nothing(middle, daskers):
     killed = []
 
@@ -410,8 +410,8 @@ def fifteen():
     return answer_to(front(15))
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.long), "2"])
+@pytest.mark.release
+@pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.release), "2"])
 def test_sigterm_ends_a_search_quietly_with_its_workers_and_its_semaphores(workers, tmp_path):
     with started(workers, tmp_path / "file") as process:
         children = psutil.Process(process.pid).children(recursive=True)
@@ -422,7 +422,7 @@ def test_sigterm_ends_a_search_quietly_with_its_workers_and_its_semaphores(worke
 
 
 @pytest.mark.usefixtures("interruptible")
-@pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.long), "2"])
+@pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.release), "2"])
 def test_ctrl_c_ends_at_once_and_quietly_and_nothing_is_lost(workers, tmp_path, fifteen):
     path = tmp_path / "file"
     with started(workers, path) as process:
@@ -439,7 +439,7 @@ def test_ctrl_c_ends_at_once_and_quietly_and_nothing_is_lost(workers, tmp_path, 
     assert told[0].done > 32
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_search_killed_in_the_middle_goes_on_and_leaves_no_processes(tmp_path, fifteen):
     path = tmp_path / "file"
     with started("2", path) as process:
@@ -457,7 +457,7 @@ def test_a_search_killed_in_the_middle_goes_on_and_leaves_no_processes(tmp_path,
     )
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_scheduler_that_does_not_answer_is_told_in_time(monkeypatch):
     monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 1.0)
     with socket.create_server(("127.0.0.1", 0)) as silent:
@@ -487,7 +487,7 @@ if __name__ == "__main__":
 """
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("way", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told_in_time(way, monkeypatch):
     monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 2.0)
@@ -518,7 +518,7 @@ def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told_in_time(way
                     child.kill()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_cluster_without_workers_is_told_in_time(monkeypatch):
     monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 2.0)
     with (
@@ -529,7 +529,7 @@ def test_a_cluster_without_workers_is_told_in_time(monkeypatch):
         pass
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_cluster_that_loses_all_its_workers_is_told_in_time(monkeypatch):
     monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 2.0)
     monkeypatch.setattr(executors, "LOOK_SECONDS", 0.5)

@@ -59,7 +59,7 @@ def gone(processes: list[int]) -> bool:
     return False
 
 
-KILLED = pytest.param(signal.SIGKILL, marks=pytest.mark.long)
+KILLED = pytest.param(signal.SIGKILL, marks=pytest.mark.release)
 
 
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="counts processes by /proc")
@@ -98,7 +98,7 @@ def test_an_interrupt_that_the_parent_ignores_does_not_end_it() -> None:
 
 
 @pytest.mark.usefixtures("interruptible")
-@pytest.mark.parametrize("gap", [0.05, pytest.param(0.1, marks=pytest.mark.long)])
+@pytest.mark.parametrize("gap", [0.05, pytest.param(0.1, marks=pytest.mark.release)])
 def test_who_interrupts_twice_is_told_no_more(gap: float) -> None:
     with serving("i4", alone=True) as server:
         os.killpg(server.process.pid, signal.SIGINT)

@@ -118,8 +118,8 @@ def through_dialogs(page: Page, seen: Seen) -> None:
     seen.read(page)
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("language", ["ja", pytest.param("ru", marks=pytest.mark.long)])
+@pytest.mark.release
+@pytest.mark.parametrize("language", ["ja", pytest.param("ru", marks=pytest.mark.release)])
 def test_no_english_is_left_on_a_page_in_another_language(language: str, browser: Browser) -> None:
     seen, complaints = Seen([], {EXAMPLE}), list[str]()
     with serving("--language", language) as server, watched(browser, complaints) as page:
