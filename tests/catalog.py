@@ -1,4 +1,4 @@
-"""The engines of the catalog: of all layouts in every run of the tests, all of them in the long."""
+"""The engines of the catalog: of all layouts in every run, all of them in `make release`."""
 
 from __future__ import annotations
 

@@ -20,6 +20,8 @@ from crankstar.files import EngineFileError, engine_of, read, tree_of
 from crankstar.language.faults import where
 from crankstar.tables.notebook import balance_html, engine_html
 
+pytestmark = pytest.mark.quick
+
 STARTLING = [
     "\x1b[31mred",
     "\u202eright to left",

@@ -29,6 +29,8 @@ from crankstar.files import units
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.units import DEFINITIONS, definitions, measured
 
+pytestmark = pytest.mark.quick
+
 SIZE = replace(LENGTH, least=LEAST)
 MASS = Quantity("mass", "650 g", frozenset({"mass"}))
 INERTIA = Quantity("moment of inertia", "0.002 kg*m^2", frozenset({"mass", "radius"}))

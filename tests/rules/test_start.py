@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.quick
+
 HEAVY = {
     *(
         "altair",
@@ -52,7 +54,7 @@ MAY_LOAD = {
 """A command, and the heavy modules that it cannot do without. Search 5 has its loops compiled."""
 
 SELDOM = {"analyze i4 --json", "check i4", "strokes i4", "verdict i4", "derive i4"}
-"""Commands that load as much as others do; seen in the long tests."""
+"""Commands that load as much as others do; seen in `make release`."""
 
 SAID = """
 import sys
