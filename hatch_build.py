@@ -30,4 +30,4 @@ class BundleHook(BuildHookInterface):
         """Build the bundle and the message catalogs, for wheels, sdists and editable installs."""
         del version, build_data
         self.maker["make"]()
-        runpy.run_path(str(Path(self.root) / "messages.py"))["compile_all"]()
+        runpy.run_path(str(Path(self.root) / "tools" / "messages.py"))["compile_all"]()

@@ -1,4 +1,4 @@
-"""The engines of the catalog: of all layouts in every run of the tests, all of them in the long."""
+"""The engines of the catalog: of all layouts in every run, all of them in `make release`."""
 
 from __future__ import annotations
 
@@ -12,6 +12,6 @@ OFTEN = {
     *("kr250-racer", "napier-lion", "napier-deltic", "jumo-205", "radial-9"),
 }
 EVERY_NAME = [
-    pytest.param(name, marks=[pytest.mark.long] * (name not in OFTEN)) for name in names()
+    pytest.param(name, marks=[pytest.mark.release] * (name not in OFTEN)) for name in names()
 ]
 EVERY_ENGINE = pytest.mark.parametrize("name", EVERY_NAME)

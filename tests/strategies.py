@@ -48,8 +48,8 @@ from crankstar.engine.records import (
 from crankstar.engine.torsion import Coupling, Disc, Torsion
 from crankstar.language.faults import EngineError
 
-LONG = os.environ.get("HYPOTHESIS_PROFILE") == "long"
-"""Whether the long suite runs, which can afford many examples of what takes a second each."""
+RELEASE = os.environ.get("HYPOTHESIS_PROFILE") == "release"
+"""Whether all is run, which can afford many examples of what takes a second each."""
 
 Draw = Callable[[st.SearchStrategy[Any]], Any]
 

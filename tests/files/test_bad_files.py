@@ -20,6 +20,8 @@ from crankstar.files import EngineFileError, engine_of, read, tree_of
 from crankstar.language.faults import where
 from crankstar.tables.notebook import balance_html, engine_html
 
+pytestmark = pytest.mark.quick
+
 STARTLING = [
     "\x1b[31mred",
     "\u202eright to left",
@@ -889,7 +891,7 @@ def test_what_a_mistake_hides_is_not_made_up() -> None:
     assert list(told(spoilt(SHORT, cylinder__stroke="82 kg"))) == ["cylinder.stroke"]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_file_of_a_hundred_mistakes_and_more_is_told_in_short() -> None:
     with pytest.raises(EngineFileError) as caught:
         engine_of({f"k{number}": 1 for number in range(5000)} | spoilt(SHORT))

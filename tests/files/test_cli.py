@@ -30,6 +30,8 @@ from crankstar.files import catalog, engine_of, explicit, schema, tree_of, tree_
 from crankstar.files.starters import STARTERS
 from crankstar.mechanics.balance import balance, total
 
+pytestmark = pytest.mark.quick
+
 COMMAND = [sys.executable, "-c", "from crankstar.cli import main; main()"]
 VERBS = [
     "list",

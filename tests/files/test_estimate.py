@@ -306,7 +306,7 @@ def test_a_value_that_is_set_is_no_longer_estimated(run: Run) -> None:
     [
         *(("analyze", form) for form in ("json", "csv", "txt")),
         *(
-            pytest.param(verb, form, marks=pytest.mark.long)
+            pytest.param(verb, form, marks=pytest.mark.release)
             for verb in ("analyze", "compare")
             for form in ("json", "csv", "xlsx", "parquet", "txt")
             if verb == "compare" or form in ("xlsx", "parquet")

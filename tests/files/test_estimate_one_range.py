@@ -62,7 +62,7 @@ def rows_of(text: str, title: str, order: str) -> list[list[float]]:
     return spans_of(row)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_pitch_and_greatest_of_a_vertical_line_have_one_range(run: Run, twin: str) -> None:
     wide = ["--estimate", "--units", "N, N m"]
     out = run("analyze", twin, *wide).out
@@ -85,7 +85,7 @@ def test_pitch_and_greatest_of_a_vertical_line_have_one_range(run: Run, twin: st
     assert rows_of(compared, "Inertia torque", "1")[0] == inertia_torque
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_files_have_the_range_of_the_table(run: Run, twin: str) -> None:
     out = run("analyze", twin, "--estimate", "--units", "N, N m").out
     (_typical, low, high), _greatest = rows_of(out, "Couple on the block", "2")
@@ -105,7 +105,7 @@ def test_files_have_the_range_of_the_table(run: Run, twin: str) -> None:
     assert ends == pytest.approx([low, high], rel=0.005)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_sweep_at_the_value_of_the_file_has_the_range_of_the_table(run: Run, twin: str) -> None:
     out = run("analyze", twin, "--estimate", "--units", "N, N m").out
     pitch, _greatest = rows_of(out, "Couple on the block", "2")
@@ -184,7 +184,7 @@ def beam(engine: Engine) -> Document:
     return bearing_document(engine, model="continuous", machine=True)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("sheet", "least"),
     [
@@ -192,7 +192,7 @@ def beam(engine: Engine) -> Document:
         (speeds, 30),
         (bearings, 40),
         *(
-            pytest.param(sheet, least, marks=pytest.mark.long)
+            pytest.param(sheet, least, marks=pytest.mark.release)
             for sheet, least in (
                 (machines, 30),
                 (rows, 100),
@@ -214,7 +214,7 @@ def test_masses_drawn_at_random_keep_within_the_ranges(
         assert within(shown, sheet(engine)) >= least
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_what_is_balanced_for_estimated_masses_says_what_others_leave(run: Run, twin: str) -> None:
     run("balance", twin, "--estimate", "--factor", "0.5", "--shafts", "all", "-o", "quiet.toml")
     for verb in ("analyze", "verdict"):
@@ -234,7 +234,7 @@ def test_what_is_balanced_for_estimated_masses_says_what_others_leave(run: Run, 
     assert next(line.split()[1] for line in stars if line.split()[:1] == ["1"]) == "1"
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_row_that_some_masses_make_negligible_keeps_its_low_end() -> None:
     """A load of order 3 has the range of all masses, though not all of them would print it."""
     ends = spread(tree())
@@ -249,7 +249,7 @@ def test_a_row_that_some_masses_make_negligible_keeps_its_low_end() -> None:
         assert 0.2 * abs(greatest.value) < greatest.low < abs(greatest.value)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("sheet", [readers, compared])
 def test_analyses_that_say_the_same_are_made_once(sheet: Callable[[Engine], Document]) -> None:
     made: list[Engine] = []
@@ -282,7 +282,7 @@ def test_analyses_ask_what_is_in_any_and_what_the_first_decides() -> None:
     )
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_weights_that_are_fixed_are_not_said_to_be_sized(run: Run, twin: str) -> None:
     run("balance", twin, "--estimate", "--factor", "0.5", "-o", "fixed.toml")
     note = "sized for their own masses"

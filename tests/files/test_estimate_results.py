@@ -56,7 +56,7 @@ def assert_within(shown: Document, other: Document) -> int:
     return count
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("model", ["determinate", "continuous"])
 def test_bearing_loads_of_any_masses_lie_in_the_ranges(model: Any) -> None:
     tree = tree_for("kr250-racer")
@@ -71,7 +71,7 @@ def test_bearing_loads_of_any_masses_lie_in_the_ranges(model: Any) -> None:
         assert assert_within(shown, sheet(engine)) > 20
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("name", "options"),
     [("bmw-m52b28", {"factor": "0.6"}), ("gm-3800", {}), ("ford-coyote", {"weights": "ends"})],
@@ -89,7 +89,7 @@ def test_weights_sized_for_any_masses_lie_in_the_ranges(name: str, options: Any)
         assert assert_within(shown, sheet(engine)) > 5
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_angles_at_the_cut_are_not_a_range_of_a_whole_turn(run: Run) -> None:
     run("bearings", "bmw-m52b28", "--estimate", "-o", "loads.json")
     tree = json.loads(Path("loads.json").read_text())
@@ -124,7 +124,7 @@ def test_bearing_loads_are_written_with_their_marks(run: Run, form: str) -> None
         assert "(estimated)" in place.read_text()
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("engine", "options", "path"),
     [
@@ -214,7 +214,7 @@ def test_every_mass_keeps_the_orders_within_the_whiskers(run: Run) -> None:
             assert row["from"] * (1 - 1e-9) <= size <= row["to"] * (1 + 1e-9)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("chart", "words"),
     [
@@ -224,8 +224,8 @@ def test_every_mass_keeps_the_orders_within_the_whiskers(run: Run) -> None:
         ("forces", "Estimated masses or lengths"),
         ("bearing-loads", "greatest loads have their ranges"),
         ("bending", "peaks have their ranges"),
-        pytest.param("spectrum", "thin line is the range", marks=pytest.mark.long),
-        pytest.param("polygon", "a resultant has its range", marks=pytest.mark.long),
+        pytest.param("spectrum", "thin line is the range", marks=pytest.mark.release),
+        pytest.param("polygon", "a resultant has its range", marks=pytest.mark.release),
         ("balance-shafts", "unbalances that rest on them are marked"),
         ("shaft", "Estimated bore pitch: arms are 0.923 to 1.1 times as long."),
     ],
@@ -251,7 +251,7 @@ def test_a_resultant_has_the_range_of_any_masses(run: Run) -> None:
         assert low * 0.995 <= abs(couple.forward[0]) <= high * 1.005
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("chart", ["bearing-loads", "bending"])
 def test_peaks_on_the_crankshaft_have_the_range_of_any_masses(run: Run, chart: str) -> None:
     heads = [
@@ -277,7 +277,7 @@ def test_peaks_on_the_crankshaft_have_the_range_of_any_masses(run: Run, chart: s
             assert low * 0.995 <= size <= high * 1.005
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_shafts_sized_for_estimated_masses_are_marked(run: Run) -> None:
     run("balance", "honda-b18c", "--estimate", "--shafts", "needed", "-o", "b18c.toml")
     heads = [" ".join(panel.get("title", {}).get("text", [])) for panel in panels(
@@ -307,7 +307,7 @@ def shares(run: Run, *arguments: str) -> list[str]:
     return re.findall(r"^ *(?:2|4|peak)  .*?  (\S[^)]*\)?)$", force, re.MULTILINE)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_same_estimated_parts_move_together_in_a_comparison(run: Run) -> None:
     """Force follows r^2 A_k w^2: another stroke has another share, whatever the masses are."""
     same = shares(run, "honda-b18c", "honda-b18c", "--set", '2:cylinder.stroke="80 mm"')
@@ -317,7 +317,7 @@ def test_the_same_estimated_parts_move_together_in_a_comparison(run: Run) -> Non
     assert any("to" in share for share in others)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_report_marks_what_rests_on_estimates_from_the_first_page(run: Run) -> None:
     run("report", "bmw-m52b28", "--estimate", "-o", "report.html")
     text = re.sub(r"<[^>]+>", " ", Path("report.html").read_text())

@@ -152,7 +152,7 @@ def test_a_peak_is_no_less_than_its_rows_say() -> None:
         assert np.all(rows >= 0.75 * peak / count)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_peaks_at_quite_other_angles_tell_none(run: Run, tmp_path: Path) -> None:
     place = str(tmp_path / "twin.toml")
     run("balance", "bmw-f800", "--estimate", "--recommended", "-o", place)

@@ -47,7 +47,7 @@ def weighted(run: Run, tmp_path: Path) -> str:
     return str(place)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize("words", VERBS, ids=" ".join)
 def test_what_is_printed_in_newtons_or_grams_is_marked(
@@ -116,7 +116,7 @@ def test_an_estimate_without_an_engine_has_no_effect_on_a_measured_unbalance(
     assert "--estimate has no effect with --unbalance" in told
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_length_that_replaces_its_estimate_leaves_what_moved_with_it(
     run: Run, tmp_path: Path
 ) -> None:

@@ -30,7 +30,7 @@ def quiet(run: Run, monkeypatch: pytest.MonkeyPatch) -> str:
     return "quiet.toml"
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("words", [["verdict"], ["analyze"], ["balance", "--factor", "0.5"]])
 def test_a_remedy_that_any_masses_need_is_not_marked(
     run: Run, quiet: str, words: list[str]
@@ -49,7 +49,7 @@ def test_a_comparison_of_stars_and_rods_that_are_known_is_not_marked(run: Run) -
     assert known[known.index("comparison") :].partition("\n\n")[0] in told
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_comparison_has_the_range_of_an_estimated_rod(run: Run) -> None:
     Path("twin.toml").write_text(TWIN)
     told = re.sub(r"\s+", " ", run("verdict", "twin.toml", "--estimate").out)
@@ -89,7 +89,7 @@ def test_an_exported_engine_is_said_to_be_estimated(run: Run, suffix: str) -> No
     assert run("export", "i4", "-o", f"known.{suffix}").err == f"Wrote known.{suffix}\n"
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_same_engine_from_a_spreadsheet_has_the_share_of_itself(run: Run) -> None:
     """A spreadsheet lists the sources of values in another order."""
     Path("twin.toml").write_text(TWIN)

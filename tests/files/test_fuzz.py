@@ -110,13 +110,13 @@ def try_texts(seeds: range) -> None:
             check_answers(engine)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_spoilt_trees_are_engines_or_refused() -> None:
     good = try_trees(range(700))
     assert 100 < good < 600
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("start", range(10_000, 20_000, 2000))
 def test_many_more_spoilt_trees_are_engines_or_refused(start: int) -> None:
     assert try_trees(range(start, start + 2000)) > 300
@@ -126,7 +126,7 @@ def test_spoilt_texts_are_engines_or_refused() -> None:
     try_texts(range(500))
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("start", range(10_000, 20_000, 2000))
 def test_many_more_spoilt_texts_are_engines_or_refused(start: int) -> None:
     try_texts(range(start, start + 2000))
@@ -223,7 +223,7 @@ def test_spoilt_command_lines_end_with_0_or_2(
     try_words(range(150), monkeypatch, capsys)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_many_more_spoilt_command_lines_end_with_0_or_2(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

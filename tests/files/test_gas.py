@@ -151,7 +151,7 @@ VALUES = [
 ]
 
 
-@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.long)])
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.release)])
 def test_any_spoilt_cycle_is_an_engine_or_a_sentence(seed: int) -> None:
     """Thousands of tables with wrong values: an engine whose torque is a number, or a refusal."""
     chance = np.random.default_rng(seed)

@@ -179,7 +179,7 @@ def test_a_sweep_of_the_load_is_torque_at_each_load(
         assert row[quantity] == pytest.approx(told[key], rel=1e-9)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_sweep_of_the_flywheel_and_of_the_speed(run: Run, four: str) -> None:
     over = "drive.inertia=0.1 kg*m^2..0.3 kg*m^2/3"
     found = answer(run, "sweep", four, "--over", over, "--quantity", "irregularity")

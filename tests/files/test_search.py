@@ -248,7 +248,7 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(
         (("12", "--row", "1", "--uneven", "60"), "--uneven: A deviation of 60 deg"),
         (("7", "--mode-shape", "1,2,3,4,5,6,7"), "--minimise M1,M2,T3"),
         (("7", "--zero", "neighbours"), "--avoid-adjacent"),
-        pytest.param(("11", "--all"), "more than the 200,000 classes", marks=pytest.mark.long),
+        pytest.param(("11", "--all"), "more than the 200,000 classes", marks=pytest.mark.release),
         (("7", "--scheduler", "\x1b[31mtcp://x"), "No dask scheduler answers"),
         (("7", "--row", "99"), "has 4 rows"),
         (("7", "-o", "nosuch/x.csv"), "no such directory"),

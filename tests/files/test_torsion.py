@@ -463,7 +463,7 @@ def test_an_engine_without_torsion_raises_in_python() -> None:
 VALUES = ["", "x", -1, 0, 1e300, "1 MN*m/rad", "-3 kg*m^2", [], {}, True, None, "front", 2.5, "1/2"]
 
 
-@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.long)])
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.release)])
 def test_any_spoilt_torsion_is_a_response_or_a_sentence(seed: int) -> None:
     """Tables with wrong values: vibration whose torques are numbers, or a refusal."""
     chance = np.random.default_rng(seed)

@@ -52,7 +52,7 @@ def printed(script: str, place: Path) -> list[float]:
     return [float(line.split()[1]) for line in lines]
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("source", [six(), fan_drive(), ringed()], ids=lambda each: each.name)
 def test_the_opentorsion_script_prints_our_frequencies(source: Any, tmp_path: Path) -> None:
     found = printed(torsion_script(source, to="opentorsion"), tmp_path / "chain.py")

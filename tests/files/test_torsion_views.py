@@ -172,7 +172,7 @@ def test_the_greatest_stress_is_found_without_the_peaks_of_all_speeds(seed: int)
 
 
 @pytest.mark.parametrize(
-    "what", [pytest.param("torsion_stress", marks=pytest.mark.long), "peak_pressure"]
+    "what", [pytest.param("torsion_stress", marks=pytest.mark.release), "peak_pressure"]
 )
 def test_a_sweep_of_an_estimated_engine_has_ranges(run: Run, tmp_path: Path, what: str) -> None:
     """What is computed engine by engine has its ends from the engines at the corners."""
@@ -190,7 +190,7 @@ def test_a_sweep_of_an_estimated_engine_has_ranges(run: Run, tmp_path: Path, wha
         assert " to " in said.partition("Least")[2]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_report_has_a_chapter_on_torsion(run: Run, six: str, tmp_path: Path) -> None:
     place = tmp_path / "six.html"
     ran = run("report", six, "-o", str(place))

@@ -29,6 +29,8 @@ from crankstar.files import units
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.units import DEFINITIONS, definitions, measured
 
+pytestmark = pytest.mark.quick
+
 SIZE = replace(LENGTH, least=LEAST)
 MASS = Quantity("mass", "650 g", frozenset({"mass"}))
 INERTIA = Quantity("moment of inertia", "0.002 kg*m^2", frozenset({"mass", "radius"}))
@@ -176,7 +178,7 @@ def test_every_unit_is_what_it_is(quantity: Quantity, unit: str, factor: float) 
             assert units.si(text, quantity) == pytest.approx(float(number) * factor, rel=1e-15)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_pint_reads_every_product_of_two_units_alike() -> None:
     registry: pint.UnitRegistry = pint.UnitRegistry(None)  # pyright: ignore[reportArgumentType]
     registry.load_definitions(DEFINITIONS.strip().splitlines())

@@ -20,6 +20,8 @@ from crankstar.remedy import (
 )
 from crankstar.remedy.fitting import ShaftPlaces, with_shafts
 
+pytestmark = pytest.mark.quick
+
 UNTOUCHED = (1.0, 2.0, 4.0)
 
 

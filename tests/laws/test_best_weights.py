@@ -82,7 +82,7 @@ def test_no_weights_are_better(name: str, aim: Aim) -> None:
     "name",
     [
         *(
-            pytest.param(name, marks=pytest.mark.long)
+            pytest.param(name, marks=pytest.mark.release)
             for name in ("single", "harley-45", "radial-9")
         ),
         "v2-90",
@@ -93,7 +93,7 @@ def test_no_weights_are_better(name: str, aim: Aim) -> None:
     [
         Aim("force"),
         *(
-            pytest.param(aim, marks=pytest.mark.long)
+            pytest.param(aim, marks=pytest.mark.release)
             for aim in (Aim("force", rms=True), Aim("force", up=1.0, right=0.3))
         ),
     ],
@@ -190,7 +190,7 @@ def test_the_vertical_moment_is_paid_for_with_the_horizontal_one(name: str, shar
     assert found.bound == pytest.approx(found.value, abs=1e-6)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_no_weights_of_a_minimisation_by_hand_have_a_smaller_vertical_moment() -> None:
     from scipy.optimize import minimize
 

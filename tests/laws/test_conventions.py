@@ -33,6 +33,8 @@ from crankstar.mechanics.excitation import part_spectra
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Spectrum
 
+pytestmark = pytest.mark.quick
+
 MASS, RADIUS, ROD, SPEED = 0.5, 0.04, 0.14, 100.0
 FORCE = MASS * RADIUS * SPEED**2
 """m r w^2, N."""

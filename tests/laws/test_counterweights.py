@@ -15,6 +15,8 @@ from crankstar.files import catalog, engine_of
 from crankstar.remedy import RemedyError, bobweight, loads, with_counterweights
 from crankstar.spectra import Spectrum
 
+pytestmark = pytest.mark.quick
+
 SINGLE_SHAFT = [name for name in catalog.names() if len(load(name).shafts) == 1]
 PLAIN = [
     name

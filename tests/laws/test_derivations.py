@@ -343,7 +343,7 @@ def test_a_hundredth_of_a_degree_is_not_zero(
     assert_closed_forms_are(told, symbols, scale, truth, 1, CLOSE)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @settings(max_examples=10)
 @given(st.sampled_from([2, 3, 4, 5, 6, 8]), st.data(), st.sampled_from([1, 2]))
 def test_no_star_stays_balanced_when_one_throw_is_turned_a_little(
@@ -380,7 +380,7 @@ def test_a_quantity_without_derivation_is_told_in_a_sentence(quantity: Any) -> N
         derivation(catalog.load("i4"), 2, quantity)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("count", "part", "bearings"),
     [

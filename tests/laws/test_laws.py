@@ -617,7 +617,7 @@ def test_every_layout_has_a_strategy() -> None:
 EXEMPT = {("Engine", "format"): "has one value only"}
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_every_option_of_every_record_occurs_in_the_random_engines() -> None:
     seen: list[Record] = []
 

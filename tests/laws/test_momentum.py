@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.newton import Push, Road, road
-from tests.strategies import LONG, OF_ANY_KIND, PLACES, SPEEDS, engines
+from tests.strategies import OF_ANY_KIND, PLACES, RELEASE, SPEEDS, engines
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
@@ -111,7 +111,7 @@ def assert_momentum(engine: Engine, *, reference: Reference, speed: float) -> No
 
 
 @pytest.mark.parametrize("kind", OF_ANY_KIND)
-@settings(max_examples=60 if LONG else 5)
+@settings(max_examples=60 if RELEASE else 5)
 @given(data=st.data(), reference=REFERENCES, speed=SPEEDS)
 def test_the_block_feels_the_rate_of_change_of_momentum(
     kind: str, data: st.DataObject, reference: Reference, speed: float
@@ -119,7 +119,7 @@ def test_the_block_feels_the_rate_of_change_of_momentum(
     assert_momentum(data.draw(OF_ANY_KIND[kind]), reference=reference, speed=speed)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("kind", OF_ANY_KIND)
 @settings(max_examples=150)
 @given(data=st.data(), reference=REFERENCES, speed=SPEEDS)
@@ -129,7 +129,7 @@ def test_the_block_of_every_layout_feels_it(
     assert_momentum(data.draw(OF_ANY_KIND[kind]), reference=reference, speed=speed)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @settings(max_examples=500)
 @given(engines(), REFERENCES, SPEEDS)
 def test_the_block_of_hundreds_of_engines_feels_it(

@@ -33,6 +33,8 @@ from crankstar.firing.strokes import (
 from crankstar.firing.succession import followers
 from crankstar.language.faults import EngineError
 
+pytestmark = pytest.mark.quick
+
 STEP = 0.1
 """Degrees between two looks at the valves."""
 NAMES = (

@@ -1,11 +1,14 @@
 """Who fires after whom."""
 
+import pytest
 from hypothesis import given
 from tests.strategies import engines
 
 from crankstar.files.catalog import load
 from crankstar.firing.intervals import firing
 from crankstar.firing.succession import followers, in_succession, neighbours, partners
+
+pytestmark = pytest.mark.quick
 
 
 @given(engines())

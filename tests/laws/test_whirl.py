@@ -70,7 +70,7 @@ def angular(walked: Road, body: Body, sense: int) -> tuple[np.ndarray, float]:
     return out, whole
 
 
-@pytest.mark.long
+@pytest.mark.release
 @given(engines(known=True), BODIES)
 def test_centre_of_mass_and_angular_momentum_stay_what_they_were(
     engine: Engine, body: Body

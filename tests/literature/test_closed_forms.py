@@ -20,6 +20,8 @@ from crankstar.derive.algebra.wave import bearing, length, turn_of
 from crankstar.derive.chapters import Derivation
 from crankstar.derive.records import Line, Quantity
 
+pytestmark = pytest.mark.quick
+
 
 def resultant(found: Derivation) -> dict[str, Line]:
     return {

@@ -23,6 +23,8 @@ from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
 from crankstar.spectra import Spectrum
 
+pytestmark = pytest.mark.quick
+
 ANGLES = np.radians(np.arange(0, 360, 5))
 EXACT = 1e-9
 

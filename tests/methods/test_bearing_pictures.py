@@ -25,7 +25,7 @@ from crankstar.tables.bearings import bending, peaks, pins
 
 ENGINES = [
     *("i4", "v8-cross-plane", "i2-270", "radial-9", "brough-golden-dream"),
-    pytest.param("napier-deltic", marks=pytest.mark.long),
+    pytest.param("napier-deltic", marks=pytest.mark.release),
 ]
 QUANTITIES = ("main-bearing", "main-journal", "crank-pin", "crank-pin-journal")
 NUMBER = r"-?[\d.]+(?:e-?\d+)?"

@@ -287,7 +287,7 @@ def test_a_label_of_a_polygon_is_nearest_to_its_own_side_or_has_a_line_to_it(
 
 @EVERY_ENGINE
 @pytest.mark.parametrize("quantity", ["force", "couple"])
-@pytest.mark.parametrize("speed", [None, pytest.param(500.0, marks=pytest.mark.long)])
+@pytest.mark.parametrize("speed", [None, pytest.param(500.0, marks=pytest.mark.release)])
 def test_a_hodograph_is_the_path_of_the_vector_and_its_dot_is_where_the_vector_is(
     name: str, quantity: Any, speed: float | None
 ) -> None:
@@ -391,7 +391,7 @@ def test_the_length_of_a_semi_axis_stands_at_its_end_and_not_at_the_vector(
 
 @EVERY_ENGINE
 @pytest.mark.parametrize(
-    "quantity", ["force", "couple", "roll", pytest.param("torque", marks=pytest.mark.long)]
+    "quantity", ["force", "couple", "roll", pytest.param("torque", marks=pytest.mark.release)]
 )
 def test_the_curves_over_a_turn_are_the_balance(name: str, quantity: Any) -> None:
     engine = crankstar.load(name)

@@ -52,7 +52,7 @@ SELDOM = (
     "man-s90mc-c",
     "audi-25-tfsi",
 )
-SPREAD = [*OFTEN, *(pytest.param(name, marks=pytest.mark.long) for name in SELDOM)]
+SPREAD = [*OFTEN, *(pytest.param(name, marks=pytest.mark.release) for name in SELDOM)]
 EVERY_CHART = pytest.mark.parametrize("name", charts.CHARTS)
 TURNING = [name for name, figure in charts.CHARTS.items() if "theta" in figure.options]
 PLANES = (
@@ -119,7 +119,10 @@ def huge() -> Engine:
 @EVERY_CHART
 @pytest.mark.parametrize(
     "engine",
-    [*OFTEN[:4], *(pytest.param(name, marks=pytest.mark.long) for name in (*OFTEN[4:], *SELDOM))],
+    [
+        *OFTEN[:4],
+        *(pytest.param(name, marks=pytest.mark.release) for name in (*OFTEN[4:], *SELDOM)),
+    ],
 )
 def test_every_figure_can_be_drawn_of_every_kind_of_engine(name: str, engine: str) -> None:
     options = {"theta": 0.4} if "theta" in charts.CHARTS[name].options else {}
@@ -130,7 +133,7 @@ def test_every_figure_can_be_drawn_of_every_kind_of_engine(name: str, engine: st
     )
 
 
-@pytest.mark.long
+@pytest.mark.release
 @EVERY_CHART
 @pytest.mark.parametrize("engine", EVERY_NAME)
 def test_every_figure_can_be_drawn_of_the_whole_catalog(name: str, engine: str) -> None:
@@ -251,9 +254,9 @@ def test_what_shows_geometry_has_equal_scales(name: str, engine: str) -> None:
 @pytest.mark.many(first=14)
 @pytest.mark.parametrize("name", PLANES)
 @pytest.mark.parametrize(
-    "engine", [*ENGINES, "napier-deltic", pytest.param("huge", marks=pytest.mark.long)]
+    "engine", [*ENGINES, "napier-deltic", pytest.param("huge", marks=pytest.mark.release)]
 )
-@pytest.mark.parametrize("order", [1, pytest.param(2, marks=pytest.mark.long)])
+@pytest.mark.parametrize("order", [1, pytest.param(2, marks=pytest.mark.release)])
 def test_labels_do_not_cover_each_other(name: str, engine: str, order: int) -> None:
     figure = charts.CHARTS[name]
     options: dict[str, Any] = (
@@ -314,7 +317,7 @@ def test_nothing_to_draw_is_said(
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=[pytest.mark.long] * (name in ("forces", "vector-star")))
+        pytest.param(name, marks=[pytest.mark.release] * (name in ("forces", "vector-star")))
         for name in charts.CHARTS
     ],
 )

@@ -85,7 +85,7 @@ def most(count: int, drill: Drill) -> float:
     return max(sizes)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @given(drill=DRILLS, share=st.floats(0.3, 3))
 def test_holes_side_by_side_have_the_unbalance_that_is_asked_for(
     drill: Drill, share: float

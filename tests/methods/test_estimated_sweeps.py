@@ -26,7 +26,7 @@ from crankstar.tables.sweep_ranges import MOST_VALUES, bands
 OVER = "balance_factor=0..1/15"
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_every_engine_of_the_box_lies_in_the_band(tmp_path: Path) -> None:
     tree = estimated(tree_of("triumph-675")[1]).tree
     made = sweep("triumph-675", OVER, estimate=True)
@@ -47,7 +47,7 @@ def test_every_engine_of_the_box_lies_in_the_band(tmp_path: Path) -> None:
             assert np.all(curve.values <= band.high)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_range_at_a_value_is_that_of_the_engine_with_it() -> None:
     made = sweep("triumph-675", OVER, estimate=True)
     curve = watched(made, "couple", order=1)
@@ -92,7 +92,7 @@ def run(capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
     return run
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_every_form_of_a_sweep_has_the_same_band(run: Callable[..., str]) -> None:
     row = next(csv.DictReader(run("--csv").splitlines()))
     ends = [float(row[f"amplitude{end}"]) for end in ("_low", "", "_high")]
@@ -102,7 +102,7 @@ def test_every_form_of_a_sweep_has_the_same_band(run: Callable[..., str]) -> Non
     assert "typical values, without ranges" in " ".join(both.split())
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_band_is_drawn_and_written(run: Callable[..., str]) -> None:
     row = next(csv.DictReader(run("--csv").splitlines()))
     ends = [float(row[f"amplitude{end}"]) for end in ("_low", "", "_high")]
@@ -148,7 +148,7 @@ def test_each_of_many_curves_has_its_own_stroke_and_one_legend_in_words() -> Non
     assert "couple.pitch" not in drawn
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_sweep_of_a_dimension_says_that_estimates_stay_behind(run: Callable[..., str]) -> None:
     note = "they do not change with cylinder.rod_length"
     assert note not in run()

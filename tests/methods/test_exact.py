@@ -93,7 +93,7 @@ def test_zero_forces_and_couples_of_all_crank_stars_are_those_of_seventy_digits(
             assert [as_number(one).zero for one in batch[some]] == found[some].tolist()
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("count", [7, 8])
 def test_numbers_one_by_one_are_zero_where_whole_batches_are(count: int) -> None:
     stars = crank_stars(count)

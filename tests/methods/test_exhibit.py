@@ -18,7 +18,7 @@ from hypothesis import assume, given, reject, settings
 from hypothesis import strategies as st
 from tests.catalog import EVERY_ENGINE
 from tests.newton import road
-from tests.strategies import LONG, OF_ANY_KIND, engines
+from tests.strategies import OF_ANY_KIND, RELEASE, engines
 
 from crankstar import balance
 from crankstar.charts import CHARTS, ChartError
@@ -123,7 +123,7 @@ def test_the_sums_are_those_of_the_public_answer(name: str) -> None:
                 )
 
 
-@settings(max_examples=200 if LONG else 3)
+@settings(max_examples=200 if RELEASE else 3)
 @given(engines(known=True), st.floats(0, 12))
 def test_arrows_are_what_the_bodies_do_but_for_orders_that_are_left_out(
     engine: Engine, theta: float
@@ -370,7 +370,7 @@ def test_figures_are_in_the_units_of_the_numbers_beside_them(name: str, unit: st
     assert made["title"]["text"] == [f"Force over the crank angle, in {unit}"]
 
 
-@settings(max_examples=200 if LONG else 5)
+@settings(max_examples=200 if RELEASE else 5)
 @given(st.one_of(*OF_ANY_KIND.values()))
 def test_any_engine_at_all_has_an_exhibit_and_perhaps_a_fitted_one(engine: Engine) -> None:
     assume(not motion.unreachable(engine) and not unfit(engine))  # as for every engine of a file
@@ -385,7 +385,7 @@ def test_any_engine_at_all_has_an_exhibit_and_perhaps_a_fitted_one(engine: Engin
     json.loads(json.dumps(shown.model_dump(mode="json"), allow_nan=False))
 
 
-LARGE = [pytest.param(name, marks=pytest.mark.long) for name in ("v8-cross-plane", "vw-vr6")]
+LARGE = [pytest.param(name, marks=pytest.mark.release) for name in ("v8-cross-plane", "vw-vr6")]
 
 
 @pytest.mark.parametrize("name", ["kr250-racer", "single", *LARGE])
@@ -657,7 +657,7 @@ def test_a_notebook_is_answered_for_the_engine_that_it_asks_about() -> None:
         assert notebook.answer(subjects, wrong)["sentence"].startswith("The notebook cannot answer")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_all_engines_have_a_name_for_every_line_under_it() -> None:
     for name in names():
         shown = told(name)

@@ -71,7 +71,7 @@ ENGINES = {
     "large radial": lambda: load("radial-9"),
 }
 LONG = {"V8", "large radial", "opposed pistons", "four in line"}
-CASES = [pytest.param(name, marks=[pytest.mark.long] * (name in LONG)) for name in ENGINES]
+CASES = [pytest.param(name, marks=[pytest.mark.release] * (name in LONG)) for name in ENGINES]
 
 
 def expected(engine: Engine) -> dict[str, tuple[np.ndarray, np.ndarray, float]]:

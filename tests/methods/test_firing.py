@@ -21,6 +21,8 @@ from crankstar.engine.layouts import Row, inline, opposed, radial, tandem, vee
 from crankstar.firing.intervals import firing
 from crankstar.language.faults import EngineError, Fault
 
+pytestmark = pytest.mark.quick
+
 SIZES = Sizes(stroke=0.08, rod_length=0.14, bore=0.08)
 
 

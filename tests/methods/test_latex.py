@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from tests.latex import compiled
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.release
 
 PREAMBLE = r"""\documentclass{article}
 \usepackage[T1]{fontenc}

@@ -16,7 +16,7 @@ ORDERS = (1, 2, 4, 6)
 HOSTILE = "{\\undefined}%$&#_^~<> 直列 Ω é ß"
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("name", crankstar.names())
 def test_latex_takes_the_derivations_of_every_engine(name: str, tmp_path: Path) -> None:
     engine = crankstar.load(name)
@@ -28,7 +28,7 @@ def test_latex_takes_the_derivations_of_every_engine(name: str, tmp_path: Path) 
     assert result.pages >= 2
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("notation", NOTATIONS.values(), ids=NOTATIONS)
 def test_latex_takes_every_notation_signs_and_families(
     notation: documents.Notation, tmp_path: Path
@@ -47,7 +47,7 @@ def test_latex_takes_every_notation_signs_and_families(
     assert result.ok, str(result)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_latex_takes_a_hostile_name(tmp_path: Path) -> None:
     engine = crankstar.load("v8-flat-plane")
     cylinders = tuple(c.model_copy(update={"bank": f"{HOSTILE}{c.bank}"}) for c in engine.cylinders)

@@ -238,7 +238,7 @@ def test_speeds_are_for_the_chart_of_amplitudes_only(refused: Callable[..., str]
     assert "--speeds" in refused("plot", "i4", "spectrum", "--speeds", SPEEDS)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_ranges_of_an_estimated_engine_are_those_of_a_single_speed(
     run: Run, tmp_path: Path
 ) -> None:

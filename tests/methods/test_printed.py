@@ -22,7 +22,7 @@ from tests import printed
 from tests.catalog import EVERY_ENGINE, OFTEN
 from tests.exactly import MP, evaluated, orders_of, short_engines, snapped
 from tests.judged import Judged, lines
-from tests.strategies import LONG, OF_ANY_KIND
+from tests.strategies import OF_ANY_KIND, RELEASE
 
 from crankstar import spectra
 from crankstar.derive import (
@@ -311,7 +311,7 @@ def test_derivations_of_a_few_engines_are_true_as_they_are_printed(name: str) ->
             checked(catalog.load(name), order, quantity)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @EVERY_ENGINE
 def test_derivations_of_the_catalog_are_true_as_they_are_printed(name: str) -> None:
     for order in (1, 2, 4, 6, 8):
@@ -319,7 +319,7 @@ def test_derivations_of_the_catalog_are_true_as_they_are_printed(name: str) -> N
             checked(catalog.load(name), order, quantity)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @settings(max_examples=15)
 @given(st.data(), short_engines(), st.sampled_from(["force", "couple"]))
 def test_derivations_of_engines_with_short_numbers_are_true_as_they_are_printed(
@@ -328,7 +328,7 @@ def test_derivations_of_engines_with_short_numbers_are_true_as_they_are_printed(
     checked(engine, data.draw(orders_of(engine)), quantity)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @settings(max_examples=200)
 @given(st.data(), st.sampled_from(sorted(OF_ANY_KIND)), st.sampled_from(["force", "couple"]))
 def test_derivations_of_any_engine_are_true_as_they_are_printed(
@@ -443,10 +443,10 @@ def false_torques(engine: Engine, order: int) -> list[str]:
     return out
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_torques_of_the_catalog_are_true_as_printed_or_refused() -> None:
     refused: dict[str, str] = {}
-    tried = catalog.names() if LONG else sorted(OFTEN)
+    tried = catalog.names() if RELEASE else sorted(OFTEN)
     for name in tried:
         engine = catalog.load(name)
         try:

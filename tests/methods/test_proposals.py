@@ -18,7 +18,7 @@ from crankstar.tables.verdict import verdict
 
 QUICK = ("i4", "gm-3800", "single", "kr250-racer", "v8-cross-plane", "harley-45")
 EVERY = [
-    name if name in QUICK else pytest.param(name, marks=pytest.mark.long)
+    name if name in QUICK else pytest.param(name, marks=pytest.mark.release)
     for name in catalog.names()
 ]
 

@@ -289,7 +289,7 @@ def compare(own: Table, printed: Table) -> int:
     return count
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("choice", CHOICES)
 def test_every_printed_cell_of_every_engine_is_its_record(choice: str) -> None:
     count = 0

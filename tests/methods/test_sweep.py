@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.claims import CLAIMS
-from tests.strategies import LONG, engines
+from tests.strategies import RELEASE, engines
 
 import crankstar
 from crankstar import files, spectra
@@ -240,7 +240,7 @@ def test_a_sweep_is_as_its_engines_one_by_one(
 
 
 @given(engines(tight=False), st.integers(0, 10_000), st.floats(0.01, 2.0))
-@settings(max_examples=100 if LONG else 8, deadline=None)
+@settings(max_examples=100 if RELEASE else 8, deadline=None)
 def test_any_number_of_any_engine_as_one_by_one(engine: Engine, pick: int, span: float) -> None:
     tree = files.explicit(engine.model_copy(update={"firing_order": (), "firing_angles": None}))
     places: list[tuple[str, float]] = []
@@ -312,7 +312,7 @@ LAWFUL = {"turns", "a weight that changes sides", "another last one", "another n
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.long] * (name == LATE)) for name in CROOKED]
+    "name", [pytest.param(name, marks=[pytest.mark.release] * (name == LATE)) for name in CROOKED]
 )
 def test_no_law_is_seen_where_there_is_none(name: str) -> None:
     count = 4001 if name == LATE else 41

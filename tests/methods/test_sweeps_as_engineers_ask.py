@@ -86,7 +86,7 @@ def test_a_value_that_is_set_and_varied_is_refused(over: str, changes: dict[str,
         sweep("ford-coyote", over, changes=changes)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_line_of_best_pairs_is_not_called_the_best_one() -> None:
     line = sweep("single", ["balance_factor=0..1/12", "cylinder.rod_ratio=3..5/16"])
     curve = watched(line, "force.forward", order=1)

@@ -373,7 +373,7 @@ def test_steps_end_at_the_end_of_the_range_or_before_it() -> None:
     assert values("layout.throws[2]=90..0 deg by -30 deg") == [90, 60, 30, 0]
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "over",

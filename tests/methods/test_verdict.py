@@ -21,6 +21,8 @@ from crankstar.remedy import main_bearings, needs
 from crankstar.tables.relatives import piston_balance
 from crankstar.tables.verdict import verdict
 
+pytestmark = pytest.mark.quick
+
 BEARINGS = {
     "i4": 5,
     "i6": 7,

@@ -54,7 +54,7 @@ def span_of(text: str) -> list[float]:
     return [float(part) for part in found.groups()]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_masses_of_the_data_sheet_are_those_of_the_bobweights(twin: Subject) -> None:
     """The share of a rigid rod is in what goes up and down and in what turns."""
     sheet = {datum.label: datum.value for datum in data(twin)}
@@ -98,7 +98,7 @@ def test_masses_in_the_file_are_named_as_being_without_the_rod(twin: Subject) ->
     ]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_an_end_that_other_masses_alone_move_has_no_path_and_no_mark() -> None:
     """The file balances the first order for its estimated masses."""
     tree = dict(estimated(tomllib.loads(TWIN)).tree)
@@ -117,7 +117,7 @@ def test_an_end_that_other_masses_alone_move_has_no_path_and_no_mark() -> None:
     assert by_order[3.0][1:] == ("none", 0.0, "none", 0.0)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_front_page_says_what_rolls_on_and_what_would_stop_it(twin: Subject) -> None:
     words = re.sub(r"<[^>]+>", " ", front(twin))
     todo = " ".join(words[words.index("What to do") :].split())
@@ -129,7 +129,7 @@ def test_the_front_page_says_what_rolls_on_and_what_would_stop_it(twin: Subject)
     assert "published" not in words
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_command_of_a_report_names_the_file_that_was_typed(run: Run) -> None:
     Path("deep").mkdir()
     for output in ("mine.html", "deep/mine.html"):

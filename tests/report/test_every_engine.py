@@ -16,7 +16,7 @@ DRAWN = 5
 NAMES = crankstar.names()
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("name", NAMES)
 def test_every_engine_has_a_report(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = NAMES.index(name) % DRAWN == 0
@@ -34,7 +34,7 @@ def test_every_engine_has_a_report(name: str, monkeypatch: pytest.MonkeyPatch) -
     )
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("name", NAMES)
 def test_every_engine_has_an_exhibit(name: str) -> None:
     shown = exhibition([crankstar.load(name)], relatives=False)

@@ -34,7 +34,7 @@ SELDOM = (
     "jumo-205",
     "vw-vr6",
 )
-ENGINES = [*OFTEN, *(pytest.param(name, marks=pytest.mark.long) for name in SELDOM)]
+ENGINES = [*OFTEN, *(pytest.param(name, marks=pytest.mark.release) for name in SELDOM)]
 
 
 def on_paper(name: str, chromium: str, folder: Path) -> Path:
@@ -70,7 +70,7 @@ def filled(place: Path) -> list[float]:
     return out
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("name", ENGINES)
 def test_a_report_has_few_pages_and_no_half_empty_ones(
     name: str, chromium: str, tmp_path: Path
@@ -87,7 +87,7 @@ def test_a_report_has_few_pages_and_no_half_empty_ones(
         assert lines[0].startswith(title[:30]) or number == 1
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_contents_name_the_pages_of_the_sections(chromium: str, tmp_path: Path) -> None:
     pages = text_of(on_paper("i4", chromium, tmp_path))
     listed = re.findall(
@@ -147,12 +147,12 @@ def test_only_the_full_report_has_derivations_and_the_engine_file() -> None:
     assert "crankstar report --full" not in full
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("language", "words"),
     [
         ("ja", ("二次慣性力", "バランサーシャフト")),
-        pytest.param("ru", ("Сила 2-го порядка", "порядка нет"), marks=pytest.mark.long),
+        pytest.param("ru", ("Сила 2-го порядка", "порядка нет"), marks=pytest.mark.release),
     ],
 )
 def test_japanese_and_russian_print(

@@ -61,7 +61,7 @@ def test_a_page_is_printed_without_a_network(chromium: str) -> None:
     assert pages(pdf('<img src="http://localhost:9/x.png">', by=chromium)) == 1
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_report_is_printed(run: Run, tmp_path: Path, chromium: str) -> None:
     assert chromium
     ran = run("report", "single", "-o", "single.pdf")

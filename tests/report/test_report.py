@@ -26,7 +26,7 @@ HOSTILE = "</script><img src=x onerror=alert(1)><style>*{}</style> & \"'`\\ 01"
 ENGINES = (
     "v8-cross-plane",
     "audi-25-tfsi",
-    *(pytest.param(name, marks=pytest.mark.long) for name in ("kr250-production", "jumo-205")),
+    *(pytest.param(name, marks=pytest.mark.release) for name in ("kr250-production", "jumo-205")),
 )
 
 
@@ -218,7 +218,7 @@ def test_where_two_crankshafts_turn_against_each_other_counterweights_take_both_
         assert abs(left.forward[0]) + abs(left.backward[0]) < 1e-9
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_long_table_may_run_over_pages_and_a_lone_cylinder_has_no_millimetres() -> None:
     columns = (Column("a"), Column("b"))
     assert 'class="table short"' in part_html(Table("", columns, ((1.0, 2.0),) * 8))

@@ -20,6 +20,8 @@ from crankstar.engine.copies import with_values
 from crankstar.mechanics.excitation import Reference
 from crankstar.tables.comparison import told_apart
 
+pytestmark = pytest.mark.quick
+
 BURNING: Any = "audi-25-tfsi"
 """An engine with bore and firing order, whose gas can be computed."""
 CYCLE = crankstar.cycle(BURNING, speed=300.0, imep=9e5)

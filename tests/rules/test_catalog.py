@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from catalog_lists import lists
+from tools.catalog_lists import lists
 
 import crankstar
 from crankstar import spectra
@@ -18,6 +18,8 @@ from crankstar.files.catalog import SUMMARIES, path_of
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
 from crankstar.tables.relatives import BALANCES
+
+pytestmark = pytest.mark.quick
 
 NAMES = crankstar.names()
 NOT_VALUES = {

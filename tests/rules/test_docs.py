@@ -106,7 +106,7 @@ def printed(command: str, folder: Path) -> str:
 @pytest.mark.parametrize(
     "page",
     [
-        pytest.param(page, marks=[pytest.mark.long] * (page.name in FULL_OF_SCREENS))
+        pytest.param(page, marks=[pytest.mark.release] * (page.name in FULL_OF_SCREENS))
         for page in PAGES
     ],
     ids=lambda page: page.name,
@@ -569,7 +569,9 @@ def test_every_command_of_make_that_is_promised_is_there() -> None:
         for name in re.findall(r"\bmake ([a-z-]+)\b", page.read_text("utf-8"))
     }
     assert {
-        name for name in promised if name in ("demo", "test", "test-long", "docs", "bench", "lint")
+        name
+        for name in promised
+        if name in ("demo", "quick", "test", "release", "docs", "bench", "lint")
     } <= targets
 
 

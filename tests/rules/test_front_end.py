@@ -15,6 +15,7 @@ from pathlib import Path
 
 import pytest
 from tests.front_end import BUNDLE, FIGURES, ROOT, WEB, node
+from tests.pythons import installable
 
 MAKER = runpy.run_path(str(WEB / "bundle.py"))
 SCRIPTS = (BUNDLE, FIGURES)
@@ -106,20 +107,31 @@ def test_node_to_build_with_is_the_same_in_the_build_hook_and_for_the_checks() -
     assert MAKER["NODE"] in extras["lint"]
 
 
-@pytest.mark.long
-def test_sdist_and_wheel_have_the_page_in_them_and_install_without_node(tmp_path: Path) -> None:
-    def run(*command: str | Path, **environment: str) -> str:
-        done = subprocess.run(
-            command,
-            cwd=tmp_path,
-            capture_output=True,
-            text=True,
-            check=False,
-            env={"PATH": "/usr/bin:/bin", **environment},
-        )
-        assert not done.returncode, done.stdout[-2000:] + done.stderr[-2000:]
-        return done.stdout
+def run(*command: str | Path, cwd: Path, **environment: str) -> str:
+    """The output of a program in an environment that knows nothing of the checkout."""
+    done = subprocess.run(
+        command,
+        cwd=cwd,
+        capture_output=True,
+        text=True,
+        check=False,
+        env={"PATH": "/usr/bin:/bin", **environment},
+    )
+    assert not done.returncode, done.stdout[-2000:] + done.stderr[-2000:]
+    return done.stdout
 
+
+def bare(python: str, folder: Path) -> list[str | Path]:
+    """The pip of a new environment in a folder."""
+    run(python, "-m", "venv", folder, cwd=folder.parent)
+    return [folder / "bin/python", "-m", "pip", "--quiet", "--disable-pip-version-check"]
+
+
+@pytest.mark.release
+@pytest.mark.parametrize("version", ["oldest", "newest"])
+def test_sdist_and_wheel_have_the_page_in_them_and_install_without_node(
+    version: str, tmp_path: Path
+) -> None:
     subprocess.run(
         [sys.executable, "-m", "hatchling", "build", "-t", "sdist", "-d", str(tmp_path)],
         cwd=ROOT,
@@ -127,22 +139,14 @@ def test_sdist_and_wheel_have_the_page_in_them_and_install_without_node(tmp_path
         capture_output=True,
     )
     (sdist,) = tmp_path.glob("*.tar.gz")
-    run(sys.executable, "-m", "venv", "fresh")
-    pip = [tmp_path / "fresh/bin/python", "-m", "pip", "--disable-pip-version-check"]
+    pip = bare(installable()[version].path, tmp_path / "fresh")
     # npm would ask this address, at which nobody answers
-    run(
-        *pip,
-        "wheel",
-        "--quiet",
-        "--no-deps",
-        "-w",
-        "wheels",
-        sdist,
-        npm_config_registry="http://127.0.0.1:9/",
-    )
+    nobody = {"npm_config_registry": "http://127.0.0.1:9/"}
+    run(*pip, "wheel", "--no-deps", "-w", "wheels", sdist, cwd=tmp_path, **nobody)
     (wheel,) = (tmp_path / "wheels").glob("*.whl")
-    run(*pip, "install", "--quiet", "-c", ROOT / "constraints.txt", f"{wheel}[charts]")
-    run(tmp_path / "fresh/bin/crankstar", "page", "v8-cross-plane", "-o", "v8.html")
+    run(*pip, "install", "-c", ROOT / "constraints.txt", f"{wheel}[charts]", cwd=tmp_path)
+    crankstar = tmp_path / "fresh/bin/crankstar"
+    run(crankstar, "page", "v8-cross-plane", "-o", "v8.html", cwd=tmp_path)
     page = (tmp_path / "v8.html").read_text(encoding="utf-8")
     assert "<title>V8, cross-plane crank" in page
     packed = re.search(r'id="crankstar-script">([^<]+)<', page)
@@ -151,3 +155,19 @@ def test_sdist_and_wheel_have_the_page_in_them_and_install_without_node(tmp_path
     owners = ("three.js authors", "Jason Miller", "Interactive Data")
     assert all(owner in script for owner in owners)
     assert MEGABYTE / 2 < len(page.encode()) <= 3 * MEGABYTE
+
+
+@pytest.mark.release
+@pytest.mark.parametrize("version", ["oldest", "newest"])
+def test_the_source_directory_installs_as_the_readme_says(version: str, tmp_path: Path) -> None:
+    asked = '".[all]"'
+    assert f"\npip install {asked} " in (ROOT / "README.md").read_text(encoding="utf-8")
+    pip = bare(installable()[version].path, tmp_path / "fresh")
+    run(*pip, "install", json.loads(asked), cwd=ROOT)
+    crankstar = tmp_path / "fresh/bin/crankstar"
+    assert "Secondary couple: 1534.3 N m" in run(crankstar, "analyze", "audi-25-tfsi", cwd=tmp_path)
+    searched = run(crankstar, "search", "7", "--cycle", "two-stroke", cwd=tmp_path)
+    assert "1-4-7-2-3-5-6" in searched
+    for command in ("page", "report"):
+        run(crankstar, command, "audi-25-tfsi", "-o", f"{command}.html", cwd=tmp_path)
+        assert "</html>" in (tmp_path / f"{command}.html").read_text(encoding="utf-8")

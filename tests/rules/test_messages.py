@@ -8,22 +8,21 @@ import json
 import re
 import runpy
 import string
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.catalog import OFTEN
-from tests.strategies import LONG
+from babel.messages.catalog import Catalog
 
 import crankstar
 from crankstar import charts, cli
-from crankstar.files import explicit
-from crankstar.language.messages import LANGUAGES, _n, spoken
-from crankstar.report import Subject, report
+from crankstar.language.messages import LANGUAGES, _, _n, spoken
 from crankstar.tables.strokes import strokes
-from crankstar.tables.verdict import verdict
 
-TOOL = runpy.run_path(str(Path(__file__).resolve().parents[2] / "messages.py"))
+pytestmark = pytest.mark.quick
+
+TOOL = runpy.run_path(str(Path(__file__).resolve().parents[2] / "tools/messages.py"))
 DOMAINS = {"python": TOOL["PYTHON"], "page": TOOL["PAGE"]}
 TRANSLATIONS = [
     pytest.param(domain, language, path, id=f"{name} {language}")
@@ -76,6 +75,13 @@ def entries(path: Path, language: str | None = None) -> dict[Any, Any]:
     return {message.id: message.string for message in TOOL["read"](path, language) if message.id}
 
 
+@cache
+def collected(name: str) -> list[Any]:
+    """The sentences of the sources of a domain, whatever its template has."""
+    return [message.id for message in DOMAINS[name].collected() if message.id]
+
+
+@pytest.mark.release
 @pytest.mark.parametrize("domain", DOMAINS.values(), ids=DOMAINS)
 def test_the_template_has_every_sentence_of_the_sources_and_no_other(domain: Any) -> None:
     assert domain.template.read_text(encoding="utf-8") == TOOL["text"](domain.collected()), (
@@ -86,7 +92,7 @@ def test_the_template_has_every_sentence_of_the_sources_and_no_other(domain: Any
 def test_the_extractor_sees_every_sentence_in_python() -> None:
     """It passes over one in parentheses of its own, or in an f-string."""
     domain = DOMAINS["python"]
-    known = {form for message in entries(domain.template) for form in forms(message)}
+    known = {form for sentence in collected("python") for form in forms(sentence)}
     for path in domain.sources.rglob("*.py"):
         for call in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.args:
@@ -107,6 +113,7 @@ def test_there_is_a_catalog_for_every_language_but_english(domain: Any) -> None:
     assert ("en", *domain.translations()) == LANGUAGES
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("domain", "language", "path"), TRANSLATIONS)
 def test_a_translation_has_the_sentences_of_the_template(
     domain: Any, language: str, path: Path
@@ -115,19 +122,61 @@ def test_a_translation_has_the_sentences_of_the_template(
 
 
 @pytest.mark.parametrize(("domain", "language", "path"), TRANSLATIONS)
-def test_every_sentence_is_translated_in_every_plural(
+def test_a_translation_has_as_many_forms_as_its_language_has_plurals(
     domain: Any, language: str, path: Path
 ) -> None:
-    """Write what is missing into the file that is named, then run `make messages`."""
+    """Of sentences that have none, `make release` prints a list."""
     del domain
     count = TOOL["read"](path, language).num_plurals
-    lacking = [
+    wrong = [
         forms(sentence)[0]
         for sentence, translation in entries(path, language).items()
-        if not all(forms(translation))
-        or len(forms(translation)) != (1 if isinstance(sentence, str) else count)
+        if any(forms(translation))
+        and len(forms(translation)) != (1 if isinstance(sentence, str) else count)
     ]
-    assert lacking == [], f"{len(lacking)} sentences of {path} have no translation"
+    assert wrong == [], path
+
+
+def without(path: Path, target: Path, sentence: str) -> Path:
+    """A copy of a translation in which one sentence is not translated."""
+    language = path.parts[-3]
+    catalog = TOOL["read"](path, language)
+    catalog[sentence].string = ("",) * catalog.num_plurals if catalog[sentence].pluralizable else ""
+    target.mkdir(parents=True)
+    (target / path.name).write_text(TOOL["text"](catalog), encoding="utf-8")
+    return target / path.name
+
+
+@pytest.mark.parametrize("language", LANGUAGES[1:])
+def test_what_is_not_translated_is_said_in_english_and_listed(
+    language: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A sentence, one with a plural, and one that no catalog has heard of."""
+    python = DOMAINS["python"]
+    path, plural = python.translations()[language], "{name}, {count} piston"
+    once = without(path, tmp_path / "once" / language / "LC_MESSAGES", "No primary force.")
+    twice = without(once, tmp_path / "all" / language / "LC_MESSAGES", plural)
+    copied = python._replace(template=tmp_path / "all" / "crankstar.pot")
+    monkeypatch.setitem(TOOL["compile_all"].__globals__, "PYTHON", copied)
+    TOOL["compile_all"]()
+    catalog = gettext.translation("crankstar", tmp_path / "all", [language])
+    monkeypatch.setattr("crankstar.language.messages._catalog", lambda _: catalog)
+    sources = Catalog()
+    for sentence in ("No primary force.", (plural, "{name}, {count} pistons"), "Of {age}."):
+        sources.add(sentence)
+    with spoken(language):
+        assert _("No primary force.") == "No primary force."
+        assert _("Of {age}.", age="today") == "Of today."
+        assert [
+            _n(plural, "{name}, {count} pistons", count, name="V8", count=count)
+            for count in (1, 2, 5, 21)
+        ] == ["V8, 1 piston", "V8, 2 pistons", "V8, 5 pistons", "V8, 21 pistons"]
+    assert TOOL["untranslated"](path, language, sources) == ["Of {age}."]
+    assert TOOL["untranslated"](twice, language, sources) == [
+        "No primary force.",
+        plural,
+        "Of {age}.",
+    ]
 
 
 @pytest.mark.parametrize(("domain", "language", "path"), TRANSLATIONS)
@@ -176,9 +225,9 @@ def test_no_translation_is_marked_as_doubtful(domain: Any, language: str, path: 
     assert [message.id for message in TOOL["read"](path, language) if message.fuzzy] == []
 
 
-@pytest.mark.parametrize("domain", DOMAINS.values(), ids=DOMAINS)
-def test_sentences_name_their_placeholders(domain: Any) -> None:
-    for sentence in entries(domain.template):
+@pytest.mark.parametrize("name", DOMAINS)
+def test_sentences_name_their_placeholders(name: str) -> None:
+    for sentence in collected(name):
         for form in forms(sentence):
             assert all(name.isidentifier() for name in placeholders(form)), form
 
@@ -211,61 +260,6 @@ def test_a_verdict_is_in_the_language_asked_for(
     with pytest.raises(SystemExit):
         cli.main(["--lang", language, "verdict", "i4"])
     assert said in capsys.readouterr().out
-
-
-class Asked(gettext.NullTranslations):
-    """A catalog that keeps the sentences it is asked for."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.sentences: set[str] = set()
-
-    def gettext(self, message: str) -> str:
-        self.sentences.add(message)
-        return message
-
-    def ngettext(self, msgid1: str, msgid2: str, n: int) -> str:
-        self.sentences.add(msgid1)
-        return msgid1 if n == 1 else msgid2
-
-    def without_translation(self, language: str) -> set[str]:
-        """The sentences that the catalog of a language lacks."""
-        catalog = entries(DOMAINS["python"].translations()[language], language)
-        lacking = {forms(key)[0] for key, text in catalog.items() if not any(forms(text))}
-        # the search for shafts meets faults that it does not show
-        inside = {each for each in self.sentences if "ratio of teeth" in each}
-        return (self.sentences & lacking) - inside
-
-
-@pytest.fixture
-def asked(monkeypatch: pytest.MonkeyPatch) -> Asked:
-    catalog = Asked()
-    monkeypatch.setattr("crankstar.language.messages._catalog", lambda _: catalog)
-    return catalog
-
-
-def test_no_sentence_of_a_verdict_lacks_its_translation(asked: Asked) -> None:
-    for name in crankstar.names() if LONG else sorted(OFTEN):
-        verdict(crankstar.load(name))
-    assert len(asked.sentences) > 50
-    for language in LANGUAGES[1:]:
-        assert asked.without_translation(language) == set()
-
-
-@pytest.mark.parametrize(
-    "name",
-    [
-        "audi-25-tfsi",
-        "man-s90mc-c",
-        *(pytest.param(name, marks=pytest.mark.long) for name in ("v8-cross-plane", "kr250-racer")),
-    ],
-)
-def test_no_heading_or_sentence_of_a_report_lacks_its_translation(name: str, asked: Asked) -> None:
-    engine = crankstar.load(name)
-    report(Subject(engine, explicit(engine), command="", full=name == "audi-25-tfsi"))
-    assert len(asked.sentences) > 150
-    for language in LANGUAGES[1:]:
-        assert asked.without_translation(language) == set()
 
 
 def test_firing_angles_and_exhaust_groups_are_in_the_language() -> None:

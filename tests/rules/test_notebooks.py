@@ -10,6 +10,8 @@ from typing import Any
 
 import pytest
 
+pytestmark = pytest.mark.quick
+
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = sorted((ROOT / "docs" / "notebooks").glob("*.ipynb"))
 EACH = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -47,16 +49,16 @@ def test_a_notebook_begins_with_what_it_is_about_and_checks_itself(path: Path) -
 
 @EACH
 def test_the_code_of_a_notebook_runs(path: Path) -> None:
-    """Without a kernel; the long test runs it in Jupyter."""
+    """Without a kernel; `make release` runs it in Jupyter."""
     names: dict[str, Any] = {}
     for cell in cells(path, "code"):
         exec(compile("".join(cell["source"]), path.name, "exec"), names)  # noqa: S102 - our own
 
 
-@pytest.mark.long
+@pytest.mark.release
 @EACH
 def test_a_notebook_runs_in_jupyter(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """With the extra `notebook`, which `make test-long` installs."""
+    """With the extra `notebook`, which `make release` installs."""
     nbformat, nbclient = import_module("nbformat"), import_module("nbclient")
     monkeypatch.setenv("PYTHONPATH", str(ROOT / "src"))
     notebook = nbformat.read(path, as_version=4)

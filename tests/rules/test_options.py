@@ -15,6 +15,8 @@ from crankstar import cli
 from crankstar.options.names import field_name, meant
 from crankstar.options.vocabulary import OPTIONS
 
+pytestmark = pytest.mark.quick
+
 COMMANDS = sorted(name for name in cli.app if not name.startswith("-"))
 BUILT_IN = {"--help", "--version"}
 

@@ -14,16 +14,17 @@ import pytest
 
 import crankstar
 from crankstar import charts
+from tools import rooms
+
+pytestmark = pytest.mark.quick
 
 PACKAGE = Path(crankstar.__file__).parent
 ROOT = PACKAGE.parent.parent
 MODULES = sorted(PACKAGE.rglob("*.py"))
-ROOMS = [
-    path.parent
-    for path in sorted(PACKAGE.rglob("*/__init__.py"))
-    if any(path.parent.glob("[a-z]*.py"))
-]
-GREATEST_MODULE, GREATEST_BODY, USUAL_BODY = 400, 60, 30
+ROOMS = pytest.mark.parametrize(
+    "room", rooms.rooms(), ids=lambda room: room.relative_to(PACKAGE).as_posix()
+)
+GREATEST_BODY, USUAL_BODY = 60, 30
 
 
 def functions(path: Path) -> list[ast.FunctionDef]:
@@ -38,11 +39,6 @@ def body_lines(function: ast.FunctionDef) -> int:
         else function.body
     )
     return (function.end_lineno or 0) - first[0].lineno + 1
-
-
-def test_a_module_is_short_enough_to_hold_in_the_head() -> None:
-    lengths = {path: len(path.read_text(encoding="utf-8").splitlines()) for path in MODULES}
-    assert {path: lines for path, lines in lengths.items() if lines > GREATEST_MODULE} == {}
 
 
 def test_functions_are_short() -> None:
@@ -71,35 +67,25 @@ def test_every_public_function_and_class_says_what_it_is() -> None:
 
 
 def test_the_map_in_the_package_docstring_names_every_module_and_no_other() -> None:
-    named = {*rows_of(crankstar.__doc__ or "")}
     there = {path.stem for path in PACKAGE.glob("*.py") if not path.stem.startswith("__")}
     there |= {path.parent.name for path in PACKAGE.glob("*/__init__.py")}
-    assert named == there
+    assert sorted(rooms.listed(crankstar.__doc__ or "")) == sorted(there)
 
 
-def rows_of(docstring: str) -> list[str]:
-    """The names in the first column of the tables of a docstring."""
-    rows = re.findall(r"^\| (`[^|]*`) \|", docstring, flags=re.MULTILINE)
-    return [name.rstrip("/") for row in rows for name in re.findall(r"`([^`]+)`", row)]
+@ROOMS
+def test_a_room_lists_its_modules(room: Path) -> None:
+    """In any order."""
+    assert sorted(rooms.listed(text_of(room))) == sorted(rooms.modules(room))
 
 
-@pytest.mark.parametrize("room", ROOMS, ids=lambda room: room.relative_to(PACKAGE).as_posix())
+@pytest.mark.release
+@ROOMS
 def test_a_room_lists_its_modules_from_bottom_to_top(room: Path) -> None:
-    named = rows_of(ast.get_docstring(ast.parse((room / "__init__.py").read_text("utf-8"))) or "")
-    paths = {path.stem: [path] for path in room.glob("*.py") if path.stem != "__init__"}
-    paths |= {path.parent.name: [*path.parent.rglob("*.py")] for path in room.glob("*/__init__.py")}
-    assert sorted(named) == sorted(paths)
-    here = ".".join(("crankstar", *room.relative_to(PACKAGE).parts))
-    upward = {
-        f"{name} imports {imported}"
-        for name in named
-        for path in paths[name]
-        for imported in re.findall(
-            rf"^from {re.escape(here)}\.(\w+)", path.read_text("utf-8"), flags=re.MULTILINE
-        )
-        if named.index(imported) > named.index(name)
-    }
-    assert upward == set()
+    assert text_of(room) == rooms.sorted_text(room), "run `make rooms`"
+
+
+def text_of(room: Path) -> str:
+    return (room / "__init__.py").read_text(encoding="utf-8")
 
 
 def test_every_exported_name_is_there_and_completed() -> None:

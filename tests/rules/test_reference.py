@@ -11,6 +11,8 @@ import pytest
 
 import crankstar
 
+pytestmark = pytest.mark.quick
+
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "python.md"
 
 

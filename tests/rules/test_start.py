@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.quick
+
 HEAVY = {
     *(
         "altair",
@@ -52,7 +54,7 @@ MAY_LOAD = {
 """A command, and the heavy modules that it cannot do without. Search 5 has its loops compiled."""
 
 SELDOM = {"analyze i4 --json", "check i4", "strokes i4", "verdict i4", "derive i4"}
-"""Commands that load as much as others do; seen in the long tests."""
+"""Commands that load as much as others do; seen in `make release`."""
 
 SAID = """
 import sys
@@ -68,7 +70,10 @@ finally:
 @pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     "command",
-    [pytest.param(command, marks=[pytest.mark.long] * (command in SELDOM)) for command in MAY_LOAD],
+    [
+        pytest.param(command, marks=[pytest.mark.release] * (command in SELDOM))
+        for command in MAY_LOAD
+    ],
 )
 def test_a_command_loads_the_heavy_libraries_it_needs_and_no_other(
     command: str, tmp_path: Path

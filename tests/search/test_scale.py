@@ -162,7 +162,7 @@ def test_the_answer_is_the_same_after_several_attempts(monkeypatch, two, answers
     assert all(p.seconds_left is None or p.seconds_left >= 0 for p in told)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_lost_process_of_this_machine_changes_nothing(middle):
     others, killed = set(active_children()), []
 
@@ -183,7 +183,7 @@ def test_a_lost_process_of_this_machine_changes_nothing(middle):
     assert not {process.pid for process in active_children()} - {process.pid for process in others}
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_lost_worker_of_a_cluster_changes_nothing(middle, daskers):
     killed = []
 
@@ -426,8 +426,8 @@ def fifteen():
     return answer_to(front(15))
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.long), "2"])
+@pytest.mark.release
+@pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.release), "2"])
 def test_sigterm_ends_a_search_quietly_with_its_workers_and_its_semaphores(workers, tmp_path):
     with started(workers, tmp_path / "file") as process:
         children = psutil.Process(process.pid).children(recursive=True)
@@ -438,7 +438,7 @@ def test_sigterm_ends_a_search_quietly_with_its_workers_and_its_semaphores(worke
 
 
 @pytest.mark.usefixtures("interruptible")
-@pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.long), "2"])
+@pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.release), "2"])
 def test_ctrl_c_ends_quietly_with_what_is_under_way_and_nothing_is_lost(workers, tmp_path, fifteen):
     """No stretch is given out after it: those under way may still come."""
     path = tmp_path / "file"
@@ -455,7 +455,7 @@ def test_ctrl_c_ends_quietly_with_what_is_under_way_and_nothing_is_lost(workers,
     assert told[0].done > 32
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_search_killed_in_the_middle_goes_on_and_leaves_no_processes(tmp_path, fifteen):
     path = tmp_path / "file"
     with started("2", path) as process:
@@ -473,7 +473,7 @@ def test_a_search_killed_in_the_middle_goes_on_and_leaves_no_processes(tmp_path,
     )
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_scheduler_that_does_not_answer_is_told(monkeypatch):
     monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 1.0)
     with socket.create_server(("127.0.0.1", 0)) as silent:
@@ -507,7 +507,7 @@ if __name__ == "__main__":
 """
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("way", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told(way, monkeypatch):
     with subprocess.Popen(
@@ -538,7 +538,7 @@ def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told(way, monkey
                     child.kill()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_cluster_without_workers_is_told(monkeypatch):
     from distributed import Client
 
@@ -554,7 +554,7 @@ def test_a_cluster_without_workers_is_told(monkeypatch):
         pass
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_cluster_that_loses_all_its_workers_is_told(monkeypatch):
     def lose(_):
         found.scale(0)

@@ -86,7 +86,7 @@ def test_threads_processes_and_lost_workers_change_nothing(whole: SequenceFront)
         assert len(losing.seen) > 10
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.usefixtures("many_parts")
 def test_processes_and_a_cluster_find_the_same_front(whole: SequenceFront) -> None:
     from distributed import LocalCluster

@@ -19,7 +19,7 @@ def printed(exhibit: dict[str, Any]) -> list[tuple[str, ...]]:
     ]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_explicit_form_of_an_engine_is_the_same_engine(server: Server) -> None:
     for name in ("v8-cross-plane", "kr250-racer", "radial-9"):
         tree = server.ask("api/explicit", {"engine": name}).json["tree"]

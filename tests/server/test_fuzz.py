@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from schemathesis.checks import CHECKS
 from tests.holding import PATIENCE
 from tests.spoilt import TREES, mutated
-from tests.strategies import LONG, OF_ANY_KIND
+from tests.strategies import OF_ANY_KIND, RELEASE
 from tests.web.serving import Server
 
 from crankstar import files
@@ -63,20 +63,20 @@ def check(engine: str | dict[str, Any], chance: random.Random) -> bool:
 
 
 @given(engine=ANY_ENGINE, seed=st.integers(0, 1000))
-@settings(max_examples=200 if LONG else 2, suppress_health_check=PATIENT)
+@settings(max_examples=200 if RELEASE else 2, suppress_health_check=PATIENT)
 def test_all_that_is_asked_of_any_engine_is_answered(engine: Engine, seed: int) -> None:
     assert check(json.loads(json.dumps(files.explicit(engine))), random.Random(seed))  # noqa: S311
 
 
 @pytest.mark.parametrize(
     "seeds",
-    [range(15), pytest.param(range(15, 3000), marks=pytest.mark.long)],
+    [range(15), pytest.param(range(15, 3000), marks=pytest.mark.release)],
     ids=["some", "many"],
 )
-def test_a_spoilt_engine_is_answered_or_refused_in_sentences(seeds: range) -> None:
+def test_a_spoilt_engine_is_answered_or_refused_in_sentences(seeds: range, seed: int) -> None:
     good = 0
-    for seed in seeds:
-        chance = random.Random(seed)  # noqa: S311
+    for number in seeds:
+        chance = random.Random(seed + number)  # noqa: S311
         tree = mutated(chance.choice(TREES), chance)
         try:
             tree = json.loads(json.dumps(tree))
@@ -89,7 +89,7 @@ def test_a_spoilt_engine_is_answered_or_refused_in_sentences(seeds: range) -> No
 
 @pytest.mark.many(first=2)
 @API.parametrize()
-@settings(max_examples=100 if LONG else 8, suppress_health_check=PATIENT, deadline=None)
+@settings(max_examples=100 if RELEASE else 8, suppress_health_check=PATIENT, deadline=None)
 def test_whatever_the_description_allows_is_answered_as_it_says(case: Any, server: Server) -> None:
     """Schemathesis: no server failure; status, kind, headers and shape are as described."""
     if case.operation.path == "/api/search" and case.method == "POST":

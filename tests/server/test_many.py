@@ -12,7 +12,7 @@ from crankstar.files.catalog import tree_of
 PEOPLE, EDITS = 16, 3
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_everybody_gets_the_answer_to_the_own_question(server: Server) -> None:
     tree = tree_of("v8-cross-plane")[1]
 

@@ -292,7 +292,7 @@ def test_an_asker_who_leaves_is_forgotten(server: Server) -> None:
     assert server.ask("api/health").status == 200
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_question_that_comes_too_slowly_is_given_up(server: Server) -> None:
     with socket.create_connection(_place(server)) as line:
         line.sendall(
@@ -305,7 +305,7 @@ def test_a_question_that_comes_too_slowly_is_given_up(server: Server) -> None:
         assert json.loads(said.split(b"\r\n\r\n")[1])["problems"]
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize("said_before", [b"", WHOLE], ids=["at first", "after an answer"])
 @pytest.mark.parametrize(
     "head", [b"", b"GET / HTTP/1.1\r\nHost: localh"], ids=["nothing", "half a head"]

@@ -75,7 +75,7 @@ def test_a_search_finds_what_the_package_finds_and_each_row_makes_its_engine(
         )
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_of_many_rows_the_first_are_sent_and_that_is_said(server: Server) -> None:
     search = ended(
         server, begun(server, {"cylinders": 7, "cycle": "two-stroke", "minimise": "M1", "best": 80})
@@ -86,7 +86,7 @@ def test_of_many_rows_the_first_are_sent_and_that_is_said(server: Server) -> Non
     assert "`crankstar search` with -o FILE.csv" in told
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_cranks_of_an_engine_keep_its_cylinders(server: Server) -> None:
     search = ended(server, begun(server, {"engine": "audi-25-tfsi", "minimise": "M1", "best": 3}))
     assert len(search["rows"]) == 3
@@ -144,7 +144,7 @@ def test_a_search_that_takes_too_long_for_a_page_is_not_begun(
     )
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once() -> None:
     with serving() as server:
         first, second = begun(server, LONG), begun(server, LONG)
@@ -162,7 +162,7 @@ def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once()
         assert ended(server, again)["state"] == "done"
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_search_that_takes_much_longer_than_was_thought_is_stopped(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -66,7 +66,7 @@ def ignores(process: int, number: signal.Signals) -> bool:
     return bool(int(found[1], 16) >> (number - 1) & 1)
 
 
-KILLED = pytest.param(signal.SIGKILL, marks=pytest.mark.long)
+KILLED = pytest.param(signal.SIGKILL, marks=pytest.mark.release)
 
 
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="counts processes by /proc")

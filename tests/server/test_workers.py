@@ -59,7 +59,7 @@ async def refusal(answer: Awaitable[bytes]) -> tuple[int, str, Any]:
     return caught.value.status, fault.code, fault.values
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_process_that_takes_too_long_or_is_lost_is_replaced_and_the_next_task_is_done() -> None:
     async def work(pool: Workers) -> list[Any]:
         first = await pool.do(chores.number)

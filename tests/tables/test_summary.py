@@ -86,7 +86,7 @@ def test_the_first_lines_compare_the_peak_force_with_the_weight_where_it_is_know
     assert "weight of the engine" not in " ".join(printed("audi-25-tfsi"))
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_missing_keys_are_named_and_with_them_the_engine_has_newtons() -> None:
     from crankstar.files.catalog import load as loaded
 

@@ -76,7 +76,7 @@ def documents(name: str) -> Iterator[Document]:
     [
         name
         if name in ("i4", "vw-vr6", "napier-deltic")
-        else pytest.param(name, marks=pytest.mark.long)
+        else pytest.param(name, marks=pytest.mark.release)
         for name in catalog.names()
     ],
 )

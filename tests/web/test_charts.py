@@ -32,12 +32,12 @@ def opened(page: Page, chart: Chart, folder: Path) -> None:
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=[pytest.mark.long] * (place % 2))
+        pytest.param(name, marks=[pytest.mark.release] * (place % 2))
         for place, name in enumerate(TURNING)
     ],
 )
 @pytest.mark.parametrize(
-    "engine", ["kr250-racer", pytest.param("triple-120", marks=pytest.mark.long)]
+    "engine", ["kr250-racer", pytest.param("triple-120", marks=pytest.mark.release)]
 )
 def test_the_slider_of_the_crank_angle_moves_a_figure(
     name: str, engine: str, page: Page, tmp_path: Path

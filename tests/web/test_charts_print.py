@@ -28,7 +28,8 @@ __all__ = ["refused", "run"]
 
 OFTEN = ("v8-cross-plane", "kr250-racer", "vw-vr6")
 ENGINES = [
-    pytest.param(name, marks=[pytest.mark.long] * (name not in OFTEN)) for name in crankstar.names()
+    pytest.param(name, marks=[pytest.mark.release] * (name not in OFTEN))
+    for name in crankstar.names()
 ]
 STARS = ("vector-star", "polygon", "forces", "crank-star")
 
@@ -73,9 +74,9 @@ def test_no_text_of_a_chart_stands_on_another_or_is_cut(name: str, page: Page) -
     assert_clear(pictures(crankstar.load(name)), page)
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize(
-    "name", ["v8-cross-plane", pytest.param("napier-deltic", marks=pytest.mark.long)]
+    "name", ["v8-cross-plane", pytest.param("napier-deltic", marks=pytest.mark.release)]
 )
 def test_weights_do_not_crowd_the_texts_of_a_chart(name: str, page: Page) -> None:
     assert_clear(pictures(with_counterweights(crankstar.load(name), factor=0.5)), page)
@@ -118,7 +119,7 @@ def numbers(picture: Measured) -> set[int]:
     [
         "radial-9",
         "v8-cross-plane",
-        *(pytest.param(name, marks=pytest.mark.long) for name in ("napier-deltic", "jumo-205")),
+        *(pytest.param(name, marks=pytest.mark.release) for name in ("napier-deltic", "jumo-205")),
     ],
 )
 def test_every_cylinder_is_named_in_its_star_and_polygon(name: str, page: Page) -> None:
@@ -177,16 +178,16 @@ TALL = (
 """Charts that are taller than 110 mm with letters of 10 pt."""
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize(
     "paper",
     [
-        pytest.param(paper, id=str(paper), marks=[pytest.mark.long] * (place in (0, 3)))
+        pytest.param(paper, id=str(paper), marks=[pytest.mark.release] * (place in (0, 3)))
         for place, paper in enumerate(PAPERS)
     ],
 )
 @pytest.mark.parametrize(
-    "name", ["v8-cross-plane", pytest.param("napier-deltic", marks=pytest.mark.long)]
+    "name", ["v8-cross-plane", pytest.param("napier-deltic", marks=pytest.mark.release)]
 )
 def test_text_on_paper_is_large_and_dark_enough(name: str, paper: charts.Paper, page: Page) -> None:
     engine = crankstar.load(name)
@@ -237,7 +238,7 @@ def test_contrast_is_that_of_the_guideline() -> None:
         assert min(contrast(colour, ground) for colour in colours) >= 4.5, name
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_picture_has_the_size_and_the_dots_that_are_asked_for(run: Run, tmp_path: Path) -> None:
     sized = ("plot", "i4", "hodograph", "--width", "4 in", "--height", "90 mm")
     assert run(*sized, "-o", "x.svg").code == 0

@@ -96,7 +96,7 @@ def labels_of(picture: Measured) -> list[tuple[float, float, float]]:
 
 
 @pytest.mark.parametrize(
-    "theme", ["light", *(pytest.param(one, marks=pytest.mark.long) for one in ("dark", "print"))]
+    "theme", ["light", *(pytest.param(one, marks=pytest.mark.release) for one in ("dark", "print"))]
 )
 def test_values_read_from_the_picture_are_those_of_single_engines(
     theme: charts.Theme, page: Page
@@ -166,7 +166,7 @@ def test_the_mark_at_the_edge_of_the_axes_leaves_their_numbers_free(
     assert min(found) > 3  # half of the line of the mark is 1.1
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_two_results_have_their_contours_and_their_front_without_collision(page: Page) -> None:
     made = sweep("harley-45", OVER)
     curves = [watched(made, what) for what in ("force", "roll")]
@@ -182,7 +182,7 @@ def test_two_results_have_their_contours_and_their_front_without_collision(page:
         assert "rolling moment [m r² ω²]" in names
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_chart_of_two_is_written_in_every_form(run: Run, tmp_path: Path) -> None:
     words = ["sweep", "v2-90", *(word for over in OVER for word in ("--over", over))]
     for kind in ("svg", "png", "pdf", "html"):

@@ -13,7 +13,7 @@ from crankstar.derive import derivation, documents
 ORDERS = (1, 2, 4, 6)
 QUICK = {"v8-cross-plane", "vw-vr6", "kr250-racer", "sinitsyn-7-first"}
 ENGINES = [
-    name if name in QUICK else pytest.param(name, marks=pytest.mark.long)
+    name if name in QUICK else pytest.param(name, marks=pytest.mark.release)
     for name in crankstar.names()
 ]
 LOOK = """() => [...document.querySelectorAll('math')].map(math => {

@@ -14,7 +14,7 @@ import yaml
 from playwright.sync_api import Page
 from tests.web.browsing import too_wide
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.release
 
 ROOT = Path(__file__).parents[2]
 BUILT = ROOT / ".venv" / "site"
@@ -67,7 +67,8 @@ OFTEN = (*("index", "how-to/analyse", "explanation/theory", "reference/command-l
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.long] * (name not in OFTEN)) for name in PAGES]
+    "name",
+    [pytest.param(name, marks=[pytest.mark.release] * (name not in OFTEN)) for name in PAGES],
 )
 def test_every_page_opens_from_disk_with_one_title_and_fits_a_telephone(
     name: str, site: Path, page: Page
@@ -84,7 +85,10 @@ def test_every_page_opens_from_disk_with_one_title_and_fits_a_telephone(
     "word",
     [
         "M1V",
-        *(pytest.param(w, marks=pytest.mark.long) for w in ("secondary", "overbalance", "pandas")),
+        *(
+            pytest.param(w, marks=pytest.mark.release)
+            for w in ("secondary", "overbalance", "pandas")
+        ),
     ],
 )
 def test_the_search_box_of_a_page_from_disk_finds(word: str, site: Path, page: Page) -> None:

@@ -79,7 +79,7 @@ def dropped(page: Page, text: str, name: str = "engine.toml") -> None:
     )
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_bank_angle_that_is_typed_moves_the_bank(editing: Page) -> None:
     assert bank_angles(editing) == [45, -45]
     field(editing, BEARING).fill("30 deg")
@@ -87,7 +87,7 @@ def test_a_bank_angle_that_is_typed_moves_the_bank(editing: Page) -> None:
     assert on_stage(editing)["file"]["layout"]["banks"][0]["bearing"] == "30 deg"
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_bare_number_takes_the_unit_that_was_there(editing: Page) -> None:
     field(editing, BEARING).fill("60")
     eventually(lambda: bank_angles(editing), [60, -45])
@@ -111,7 +111,7 @@ def test_of_changes_that_come_faster_than_answers_the_last_is_on_the_stage(editi
     assert on_stage(editing)["file"]["layout"]["banks"][0]["bearing"] == "44 deg"
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_change_is_drawn_once(editing: Page) -> None:
     # so wide that another name leaves the stage its size
     editing.set_viewport_size({"width": 1280, "height": 800})
@@ -142,7 +142,7 @@ def test_what_is_wrong_stands_beside_its_field_and_the_engine_stays(editing: Pag
     eventually(lambda: bank_angles(editing), [40, -45])
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_list_of_mistakes_leads_to_fields_even_where_they_are_folded(editing: Page) -> None:
     editing.locator("summary", has_text="Valves or ports").click()
     opens = field(editing, "valves.intake_opens")
@@ -198,7 +198,7 @@ def test_a_drag_moves_the_engine_while_it_lasts_and_is_one_step(editing: Page) -
     expect(editing.get_by_role("button", name="Undo")).to_be_disabled()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_throw_is_turned_by_its_wheel_with_the_mouse_and_the_keys(editing: Page) -> None:
     wheel = editing.get_by_role("slider", name="Throw 2, wheel")
     wheel.scroll_into_view_if_needed()
@@ -213,7 +213,7 @@ def test_a_throw_is_turned_by_its_wheel_with_the_mouse_and_the_keys(editing: Pag
     expect(wheel).to_have_attribute("aria-valuetext", "136 degrees clockwise from up")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_firing_order_that_no_longer_fits_is_left_out_with_one_click(editing: Page) -> None:
     field(editing, "edit:layout.throws[2]").fill("180 deg")
     expect(field(editing, "edit:firing_order-wrong")).to_contain_text("cannot fire")
@@ -222,7 +222,7 @@ def test_a_firing_order_that_no_longer_fits_is_left_out_with_one_click(editing: 
     expect(editing.locator(".mistakes")).to_have_count(0)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_throws_are_added_moved_and_removed(editing: Page) -> None:
     throws = lambda: [  # noqa: E731
         box.input_value() for box in editing.locator("[id='edit:layout.throws'] input").all()
@@ -235,7 +235,7 @@ def test_throws_are_added_moved_and_removed(editing: Page) -> None:
     assert throws() == ["90 deg", "0 deg", "-90 deg", "-90 deg"]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_an_engine_of_the_catalog_is_chosen_with_keys_alone(editing: Page) -> None:
     box = editing.get_by_role("combobox", name="Engine of the catalog")
     box.focus()
@@ -253,7 +253,7 @@ def test_an_engine_of_the_catalog_is_chosen_with_keys_alone(editing: Page) -> No
     expect(editing.get_by_label("Type", exact=True)).to_have_value("tandem")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_another_layout_begins_as_an_engine(editing: Page) -> None:
     for kind in ("inline", "boxer", "radial", "opposed", "tandem"):
         editing.get_by_label("Type", exact=True).select_option(kind)
@@ -261,7 +261,7 @@ def test_another_layout_begins_as_an_engine(editing: Page) -> None:
         expect(editing.locator(".mistakes")).to_have_count(0)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_explicit_form_is_the_same_engine_part_by_part(editing: Page) -> None:
     before = on_stage(editing)
     editing.get_by_label("Type", exact=True).select_option("explicit")
@@ -274,7 +274,7 @@ def test_the_explicit_form_is_the_same_engine_part_by_part(editing: Page) -> Non
     expect(field(editing, "edit:shaft[1].weight[1].unbalance")).to_be_visible()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_every_key_of_the_schema_has_a_field(editing: Page, server: Server) -> None:
     schema = server.ask("api/schema").json
     for _ in range(2):  # what was folded holds folds itself
@@ -293,7 +293,7 @@ def test_every_key_of_the_schema_has_a_field(editing: Page, server: Server) -> N
     assert not missing
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_file_is_opened_by_a_drop_wherever_one_looks(editing: Page, server: Server) -> None:
     editing.get_by_role("tab", name="Verdict").click()
     text = server.ask("api/toml", {"engine": "kr250-racer"}).json["toml"]
@@ -314,7 +314,7 @@ def test_a_file_is_opened_by_a_drop_wherever_one_looks(editing: Page, server: Se
     ).to_be_visible()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_file_that_is_no_engine_is_told_of_and_changes_nothing(editing: Page) -> None:
     before = on_stage(editing)
     dropped(
@@ -365,7 +365,7 @@ def test_a_hostile_name_is_text_everywhere(editing: Page) -> None:
     assert editing.locator("img").count() == 0
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_row_of_a_search_becomes_the_engine(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog", name="Find a better crank")
@@ -383,7 +383,7 @@ def test_a_row_of_a_search_becomes_the_engine(editing: Page) -> None:
     eventually(lambda: bank_angles(editing), [45, -45])
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_search_is_cancelled(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog")
@@ -396,7 +396,7 @@ def test_a_search_is_cancelled(editing: Page) -> None:
     expect(dialog.get_by_role("button", name="Search")).to_be_enabled()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_search_that_nobody_waits_for_is_stopped(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog")
@@ -409,7 +409,7 @@ def test_a_search_that_nobody_waits_for_is_stopped(editing: Page) -> None:
     eventually(lambda: editing.request.get(address).json()["state"], "cancelled")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_balance_factor_that_is_no_number_is_told_and_fits_nothing(editing: Page) -> None:
     before = on_stage(editing)["file"]
     editing.get_by_placeholder("best").fill("half")
@@ -418,7 +418,7 @@ def test_a_balance_factor_that_is_no_number_is_told_and_fits_nothing(editing: Pa
     assert on_stage(editing)["file"] == before
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_search_that_cannot_be_is_refused_in_a_sentence(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog")
@@ -436,7 +436,7 @@ def test_a_search_that_cannot_be_is_refused_in_a_sentence(editing: Page) -> None
     expect(dialog.get_by_role("progressbar")).to_have_count(0)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_fitting_puts_weights_on_and_undo_takes_them_off(editing: Page) -> None:
     layout = on_stage(editing)["file"]["layout"]
     editing.get_by_label("Counterweights", exact=True).select_option("at the ends")
@@ -454,7 +454,7 @@ def test_fitting_puts_weights_on_and_undo_takes_them_off(editing: Page) -> None:
     eventually(lambda: "crankshaft" in on_stage(editing)["file"], False)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_editor_and_its_search_can_be_read_and_used(editing: Page) -> None:
     for colours in COLOURS:
         editing.emulate_media(color_scheme=colours)
@@ -465,7 +465,7 @@ def test_the_editor_and_its_search_can_be_read_and_used(editing: Page) -> None:
         assert barriers(editing) == []
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_nothing_reaches_over_the_edge(browser: Browser, server: Server) -> None:
     complaints: list[str] = []
     with watched(browser, complaints) as page:

@@ -30,7 +30,7 @@ PANELS = """async () => {
 """What each panel says, without its spaces: browsers put them between texts as they like."""
 
 pytestmark = [
-    pytest.mark.long,
+    pytest.mark.release,
     pytest.mark.skipif(firefox() is None, reason="Firefox is not on this machine"),
 ]
 

@@ -34,7 +34,7 @@ def tabs(page: Page) -> list[Locator]:
     return page.get_by_role("tab").all()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_no_panel_reaches_over_an_edge(built_page: Build, page: Page) -> None:
     opened(page, built_page(ENGINE, figures=True))
     found = {}
@@ -54,7 +54,7 @@ def test_no_panel_reaches_over_an_edge(built_page: Build, page: Page) -> None:
         ("en", 1440),
         ("ja", 390),
         *(
-            pytest.param(language, width, marks=pytest.mark.long)
+            pytest.param(language, width, marks=pytest.mark.release)
             for language in ("en", "ja", "ru")
             for width in (1440, 1024, 390, 320)
             if (language, width) not in {("en", 1440), ("ja", 390)}

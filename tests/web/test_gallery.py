@@ -53,7 +53,7 @@ def test_filters_leave_the_engines_that_are_wanted(gallery: Page) -> None:
     expect(gallery.get_by_text("No engine matches.")).to_be_visible()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_one_goes_to_an_engine_by_keyboard_and_back_to_what_was_left(gallery: Page) -> None:
     gallery.get_by_label("Search").fill("boxer six")
     gallery.locator(".cards li:visible a").focus()
@@ -70,7 +70,7 @@ def test_one_goes_to_an_engine_by_keyboard_and_back_to_what_was_left(gallery: Pa
     assert gallery.locator(".cards li:visible").count() == len(names())
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_pictures_that_are_seen_turn_unless_less_motion_is_wished(gallery: Page) -> None:
     first = gallery.locator("img").first
     expect(first).to_have_js_property("naturalWidth", 240)
@@ -98,7 +98,7 @@ def test_the_gallery_is_for_everyone(gallery: Page) -> None:
     assert {name: told for name, told in found.items() if told} == {}
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize(("language", "heading"), [("ja", "エンジン"), ("ru", "Двигатели")])
 def test_the_gallery_speaks_other_languages(
@@ -130,7 +130,7 @@ def test_the_gallery_and_the_page_are_in_the_language_that_the_browser_prefers(
         assert page.locator(".languages [aria-current]").inner_text() == "English"
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_server_that_is_told_its_language_keeps_to_it(browser: Browser) -> None:
     complaints: list[str] = []
     with serving("--language", "ru") as server, watched(browser, complaints) as page:
@@ -178,7 +178,7 @@ def test_pictures_are_of_the_catalog_and_of_nothing_else(
         assert answer.body[8:12] == b"WEBP"
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_miniature_is_small(server: Server) -> None:
     sizes = {
         name: max(len(server.ask(f"pictures/{name}{look.suffix}").body) for look in LOOKS)

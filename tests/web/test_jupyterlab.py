@@ -23,7 +23,7 @@ from tests.web.engine_page import farthest_off
 
 import crankstar
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.release
 TOKEN = "0123456789abcdef"  # noqa: S105 - of a server that answers here only, for a minute
 CELLS = [
     "import crankstar\nengine = crankstar.widget('v8-cross-plane')\nengine",
@@ -43,7 +43,7 @@ def lab(tmp_path: Path) -> Iterator[str]:
     """The address of a local JupyterLab with one notebook; nothing of it remains afterwards."""
     if find_spec("jupyterlab") is None:
         pytest.fail(
-            'JupyterLab is missing: make test-long installs it, or pip install -e ".[notebook]"',
+            'JupyterLab is missing: make release installs it, or pip install -e ".[notebook]"',
             pytrace=False,
         )
     cells = [

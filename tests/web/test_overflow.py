@@ -17,12 +17,12 @@ from crankstar.language.messages import LANGUAGES
 
 ENGINE = "v8-cross-plane"
 WIDE, MIDDLE, NARROW, NARROWEST = 1440, 1024, 390, 320
-LONG = pytest.mark.long
+RELEASE = pytest.mark.release
 SERVED = [
     ("ru", (WIDE, MIDDLE, NARROW)),
     ("en", (WIDE, NARROW)),
     ("ja", (WIDE, NARROW)),
-    *(pytest.param(language, (MIDDLE, NARROWEST), marks=LONG) for language in LANGUAGES),
+    *(pytest.param(language, (MIDDLE, NARROWEST), marks=RELEASE) for language in LANGUAGES),
 ]
 """Russian has the longest words."""
 FOLDED = ("about", "edit")
@@ -104,8 +104,8 @@ def test_nothing_overflows_on_a_served_page(
         assert faults(page, widths) == {}
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("widths", [(NARROW,), pytest.param((WIDE, NARROWEST), marks=LONG)])
+@pytest.mark.release
+@pytest.mark.parametrize("widths", [(NARROW,), pytest.param((WIDE, NARROWEST), marks=RELEASE)])
 def test_nothing_overflows_on_the_page_of_a_file(
     widths: tuple[int, ...], built_page: Callable[..., Path], page: Page
 ) -> None:

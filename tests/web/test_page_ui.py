@@ -57,7 +57,10 @@ def tab(page: Page, name: str) -> Locator:
     "name",
     [
         CROSS,
-        *(pytest.param(name, marks=pytest.mark.long) for name in ("audi-25-tfsi", "kr250-racer")),
+        *(
+            pytest.param(name, marks=pytest.mark.release)
+            for name in ("audi-25-tfsi", "kr250-racer")
+        ),
     ],
 )
 def test_the_numbers_below_the_stage_are_those_of_python(
@@ -94,7 +97,7 @@ def test_the_roll_of_an_engine_whose_cylinders_do_not_roll_by_themselves_is_told
         assert numbers(page)["Rolling moment"] == pytest.approx(rolls, abs=0.02 * abs(fifth))
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_only_the_chosen_order_is_counted(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=40&orders=4")
     assert numbers(page)["Couple up"] == 0
@@ -105,7 +108,7 @@ def test_only_the_chosen_order_is_counted(built_page: Build, page: Page) -> None
     assert handle(page, "state.orders") is None
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_dot_in_the_table_is_where_the_vector_points(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=0&tab=orders")
     couple = total(balance(load(CROSS))).couple
@@ -123,9 +126,9 @@ def test_the_dot_in_the_table_is_where_the_vector_points(built_page: Build, page
 CENTRES = "all => all.map(one => [one.cx.baseVal.value, one.cy.baseVal.value])"
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.many(first=1)
-@pytest.mark.parametrize("name", [CROSS, pytest.param("kr250-racer", marks=pytest.mark.long)])
+@pytest.mark.parametrize("name", [CROSS, pytest.param("kr250-racer", marks=pytest.mark.release)])
 def test_loads_on_bearings_are_those_of_python_at_every_angle(
     name: str, built_page: Build, page: Page
 ) -> None:
@@ -157,7 +160,7 @@ def test_loads_on_bearings_are_those_of_python_at_every_angle(
                 assert math.hypot(*place) == pytest.approx(top / largest, abs=1e-3)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_loads_with_gas_are_those_of_the_first_operating_point(
     built_page: Build, page: Page
 ) -> None:
@@ -190,7 +193,7 @@ def test_figures_follow_the_crank_angle(built_page: Build, page: Page) -> None:
     assert places[1] - places[0] > 20
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_figure_out_of_view_rests_while_the_engine_turns_and_is_right_after(
     built_page: Build, page: Page
 ) -> None:
@@ -212,7 +215,7 @@ def test_a_figure_out_of_view_rests_while_the_engine_turns_and_is_right_after(
     assert figures.evaluate_all(drawn) == stopped != moved
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_figure_keeps_its_size_while_it_turns(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS, figures=True), "a=0&of=couple")
     tab(page, "Stars")
@@ -256,7 +259,7 @@ def test_a_link_shows_the_same_again(built_page: Build, page: Page) -> None:
     expect(page.get_by_role("tab", name="Verdict")).to_have_attribute("aria-selected", "true")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_page_that_plays_does_not_write_its_angle_all_the_time(
     built_page: Build, page: Page
 ) -> None:
@@ -273,7 +276,7 @@ def test_a_page_that_plays_does_not_write_its_angle_all_the_time(
     assert "a=" not in page.url
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_address_that_is_changed_by_hand_is_followed(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=10&tab=orders")
     page.evaluate("location.hash = 'a=77&tab=about&camera=side&whatever=<b>'")
@@ -327,7 +330,7 @@ def test_the_page_is_shown_in_the_language_of_its_address(
     assert page.locator("html").get_attribute("lang") == "en"
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_every_panel_names_the_engine_it_shows_and_shows_either(
     built_page: Build, page: Page
 ) -> None:
@@ -378,7 +381,7 @@ def test_derivations_are_typeset(built_page: Build, page: Page) -> None:
     ).to_be_visible()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_whirl_is_switched_on_at_a_size_that_is_seen_and_its_estimate_is_named(
     built_page: Build, page: Page
 ) -> None:
@@ -394,7 +397,7 @@ def test_the_whirl_is_switched_on_at_a_size_that_is_seen_and_its_estimate_is_nam
     expect(page.get_by_role("tabpanel")).to_contain_text("1000 ×")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_colours_are_changed_by_a_button_and_kept(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=0")
     button = page.get_by_role("button", name=re.compile("^Colours"))
@@ -405,7 +408,7 @@ def test_colours_are_changed_by_a_button_and_kept(built_page: Build, page: Page)
     page.wait_for_function("() => location.hash.includes('theme=dark')")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_figure_that_is_not_there_says_so_and_can_be_asked_for_again(
     built_page: Build, page: Page
 ) -> None:
@@ -416,7 +419,7 @@ def test_a_figure_that_is_not_there_says_so_and_can_be_asked_for_again(
     expect(place).to_contain_text("This file does not hold the figure.")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_names_are_text_everywhere(tmp_path: Path, page: Page) -> None:
     engine = load("v2-90").model_copy(update={"name": HOSTILE})
     file = tmp_path / "hostile.html"
@@ -432,7 +435,7 @@ def test_names_are_text_everywhere(tmp_path: Path, page: Page) -> None:
 
 
 @pytest.mark.parametrize(
-    "share", [0.999, *(pytest.param(share, marks=pytest.mark.long) for share in (0.1, 0.5))]
+    "share", [0.999, *(pytest.param(share, marks=pytest.mark.release) for share in (0.1, 0.5))]
 )
 def test_a_file_that_is_cut_short_says_what_to_do(
     share: float, built_page: Build, tmp_path: Path, page: Page
@@ -444,7 +447,7 @@ def test_a_file_that_is_cut_short_says_what_to_do(
     expect(page.locator("body")).to_contain_text(INCOMPLETE)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_complete_file_does_not_say_that_it_is_incomplete(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS))
     expect(page.locator("body")).not_to_contain_text(INCOMPLETE)
@@ -472,14 +475,14 @@ def written() -> str:
             "cannot be read",
         ),
         ("<data>", "", "cannot be read"),
-        pytest.param("<data>", "null", "cannot be read", marks=pytest.mark.long),
+        pytest.param("<data>", "null", "cannot be read", marks=pytest.mark.release),
         pytest.param(
             "<data>",
             '{"exhibition": {"engines": []}, "libraries": [], "fitted": []}',
             "cannot be read",
-            marks=pytest.mark.long,
+            marks=pytest.mark.release,
         ),
-        pytest.param(r'(?<="data": ").{900}', "", "cannot be read", marks=pytest.mark.long),
+        pytest.param(r'(?<="data": ").{900}', "", "cannot be read", marks=pytest.mark.release),
         (r'(?<="data": ".{900}).{4}', "!!!!", "cannot be read"),
         (r'(?<="data": ".{900}).*?</script>', "</script>", "cannot be read"),
     ],

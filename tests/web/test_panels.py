@@ -83,7 +83,7 @@ def test_paths_of_a_quantity_are_drawn_to_one_scale_and_little_ones_are_pale(
     assert compared >= 5
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_guide_points_at_the_parts_of_the_page_one_after_the_other(
     built_page: Build, page: Page
 ) -> None:

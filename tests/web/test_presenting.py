@@ -52,7 +52,7 @@ def test_a_link_opens_a_presentation_and_a_button_ends_it(built_page: Build, pag
     page.wait_for_function("() => !location.hash.includes('present')")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_click_on_the_enlarged_sheet_enlarges_the_view_below_it(
     built_page: Build, page: Page
 ) -> None:

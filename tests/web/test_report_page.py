@@ -32,7 +32,10 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     [
         (400, "light"),
         (1600, "dark"),
-        *(pytest.param(*one, marks=pytest.mark.long) for one in ((400, "dark"), (1600, "light"))),
+        *(
+            pytest.param(*one, marks=pytest.mark.release)
+            for one in ((400, "dark"), (1600, "light"))
+        ),
     ],
 )
 def test_a_report_fits_the_window_and_takes_its_colours(
@@ -78,7 +81,7 @@ ON_AN_AXIS = """() => [...document.querySelectorAll('figure svg')].flatMap(svg =
 })"""
 
 
-@pytest.mark.parametrize("name", ["jumo-205", pytest.param("single", marks=pytest.mark.long)])
+@pytest.mark.parametrize("name", ["jumo-205", pytest.param("single", marks=pytest.mark.release)])
 def test_words_in_the_spectra_and_paths_do_not_lie_over_each_other(
     page: Page, name: str, tmp_path: Path
 ) -> None:

@@ -105,7 +105,7 @@ def test_a_script_that_is_written_into_the_page_does_not_run(
     assert "Content Security Policy directive" in complaints[0]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_hostile_name_is_text_on_the_page(page: Page) -> None:
     with serving("i4", "--set", f"name={HOSTILE}") as server:
         opened(page, server)
@@ -113,7 +113,7 @@ def test_a_hostile_name_is_text_on_the_page(page: Page) -> None:
         assert page.locator("img[src='x']").count() == 0
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_api_is_described_without_a_network(page: Page, server: Server) -> None:
     page.goto(server.address + "docs")
     page.wait_for_selector("#operations-engines-exhibit_api_exhibit_post")

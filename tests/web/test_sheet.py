@@ -115,7 +115,7 @@ def test_on_a_phone_one_view_is_seen_and_a_swipe_shows_the_next(
     assert list(panes(page)) == [seen[2]]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_section_leaves_out_what_is_before_it_and_says_where_it_is(
     built_page: Build, page: Page
 ) -> None:
@@ -146,7 +146,7 @@ def test_a_section_leaves_out_what_is_before_it_and_says_where_it_is(
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=() if name in OFTEN else pytest.mark.long)
+        pytest.param(name, marks=() if name in OFTEN else pytest.mark.release)
         for name in sorted(names())
     ],
 )
@@ -195,8 +195,8 @@ def test_on_a_phone_the_paths_of_the_whirl_stand_beside_the_engine_too(
     assert stage["x"] + pane["x"] + pane["width"] <= box["x"]
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.long), "ru"])
+@pytest.mark.release
+@pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.release), "ru"])
 def test_a_window_of_any_height_comes_to_rest(language: str, built_page: Build, page: Page) -> None:
     """The switches of the sheet take the height that decides whether there is a sheet."""
     page.set_viewport_size({"width": 1280, "height": 900})

@@ -57,7 +57,7 @@ def whole(site: Path) -> None:
     assert [path for path in site.rglob("*") if path.name.startswith(".")] == []
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_every_link_of_a_site_leads_to_a_file_of_it(site: Path) -> None:
     whole(site)
     assert {path.stem for path in (site / "engines").iterdir()} == {*ENGINES}
@@ -104,7 +104,7 @@ def test_a_gallery_of_a_site_fits_a_telephone(site: Path, page: Page) -> None:
     assert too_wide(page) == []
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_site_of_the_catalog_is_whole_and_not_large(tmp_path: Path) -> None:
     site = written(tmp_path, names())
     whole(site)

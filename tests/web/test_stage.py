@@ -51,7 +51,7 @@ def seen(page: Page) -> bytes:
     return stage(page).screenshot()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_every_camera_draws_something_else_and_comes_back_to_the_same(
     built_page: Build, page: Page
 ) -> None:
@@ -69,7 +69,7 @@ def test_every_camera_draws_something_else_and_comes_back_to_the_same(
     assert len(set(pictures.values())) == len(descriptions) == 5
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_what_changes_is_drawn_and_what_does_not_is_not_drawn_again(
     built_page: Build, page: Page
 ) -> None:
@@ -91,7 +91,7 @@ def test_what_changes_is_drawn_and_what_does_not_is_not_drawn_again(
     )
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_keys_and_dragging_turn_the_free_view_and_home_puts_it_back(
     built_page: Build, page: Page
 ) -> None:
@@ -126,7 +126,7 @@ def test_on_the_fixed_cameras_the_wheel_scrolls_the_page_and_turns_nothing(
     assert stage(page).evaluate(prevented) is True
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_whirl_moves_all_that_is_drawn_and_is_taken_away_from_what_is_read(
     built_page: Build, page: Page
 ) -> None:
@@ -141,7 +141,7 @@ def test_the_whirl_moves_all_that_is_drawn_and_is_taken_away_from_what_is_read(
     "name",
     [
         "napier-deltic",
-        *(pytest.param(n, marks=pytest.mark.long) for n in ("audi-25-tfsi", "radial-9")),
+        *(pytest.param(n, marks=pytest.mark.release) for n in ("audi-25-tfsi", "radial-9")),
     ],
 )
 def test_crank_pins_are_drawn_where_their_shafts_carry_them(
@@ -161,7 +161,7 @@ def test_crank_pins_are_drawn_where_their_shafts_carry_them(
             assert math.dist((up, right), place) < 2e-6 * throw.radius
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_graphics_card_that_goes_away_and_comes_back_leaves_the_same_picture(
     built_page: Build, page: Page
 ) -> None:
@@ -194,7 +194,7 @@ WebGL2RenderingContext.prototype.drawElementsInstanced = function (...what) {
 """How many corners of triangles the last drawing of the stage had."""
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_without_a_graphics_card_what_moves_is_drawn_coarsely_and_finely_once_it_rests(
     built_page: Build, page: Page
 ) -> None:
@@ -227,8 +227,8 @@ PAPER = """() => {
 """The share of the printed picture that is painted, and how many other canvases are printed."""
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("theme", ["light", pytest.param("dark", marks=pytest.mark.long)])
+@pytest.mark.release
+@pytest.mark.parametrize("theme", ["light", pytest.param("dark", marks=pytest.mark.release)])
 def test_what_is_printed_shows_the_engine(theme: str, built_page: Build, page: Page) -> None:
     page.add_init_script(CARD)
     opened(page, built_page(ENGINE), f"a=40&theme={theme}")

@@ -103,7 +103,7 @@ def test_the_stage_is_saved_sharp_with_its_name_and_angle(
     assert handle(page, "read().pistons") == before
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_dark_ground_is_chosen_apart_from_the_page(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:
@@ -165,7 +165,7 @@ def test_the_svg_puts_pistons_where_the_stage_has_them(
         assert middles[other] - middles[one] == pytest.approx(on_stage, abs=1.0)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_figures_and_tables_of_the_panel_are_saved(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:
@@ -251,8 +251,8 @@ def small(page: Page, path: Path, state: str, *, seconds: float) -> Locator:
     return window
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("kind", ["webm", pytest.param("mp4", marks=pytest.mark.long)])
+@pytest.mark.release
+@pytest.mark.parametrize("kind", ["webm", pytest.param("mp4", marks=pytest.mark.release)])
 def test_a_film_is_one_turn_that_ends_where_it_began(
     kind: str, built_page: Build, page: Page, tmp_path: Path
 ) -> None:
@@ -283,7 +283,7 @@ def _base64(place: Path) -> str:
     return b64encode(place.read_bytes()).decode()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_gif_is_the_turn_without_a_seam_and_the_page_is_as_before(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:
@@ -304,7 +304,7 @@ def test_a_gif_is_the_turn_without_a_seam_and_the_page_is_as_before(
     assert step[-1] < 2 * float(np.median(step))
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_film_can_be_cancelled(built_page: Build, page: Page) -> None:
     window = small(page, built_page(ENGINE), "a=40&camera=front", seconds=30)
     window.locator("[data-file=gif]").click()
@@ -316,7 +316,7 @@ def test_a_film_can_be_cancelled(built_page: Build, page: Page) -> None:
     assert handle(page, "theta") == pytest.approx(40)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_two_engines_stand_side_by_side_in_a_picture(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:
@@ -328,7 +328,7 @@ def test_two_engines_stand_side_by_side_in_a_picture(
     assert sum(label.startswith("piston ") for label in labels) == 9
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_engine_file_is_saved_and_commands_write_the_rest(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:
@@ -342,7 +342,7 @@ def test_the_engine_file_is_saved_and_commands_write_the_rest(
     assert f"crankstar report {place.name} -o {place.stem}-report.html" in commands
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_file_page_works_in_a_frame_at_the_view_of_its_code(
     built_page: Build, page: Page
 ) -> None:
@@ -359,7 +359,7 @@ def test_a_file_page_works_in_a_frame_at_the_view_of_its_code(
     expect(frame.locator(".canvas canvas").first).to_be_visible()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_server_sends_files_and_cannot_be_framed(
     server: Server, page: Page, tmp_path: Path
 ) -> None:
@@ -381,7 +381,7 @@ def test_the_server_sends_files_and_cannot_be_framed(
     assert "frame-ancestors 'none'" in heads["content-security-policy"]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_dialog_is_for_everyone(built_page: Build, page: Page) -> None:
     opened(page, built_page(ENGINE, figures=True), "a=40&tab=stars")
     page.get_by_role("button", name="Export").focus()

@@ -153,7 +153,7 @@ def test_torque_by_order_is_that_of_the_command_line(
     compared(page, told(FIVE, *opening(FIVE), "--motored"))
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize(
     "name",
     [BOXER, "ferrari-f136", "kr250-racer", "pratt-whitney-wasp", "napier-deltic", "jumo-205"],
@@ -167,7 +167,7 @@ def test_torque_of_every_kind_of_engine_is_that_of_the_command_line(
     compared(page, told(name, *opening(name), "--off", "1"))
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_an_operating_point_and_its_irregularity_are_those_of_python(
     tmp_path: Path, page: Page, told: Told
 ) -> None:
@@ -215,7 +215,7 @@ def test_the_values_at_the_crank_angle_are_those_of_the_pressure(
     assert float(line or "nan") == pytest.approx(1000 * 130 / 720)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_what_is_chosen_of_the_torque_goes_into_the_link(built_page: Build, page: Page) -> None:
     path = built_page(FIVE)
     opened(page, path, "a=0&tab=torque")
@@ -263,7 +263,7 @@ def test_gas_is_in_the_rolling_moment_of_the_stage_where_it_is_chosen(
     assert number(roll.inner_text()) == before
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_torque_is_shown_in_the_units_of_the_page(built_page: Build, page: Page) -> None:
     opened(page, built_page(FIVE, figures=True), "a=0&tab=torque")
     newton = facts(page)["mean gas torque"]
@@ -380,7 +380,7 @@ def test_a_browser_without_sound_says_so(built_page: Build, page: Page) -> None:
     expect(page.get_by_role("button", name="Stop the sound")).to_have_count(0)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_pressure_and_power_are_in_the_units_that_were_chosen(
     page: Page, tmp_path: Path, told: Told
 ) -> None:

@@ -53,14 +53,14 @@ def number(text: str) -> float:
     return float(plain(text).replace("\u2007", "").lstrip("+"))
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "name",
     [
         "jumo-205",
         *(
-            pytest.param(name, marks=pytest.mark.long)
+            pytest.param(name, marks=pytest.mark.release)
             for name in ("kr250-racer", "pratt-whitney-wasp", "vw-vr6")
         ),
     ],
@@ -84,7 +84,7 @@ def test_the_numbers_at_an_angle_are_the_rates_of_change_of_momentum(
 
 
 @pytest.mark.parametrize(
-    "rotation", ["counter-clockwise", pytest.param("clockwise", marks=pytest.mark.long)]
+    "rotation", ["counter-clockwise", pytest.param("clockwise", marks=pytest.mark.release)]
 )
 def test_a_free_block_moves_against_its_moving_parts(
     rotation: str, tmp_path: Path, page: Page

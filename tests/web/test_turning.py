@@ -18,11 +18,11 @@ LAYOUTS = [
     "v8-cross-plane",
     "pratt-whitney-wasp",
     "jumo-205",
-    *(pytest.param(name, marks=pytest.mark.long) for name in ("audi-25-tfsi", "kr250-racer")),
+    *(pytest.param(name, marks=pytest.mark.release) for name in ("audi-25-tfsi", "kr250-racer")),
 ]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_it_plays_when_it_is_opened_and_stops_and_plays_again(
     built_page: Build, page: Page
 ) -> None:
@@ -38,7 +38,7 @@ def test_it_plays_when_it_is_opened_and_stops_and_plays_again(
     turns_on(page)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_it_does_not_start_by_itself_where_motion_is_not_wished(
     built_page: Build, page: Page
 ) -> None:
@@ -59,7 +59,7 @@ TYPED = {
 }
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_it_goes_to_a_typed_angle(built_page: Build, page: Page) -> None:
     page.emulate_media(reduced_motion="no-preference")
     opened(page, built_page("v8-cross-plane"), "")
@@ -90,14 +90,14 @@ def test_every_piston_is_where_python_says(name: str, built_page: Build, page: P
     assert farthest_off(load(name), drawn(page)) < 1e-6
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_two_engines_turn_at_the_same_angle(built_page: Build, page: Page) -> None:
     opened(page, built_page("v8-cross-plane", "v8-flat-plane"), "tab=compare")
     for index, name in enumerate(("v8-cross-plane", "v8-flat-plane")):
         assert farthest_off(load(name), drawn(page, index=index)) < 1e-6
 
 
-@pytest.mark.parametrize("end", ["front", pytest.param("rear", marks=pytest.mark.long)])
+@pytest.mark.parametrize("end", ["front", pytest.param("rear", marks=pytest.mark.release)])
 def test_the_axis_of_a_cross_plane_crank_whirls_in_a_circle(
     end: str, built_page: Build, page: Page
 ) -> None:

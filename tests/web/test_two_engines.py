@@ -76,7 +76,7 @@ def test_a_panel_shows_both_engines_under_their_names(
     expect(page.locator(".panel .of-engine")).to_have_count(0)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_rows_of_cylinders_and_banks_are_the_forces_of_the_analysis(
     built_page: Build, page: Page
 ) -> None:

@@ -67,7 +67,7 @@ def test_labels_of_two_small_stages_keep_clear_of_edges_and_each_other(
     assert lowest + 3 <= min(one["top"] for one in scales)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_words_of_the_whirl_have_room_in_every_language(built_page: Build, page: Page) -> None:
     page.set_viewport_size({"width": 320, "height": 640})
     page.add_init_script(WRITTEN)

@@ -56,7 +56,7 @@ def greatest(page: Page, quantity: str) -> list[float]:
     return [float(plain(re.sub(r" \(.*", "", text))) for text in cells]
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.many(first=1)
 def test_a_file_changes_its_units_in_every_panel(file_page: Path, page: Page) -> None:
     opened(page, file_page)
@@ -94,7 +94,7 @@ def test_a_file_changes_its_units_in_every_panel(file_page: Path, page: Page) ->
     expect(page.get_by_role("tabpanel")).not_to_contain_text("mm")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_choice_is_in_the_link_and_kept(file_page: Path, page: Page) -> None:
     opened(page, file_page, "a=0&units=us")
     settled(page)
@@ -118,7 +118,7 @@ def test_units_that_a_file_does_not_hold_are_refused_in_a_sentence(
     assert handle(page, "state.units") == ""
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_file_written_in_other_units_offers_them(tmp_path: Path, page: Page) -> None:
     path = tmp_path / "other.html"
     with shown_in(read_choice("kN, kN m")):
@@ -132,7 +132,7 @@ def test_a_file_written_in_other_units_offers_them(tmp_path: Path, page: Page) -
     expect(page.locator("table.orders")).to_contain_text("lbf ft")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_server_estimates_masses_and_shows_any_units(page: Page, server: Server) -> None:
     page.goto(f"{server.address}#a=0&engine=kr250-racer")
     page.evaluate(READY)
@@ -161,7 +161,7 @@ def test_the_server_estimates_masses_and_shows_any_units(page: Page, server: Ser
     expect(page.locator("table.orders")).to_contain_text("Force kN")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_what_the_server_estimates_is_saved_with_its_marks(server: Server) -> None:
     tree = server.ask("api/estimate", {"engine": "kr250-racer"}).json["tree"]
     text = server.ask("api/toml", {"engine": tree}).json["toml"]
@@ -199,7 +199,7 @@ def test_the_kernel_answers_in_units_and_estimates() -> None:
     assert "stone" in wrong["sentence"]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_page_with_estimates_shows_them_and_their_ranges(tmp_path: Path, page: Page) -> None:
     path = tmp_path / "estimated.html"
     tree = estimated(tree_of("vw-vr6")[1]).tree
@@ -238,7 +238,7 @@ def test_a_page_with_estimates_shows_them_and_their_ranges(tmp_path: Path, page:
     assert {name: told for name, told in found.items() if told} == {}
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_row_that_is_zero_for_estimated_masses_has_its_range_and_a_dot_in_the_middle(
     tmp_path: Path, page: Page
 ) -> None:

@@ -56,7 +56,7 @@ def test_a_page_is_redrawn_when_its_file_is_saved_and_tells_mistakes(
     page.goto("about:blank")  # before its server ends
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_saved_file_takes_the_place_of_what_was_edited_on_the_page(
     page: Page, following: Server, file: Path
 ) -> None:

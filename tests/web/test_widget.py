@@ -104,7 +104,7 @@ def test_it_opens_as_the_traits_say_and_goes_where_python_says(show: Show, page:
     assert cell(page, "page.theta") == 690
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_every_piston_is_where_python_says(show: Show, page: Page) -> None:
     show("audi-25-tfsi")
     read = cell(
@@ -114,7 +114,7 @@ def test_every_piston_is_where_python_says(show: Show, page: Page) -> None:
     assert farthest_off(crankstar.load("audi-25-tfsi"), found) < 1e-6
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_it_plays_and_stops_from_both_sides(show: Show, page: Page) -> None:
     show("v8-cross-plane")
     page.get_by_role("button", name="Play").click()
@@ -139,7 +139,7 @@ def test_figures_and_derivations_are_asked_of_the_kernel(show: Show, page: Page)
     expect(page.get_by_role("tabpanel").locator("math").first).to_be_visible()
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_two_on_one_page_do_not_know_each_other(show: Show, page: Page) -> None:
     show("v8-cross-plane", theta=30.0)
     show("single", theta=60.0)
@@ -153,7 +153,7 @@ def test_two_on_one_page_do_not_know_each_other(show: Show, page: Page) -> None:
     assert [cell(page, "page.theta", index) for index in (0, 1)] == [31, 200]
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_another_engine_takes_the_place_of_the_first(show: Show, page: Page) -> None:
     widget = show("v8-cross-plane", theta=30.0)
     widget.show("single")
@@ -165,7 +165,7 @@ def test_another_engine_takes_the_place_of_the_first(show: Show, page: Page) -> 
     assert cell(page, "page.theta") == 30
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_nothing_is_left_when_the_cell_is_cleared(show: Show, page: Page) -> None:
     page.emulate_media(reduced_motion="no-preference")
     show("v8-cross-plane", playing=True)

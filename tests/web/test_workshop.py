@@ -76,7 +76,7 @@ def test_what_a_held_slider_says_covers_no_label(bench: Page, share: float) -> N
     assert told["x"] + told["width"] <= sweep["x"] + sweep["width"] + 1
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.many(first=1)
 def test_another_number_of_cylinders_is_an_engine_that_fires(bench: Page) -> None:
     bench.get_by_role("button", name="10 cylinders").click()
@@ -96,7 +96,7 @@ def test_another_number_of_cylinders_is_an_engine_that_fires(bench: Page) -> Non
     expect(bench.locator("h1")).to_have_text("V8, cross-plane crank, 90 deg")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_usual_layout_is_one_click_away(bench: Page) -> None:
     bench.get_by_text("Usual layouts").click()
     bench.get_by_role("button", name="Twin 270°").click()
@@ -177,7 +177,7 @@ def test_a_throw_is_dragged_on_the_star_and_rests_at_angles_that_make_sense(benc
     expect(bench.locator(".mistakes")).to_have_count(0)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_bank_is_dragged_on_the_front_view(bench: Page) -> None:
     pane = next(each for each in bench.evaluate(PANES) if each["camera"] == "front")
     box = bench.locator(".stage .canvas").bounding_box()
@@ -198,7 +198,7 @@ def test_a_bank_is_dragged_on_the_front_view(bench: Page) -> None:
     eventually(lambda: bank_angles(bench), [45, -45])
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_heading_is_renamed_with_a_click(bench: Page) -> None:
     bench.get_by_role("heading", level=1).get_by_role("button").click()
     bench.get_by_role("textbox", name="Name of the engine").fill("mine")
@@ -207,7 +207,7 @@ def test_the_heading_is_renamed_with_a_click(bench: Page) -> None:
     eventually(lambda: file_of(bench)["name"], "mine")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_history_leads_back_to_any_step(bench: Page) -> None:
     for count in (10, 12):
         bench.get_by_role("button", name=f"{count} cylinders").click()
@@ -272,7 +272,7 @@ def test_engines_are_kept_shown_beside_exported_deleted_and_taken_in_again(
     expect(bench.locator("h1").first).to_have_text("kept one")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_store_that_is_full_is_said(bench: Page) -> None:
     bench.evaluate(
         "() => { Storage.prototype.setItem = () => { throw new DOMException('', "
@@ -283,7 +283,7 @@ def test_a_store_that_is_full_is_said(bench: Page) -> None:
     expect(bench.locator(".shelf [role=status]")).to_contain_text("store is full")
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_engine_that_was_edited_last_is_offered_again(bench: Page, server: Server) -> None:
     bench.get_by_role("button", name="10 cylinders").click()
     kept = "() => localStorage.getItem('crankstar.last') !== null"
@@ -295,7 +295,7 @@ def test_the_engine_that_was_edited_last_is_offered_again(bench: Page, server: S
     eventually(lambda: len(on_stage(bench)["cylinders"]), 10)
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_workshop_can_be_read_and_used_by_everyone(bench: Page) -> None:
     for title in ("Usual layouts", "History (1)"):
         bench.get_by_text(title).click()

@@ -12,13 +12,13 @@ function categories(language) {
   return order.filter((category) => whole.has(category))
 }
 
-/** Sentences by their English, plural forms by the English of one and the category. */
+/** Sentences by their English, plural forms by that of one and the category; none half translated. */
 export function resource(text) {
   const { headers, translations } = po.parse(text)
   const names = categories(headers.Language)
   const said = Object.values(translations).flatMap((context) => Object.values(context))
   const entries = said.flatMap(({ msgid, msgid_plural, msgstr }) => {
-    if (!msgid || !msgstr[0]) return []
+    if (!msgid || !msgstr.every(Boolean)) return []
     if (msgid_plural === undefined) return [[msgid, msgstr[0]]]
     return msgstr.map((form, index) => [`${msgid}_${names[index]}`, form])
   })

@@ -22,7 +22,7 @@ from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import size
 
 BALANCES = Path(__file__).with_name("piston_balances.tsv")
-"""The piston balance of every engine of the catalog; `catalog_lists.py` writes it."""
+"""The piston balance of every engine of the catalog; `tools/catalog_lists.py` writes it."""
 COMPARED = 4
 """Engines that are compared one by one."""
 LISTED = 5

@@ -66,8 +66,9 @@ export function plural<Text extends string>(
   count: number,
   ...[values]: Values<Text>
 ): string {
-  const english = { defaultValue_one: one, defaultValue_other: many }
-  return translated(one, { count, replace: values ?? {}, ...english })
+  // also for want of a translation, where the language has other forms than English
+  const defaultValue = count === 1 ? one : many
+  return translated(one, { count, replace: values ?? {}, defaultValue })
 }
 
 /** Marks a sentence for the extractor; `t` translates it where it is shown. */

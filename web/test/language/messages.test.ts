@@ -1,4 +1,5 @@
 import { afterEach, expect, test } from 'vitest'
+import { resource } from '../../build/catalogs.mjs'
 import { language, plural, t } from '../../src/language/messages'
 
 const mistakes = (count: number): string =>
@@ -30,4 +31,13 @@ test('an English number has two forms, a Russian one three, a Japanese one one',
   ])
   language.value = 'ja'
   expect([1, 2].map(mistakes)).toEqual(['1 件の誤り', '2 件の誤り'])
+})
+
+test('a count without a translation, or with some of its forms only, has the English form', () => {
+  language.value = 'ru'
+  const bolts = (count: number): string => plural('{count} bolt', '{count} bolts', count, { count })
+  expect([1, 2, 5, 21].map(bolts)).toEqual(['1 bolt', '2 bolts', '5 bolts', '21 bolts'])
+  const half = 'msgid "a nut"\nmsgid_plural "nuts"\nmsgstr[0] "гайка"\nmsgstr[1] ""\nmsgstr[2] ""\n'
+  const header = 'msgid ""\nmsgstr "Language: ru\\n"\n\n'
+  expect(resource(`${header}msgid "bolt"\nmsgstr "болт"\n\n${half}`)).toEqual({ bolt: 'болт' })
 })

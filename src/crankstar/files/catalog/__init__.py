@@ -16,7 +16,7 @@ from crankstar.language.quoting import one_line
 
 _FOLDER = Path(__file__).parent
 SUMMARIES = _FOLDER / "summaries.tsv"
-"""The summaries of all engines; `catalog_lists.py` writes it."""
+"""The summaries of all engines; `tools/catalog_lists.py` writes it."""
 MOST_NAMED = 5
 """Names that are proposed in place of a part of one."""
 

@@ -1,6 +1,6 @@
 """The lists of the catalog: what commands say of its engines without reading all their files.
 
-`python catalog_lists.py` writes them anew; a test compares them with the engines.
+`python tools/catalog_lists.py` writes them anew; a test compares them with the engines.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """Message catalogs: every sentence of the Python and TypeScript sources, and its translations.
 
-`python messages.py` extracts the sentences into the templates and brings each translation up to
-date with them; `python messages.py compile` writes what the program reads. The build hook compiles.
+`python tools/messages.py` extracts the sentences into the templates and brings each translation up
+to date with them; `compile` writes what the program reads, as the build hook does; `lacking` prints
+which sentences have no translation yet and are shown in English.
 """
 
 from __future__ import annotations
@@ -13,12 +14,12 @@ from pathlib import Path
 from typing import NamedTuple
 
 from babel.core import Locale
-from babel.messages.catalog import Catalog
+from babel.messages.catalog import Catalog, Message
 from babel.messages.extract import extract_from_dir
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
-ROOT = Path(__file__).resolve().parent
+ROOT = Path(__file__).resolve().parents[1]
 
 
 class Domain(NamedTuple):
@@ -168,6 +169,24 @@ def updated(path: Path, language: str, template: Catalog) -> Catalog:
     return catalog
 
 
+def untranslated(path: Path, language: str, sources: Catalog) -> list[str]:
+    """The sentences of the sources that are shown in English, for want of a form or altogether."""
+    catalog = read(path, language)
+    known = {message.id: message for message in catalog}
+    return [
+        message.id if isinstance(message.id, str) else message.id[0]
+        for message in sources
+        if message.id and not _is_translated(known.get(message.id))
+    ]
+
+
+def _is_translated(message: Message | None) -> bool:
+    """Whether a translation has all of its forms."""
+    if message is None or message.fuzzy:
+        return False
+    return all(message.string) if isinstance(message.string, tuple) else bool(message.string)
+
+
 def compile_all() -> None:
     """Write the compiled form of the Python translations beside them; the page reads its own.
 
@@ -176,20 +195,44 @@ def compile_all() -> None:
     for language, path in PYTHON.translations().items():
         catalog = read(path, language)
         for message in catalog:
-            if isinstance(message.string, tuple) and not all(message.string):
+            if not _is_translated(message):
                 message.string = ""
         with path.with_suffix(".mo").open("wb") as file:
             write_mo(file, catalog)
 
 
-def main() -> None:
-    """Extract and update, then compile; `compile` alone leaves template and translations alone."""
-    for domain in () if sys.argv[1:] == ["compile"] else DOMAINS:
+def update_all() -> None:
+    """Bring templates and translations up to date with the sources."""
+    for domain in DOMAINS:
         template = domain.collected()
         domain.template.write_text(text(template), encoding="utf-8")
         for language, path in domain.translations().items():
             path.write_text(text(updated(path, language, template)), encoding="utf-8")
-    compile_all()
+
+
+def report() -> str:
+    """How many sentences each language lacks, and which: a page for its translators."""
+    lines: list[str] = []
+    for domain in DOMAINS:
+        sources = domain.collected()
+        for language, path in domain.translations().items():
+            lacking = untranslated(path, language, sources)
+            place = path.relative_to(ROOT).as_posix()
+            lines.append(f"{place}: {len(lacking)} of {len(sources)} sentences not translated")
+            lines += [f"  {sentence!r}" for sentence in lacking]
+    return "\n".join(lines)
+
+
+def main() -> None:
+    """Update and compile; only one of both, or a report, where it is named."""
+    match sys.argv[1:]:
+        case ["lacking"]:
+            print(report())
+        case ["compile"]:
+            compile_all()
+        case _:
+            update_all()
+            compile_all()
 
 
 if __name__ == "__main__":
