@@ -721,6 +721,7 @@ def test_links_that_lead_nowhere_and_names_no_file_can_have_are_told(tmp_path: P
     assert "Not a directory" in str(refusal(Path(__file__) / "x.toml"))
 
 
+@pytest.mark.many(first=9)
 @pytest.mark.parametrize(
     "name",
     [
@@ -767,6 +768,7 @@ def test_control_characters_in_a_text_are_refused_and_not_repeated(place: str, t
     assert "contains the control character U+" in told(spoilt(SHORT, **{place: text}))[place]
 
 
+@pytest.mark.many(first=10)
 @pytest.mark.parametrize("text", [*STARTLING, "a\n  fake: message", "k" * 900_000])
 def test_control_characters_in_keys_and_values_are_not_repeated(text: str) -> None:
     assert problems({text: 1, **spoilt(SHORT)})
@@ -955,6 +957,7 @@ def test_more_cylinders_throws_and_shafts_than_any_engine_has_are_refused() -> N
     ].endswith(at_most.format(256))
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize(
     "text",
     [

@@ -133,6 +133,7 @@ def test_best_weights_come_with_their_certificate(run: Run, known: str, tmp_path
     assert value == pytest.approx(bound, rel=1e-4)
 
 
+@pytest.mark.release
 def test_limits_in_newtons_in_shares_and_bare_are_one_limit(run: Run, known: str) -> None:
     bare = float(without_weights(load(known), Aim("couple")))
     newtons = 0.8 * bare * NEWTON_METRES
@@ -153,6 +154,7 @@ def test_limits_in_newtons_in_shares_and_bare_are_one_limit(run: Run, known: str
     assert 0 < at_speed[0][0] < newtons
 
 
+@pytest.mark.release
 def test_a_couple_is_not_bought_with_a_force(run: Run, tmp_path: Path) -> None:
     target = tmp_path / "vr6.toml"
     out = run(
@@ -173,6 +175,7 @@ def test_the_proof_is_printed(run: Run) -> None:
     assert "proved" not in run("balance", "triple-120", "--factor", "0.3", "--prove").out
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", ["vw-vr6", "napier-deltic", "i4", "harley-45"])
 def test_the_command_that_the_verdict_prints_fits_what_it_recommends(
     run: Run, tmp_path: Path, name: str
@@ -308,6 +311,7 @@ def test_weights_that_make_it_worse_are_said_to(run: Run) -> None:
     assert "larger than before" not in run("balance", "v8-cross-plane").out
 
 
+@pytest.mark.release
 def test_the_longest_engine_has_room_for_weights_on_all_its_webs(run: Run, tmp_path: Path) -> None:
     count = 256
     throws = ", ".join('"0 deg"' for _ in range(count))
@@ -343,6 +347,7 @@ def test_the_card_tells_the_load_on_the_bearings(run: Run) -> None:
     assert float(found.group(1)) == pytest.approx((1 - 0.032796) / 2, abs=1e-4)
 
 
+@pytest.mark.release
 def test_a_shaft_that_takes_a_force_has_its_weight_in_the_middle(run: Run) -> None:
     assert (
         len(re.findall(r"^balancer -?2 +0 ", run("balance", "i4", "--shafts").out, re.MULTILINE))
@@ -432,6 +437,7 @@ def test_what_counterweights_remove_is_in_newtons_at_a_speed(run: Run, known: st
     assert [float(size) / unit for size in found.groups()] == pytest.approx([0.65, 0.25], rel=1e-4)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("verb", [["balance", "i4"], ["estimate", "toyota-2jz"]])
 def test_an_engine_is_written_as_the_name_of_its_file_says(
     run: Run, verb: list[str], tmp_path: Path
@@ -466,6 +472,7 @@ def test_a_shaft_stands_at_a_place_without_rounding_errors(run: Run, tmp_path: P
     assert shaft.right == 0.0
 
 
+@pytest.mark.release
 def test_a_sweep_of_the_factor_of_an_engine_with_weights_says_that_they_add(run: Run) -> None:
     note = "The engine file has weights on the crankshaft; those of the balance factor are added"
     over = ("--over", "balance_factor=0..1/3", "--quantity", "force")

@@ -16,6 +16,7 @@ from crankstar import bearing_loads, cycle, load, spectra
 SPEED = 6000 * 3.141592653589793 / 30
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("model", ["determinate", "continuous"])
 def test_the_printed_peaks_are_those_of_the_loads(run: Run, model: str) -> None:
     engine = load("audi-25-tfsi", changes={"cylinder.reciprocating_mass": "500 g"})
@@ -29,6 +30,7 @@ def test_the_printed_peaks_are_those_of_the_loads(run: Run, model: str) -> None:
     )
 
 
+@pytest.mark.release
 def test_the_printed_loads_with_gas_are_those_of_the_operating_point(run: Run) -> None:
     engine = load("audi-25-tfsi")
     loads = bearing_loads(engine, cycle=cycle(engine, point="idle"))
@@ -46,6 +48,7 @@ def test_the_printed_loads_with_gas_are_those_of_the_operating_point(run: Run) -
     assert peaks == pytest.approx(expected.tolist())
 
 
+@pytest.mark.release
 def test_the_printed_wear_is_on_the_inner_side_of_a_pin_that_a_rod_pulls_outward(run: Run) -> None:
     tree = json.loads(run("bearings", "audi-25-tfsi", "--json").out)
     engine = load("audi-25-tfsi")
@@ -63,6 +66,7 @@ def test_gas_without_masses_is_refused_with_what_it_needs(refused: Callable[...,
     assert "give speed and cylinder.reciprocating_mass" in told
 
 
+@pytest.mark.release
 def test_json_and_csv_have_every_bearing_and_order(run: Run) -> None:
     loads = bearing_loads(load("v8-cross-plane"))
     tree = json.loads(run("bearings", "v8-cross-plane", "--json").out)

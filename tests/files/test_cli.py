@@ -99,6 +99,7 @@ def test_a_width_that_is_none_is_passed_over(columns: str) -> None:
     assert b"kr250-racer" in told.stdout
 
 
+@pytest.mark.many(first=16)
 @pytest.mark.parametrize("verb", VERBS)
 def test_every_verb_has_a_help(run: Run, verb: str) -> None:
     shown = run(verb, "--help").out
@@ -122,6 +123,7 @@ def test_list_can_be_narrowed(run: Run) -> None:
     assert not re.search(r"^(single|v2-90|boxer-6) ", out, re.MULTILINE)
 
 
+@pytest.mark.many(first=18)
 @EVERY_ENGINE
 def test_every_engine_of_the_catalog_can_be_shown_analyzed_and_checked(run: Run, name: str) -> None:
     title = crankstar.load(name).name
@@ -417,10 +419,12 @@ def test_new_overwrites_nothing_unless_told(
     assert Path(file).read_text(encoding="utf-8") == STARTERS["vee"]
 
 
+@pytest.mark.release
 def test_schema_prints_the_schema(run: Run) -> None:
     assert json.loads(run("schema").out) == schema()
 
 
+@pytest.mark.release
 def test_a_lone_hyphen_is_standard_input(run: Run, file: str) -> None:
     plain = run("analyze", file).out
     assert run("analyze", "-", stdin=SHORT.encode()).out == plain
@@ -666,7 +670,7 @@ def test_faults_of_engines_and_speed_are_reported_together(
     assert all(sum(line.startswith(place) for line in lines) == 1 for place in places), lines
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("place", "reason"),
     [
@@ -758,6 +762,7 @@ def test_output_keeps_the_permissions_of_a_file(run: Run, file: str) -> None:
     assert Path("out.txt").stat().st_mode & 0o777 == 0o640
 
 
+@pytest.mark.release
 def test_names_with_markup_and_odd_file_names_are_only_text(run: Run, tmp_path: Path) -> None:
     title = "[bold]V8[/] [link=http://x]y[/link] <b>z</b> :smile:"
     for name in (

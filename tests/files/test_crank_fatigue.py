@@ -119,6 +119,7 @@ def test_fatigue_of_an_engine_without_masses_asks_for_them_or_estimates(
     assert guessed["fatigue"][0]["acceptability"]
 
 
+@pytest.mark.release
 def test_torsion_has_the_fillets_of_each_throw_for_machines(run: Run, tmp_path: Path) -> None:
     out = json.loads(run("torsion", written(tmp_path), "--json").out)
     rows = out["fatigue"]
@@ -144,6 +145,7 @@ def test_throws_that_are_alike_stand_in_one_row_for_readers(run: Run, tmp_path: 
     assert rows == [["1-6", "pin"], ["1-6", "journal"]]
 
 
+@pytest.mark.release
 def test_an_engine_without_the_table_is_told_nothing_of_fatigue(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "plain.toml"
     own = {key: value for key, value in TORSION.items() if key != "fatigue"}

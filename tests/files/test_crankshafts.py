@@ -210,6 +210,7 @@ def assert_same(engine: Engine, other: Engine) -> None:
         assert np.abs(a.backward - b.backward).max(initial=0) < 1e-9 * size
 
 
+@pytest.mark.many(first=16)
 @EVERY_ENGINE
 def test_a_balanced_engine_is_written_in_the_form_of_its_file(name: str) -> None:
     _, tree = catalog_tree(name)
@@ -261,6 +262,7 @@ def test_bearings_survive_the_explicit_form() -> None:
     assert again.bearing_stiffness == pytest.approx(5e8)
 
 
+@pytest.mark.release
 def test_balance_writes_a_short_file_that_analyze_reads(run: Run) -> None:
     run("balance", "v8-cross-plane", "--recommended", "-o", "balanced.toml")
     text = run("show", "balanced.toml").out

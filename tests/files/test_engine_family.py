@@ -55,6 +55,7 @@ def test_a_member_is_the_engine_of_a_file_with_that_order(
     assert one.guide.x == pytest.approx(other.guide.x, abs=1e-6 * abs(other.guide.x).max())
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("drive", [None, ChainDrive(5, 0.6)])
 @pytest.mark.parametrize("count", [5, 6])
 def test_the_best_is_the_least_of_all_orders(count: int, drive: ChainDrive | None) -> None:
@@ -172,6 +173,7 @@ def turning(engine: Engine, order: int) -> float:
     return float(np.hypot(*sides).max())
 
 
+@pytest.mark.release
 def test_the_best_is_by_squares_of_moments_with_all_that_rotates(run: Run, tmp_path: Path) -> None:
     """Brute force over all orders of five cylinders, with big ends that nothing balances."""
     engine = marine_engine(**WEIGHTED)
@@ -239,6 +241,7 @@ def test_what_cannot_be_asked_is_one_sentence(
     assert said in " ".join(refused.err.split())
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("changes", [{}, FOUR_STROKE], ids=["two-stroke", "four-stroke"])
 def test_published_orders_are_those_of_the_catalog_with_their_source(
     run: Run, tmp_path: Path, changes: dict[str, Any]

@@ -51,6 +51,7 @@ def test_an_engine_with_a_bore_gives_newtons(name: str) -> None:
     assert balance(engine, speed=engine.speed).units.force == "N"
 
 
+@pytest.mark.release
 def test_what_a_file_gives_is_kept() -> None:
     for name in SIZED:
         before, after = tree_of(name)[1], tree_for(name)
@@ -204,6 +205,7 @@ def amplitude(value: Any) -> float:
     return abs(complex(*value)) if isinstance(value, list) else value
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", SAMPLE)
 def test_any_masses_within_the_ranges_stay_within_what_is_shown(name: str) -> None:
     tree = tree_for(name)
@@ -218,6 +220,7 @@ def test_any_masses_within_the_ranges_stay_within_what_is_shown(name: str) -> No
         assert within(other["orders"], shown["orders"]) > 4
 
 
+@pytest.mark.release
 def test_a_cancelling_sum_has_a_range_from_nought() -> None:
     """Weights fitted to the typical masses leave a force at all others."""
     tree = tree_for("kr250-racer")
@@ -235,6 +238,7 @@ def test_a_cancelling_sum_has_a_range_from_nought() -> None:
         within(other["orders"], shown["orders"])
 
 
+@pytest.mark.release
 def test_ranges_are_no_wider_than_masses_alone_can_make_them() -> None:
     """One mass without cancellation: force is proportional to it, and so are both ends."""
     tree = tree_for("napier-deltic")
@@ -251,6 +255,7 @@ def test_ranges_are_no_wider_than_masses_alone_can_make_them() -> None:
         assert cell.high == pytest.approx(one.high * size, rel=1e-9, abs=1e-6)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("form", ["layout", "explicit"])
 def test_the_inertia_of_a_rod_moves_with_its_mass_and_centre(form: str) -> None:
     """Roads: the file scaled, and I m' b' (l - b') / m b (l - b) of the engine read from it."""
@@ -276,6 +281,7 @@ def test_a_rod_named_in_no_place_is_left_as_it_is() -> None:
     assert scaled(tree, {"cylinder.rod.inertia": 2.0})["cylinder"]["rod"] == {"inertia": 6.0}
 
 
+@pytest.mark.release
 def test_a_file_written_gives_the_same_ranges_again(tmp_path: Path) -> None:
     for explicit in (False, True):
         tree = tree_for("gm-3800")
@@ -294,6 +300,7 @@ def test_a_file_written_gives_the_same_ranges_again(tmp_path: Path) -> None:
         assert high == pytest.approx(other, rel=1e-6)
 
 
+@pytest.mark.release
 def test_a_value_that_is_set_is_no_longer_estimated(run: Run) -> None:
     run("estimate", "toyota-2jz", "-o", "whole.toml")
     text = run("analyze", "whole.toml", "--set", "cylinder.reciprocating_mass=450 g").out
@@ -301,6 +308,7 @@ def test_a_value_that_is_set_is_no_longer_estimated(run: Run) -> None:
     assert "cylinder.rod.mass" in text.split("What rests")[0]
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("verb", "form"),
     [

@@ -157,6 +157,7 @@ def test_the_explicit_form_of_a_balanced_engine_says_so_too(run: Run) -> None:
     assert sources["shaft.weight.unbalance"]["status"] == "estimated"
 
 
+@pytest.mark.release
 def test_a_balance_of_estimated_masses_says_what_its_ranges_are(run: Run) -> None:
     text = " ".join(run("balance", "bmw-m52b28", "--estimate").out.split())
     assert "Each range is that of engines whose weights and shafts are sized for" in text
@@ -188,6 +189,7 @@ def layers(panel: Any, mark: str) -> list[Any]:
     ]
 
 
+@pytest.mark.release
 def test_every_mass_keeps_force_within_the_band_over_the_crank_angle(run: Run) -> None:
     chart = drawn(run, "kr250-racer", "over-turn", "--quantity", "force", "--estimate")
     band = layers(panels(chart)[0], "area")
@@ -203,6 +205,7 @@ def test_every_mass_keeps_force_within_the_band_over_the_crank_angle(run: Run) -
         assert (curve <= high + slack).all()
 
 
+@pytest.mark.release
 def test_every_mass_keeps_the_orders_within_the_whiskers(run: Run) -> None:
     chart = drawn(run, "bmw-m52b28", "spectrum", "--estimate")
     whiskers = layers(panels(chart)[2], "rule")
@@ -289,6 +292,7 @@ def test_shafts_sized_for_estimated_masses_are_marked(run: Run) -> None:
     ]
 
 
+@pytest.mark.release
 def test_engines_side_by_side_have_their_own_ranges(run: Run) -> None:
     chart = drawn(
         run, "bmw-m52b28", "spectrum", "--beside", "vw-vr6", "--speed", "5000 rpm", "--estimate"
@@ -332,11 +336,13 @@ def test_the_report_marks_what_rests_on_estimates_from_the_first_page(run: Run) 
     assert "thin line is the range" in spectra_of
 
 
+@pytest.mark.release
 def test_a_report_without_estimates_says_nothing_of_them(run: Run) -> None:
     run("report", "triple-120", "-o", "report.html")
     assert "stimated" not in Path("report.html").read_text().replace("estimated bar", "")
 
 
+@pytest.mark.release
 def test_figures_of_a_report_are_in_the_chosen_units(run: Run) -> None:
     run("report", "subaru-ej25", "--units", "us", "-o", "report.html")
     drawings = re.findall(r"<svg.*?</svg>", Path("report.html").read_text(), re.DOTALL)

@@ -51,6 +51,7 @@ def test_the_estimated_inertia_is_that_of_the_given_mass_and_centre() -> None:
     assert row.low < row.typical < row.high
 
 
+@pytest.mark.release
 def test_set_replaces_an_estimate_by_the_true_value(run: Run) -> None:
     printed = run("analyze", "toyota-2jz", "--estimate", "--set", 'cylinder.rod.mass="520 g"')
     assert printed.code == 0
@@ -96,6 +97,7 @@ def test_an_estimate_without_range_or_value_is_a_mistake(
     assert said in " ".join(refused("analyze", str(place)).split())
 
 
+@pytest.mark.release
 def test_parts_that_a_file_does_not_weigh_are_named(run: Run) -> None:
     words = ("--estimate", "--set", 'cylinder.parts.piston="300 g"')
     for verb in ("analyze", "bobweight"):
@@ -116,12 +118,14 @@ def test_an_estimated_speed_gives_grades_with_ranges(run: Run, tmp_path: Path) -
     assert most >= value / low * 0.99
 
 
+@pytest.mark.release
 def test_refusals_over_estimates_are_marked(refused: Callable[..., str]) -> None:
     words = ("--minimise", "force", "--limit", "couple=1 N m")
     told = " ".join(refused("balance", "triumph-675", "--estimate", *words).split())
     assert re.search(r"\d N m.*\(estimated\)", told)
 
 
+@pytest.mark.release
 def test_drill_says_the_factor_of_its_bobweights(run: Run, tmp_path: Path) -> None:
     holes = ("--diameter", "30 mm", "--at-radius", "80 mm", "--greatest-depth", "60 mm")
     place = str(tmp_path / "v8.toml")

@@ -39,6 +39,7 @@ def test_a_remedy_that_any_masses_need_is_not_marked(
     assert SHAFTS in re.sub(r"\s+", " ", run(verb, quiet, *options).out)
 
 
+@pytest.mark.release
 def test_a_comparison_of_stars_and_rods_that_are_known_is_not_marked(run: Run) -> None:
     """Masses and bore pitch are estimated; m, r and a are the units of what is compared."""
     told = run("verdict", "bmw-m52b28", "--estimate").out

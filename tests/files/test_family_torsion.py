@@ -50,6 +50,7 @@ def file_of(folder: Path, torsion: dict[str, Any], **changes: Any) -> str:
     return str(path)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     "torsion", [ALIKE, FRONT, BARE, RIGID], ids=["alike", "front", "bare", "rigid"]
 )

@@ -121,12 +121,13 @@ FITS: dict[str, Callable[[bytes], bool]] = {
 """Whether what stands in a file is what its name promises, by suffix."""
 
 
+@pytest.mark.release
 def test_every_verb_that_writes_a_file_is_tried() -> None:
     verbs = {shlex.split(line)[0] for line in LINES}
     assert verbs | FOLDERS == {name for name in COMMANDS if "--output" in options(name)}
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("line", LINES)
 def test_a_file_holds_what_its_name_promises_or_is_refused(
     run: Run, tmp_path: Path, line: str

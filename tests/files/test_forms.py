@@ -67,6 +67,7 @@ def rewritten(engine: Engine) -> Engine:
     return engine_of(tree_of(toml(engine)))
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("kind", OF_ANY_KIND)
 def test_an_engine_of_any_kind_is_the_same_written_and_read_back(kind: str) -> None:
     @given(OF_ANY_KIND[kind])

@@ -151,6 +151,7 @@ VALUES = [
 ]
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.release)])
 def test_any_spoilt_cycle_is_an_engine_or_a_sentence(seed: int) -> None:
     """Thousands of tables with wrong values: an engine whose torque is a number, or a refusal."""
@@ -252,6 +253,7 @@ def test_an_engine_that_would_stop_within_its_cycle_is_told_of(run: Run, four: s
     assert "would stop" in result.err
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     "values",
     [
@@ -296,6 +298,7 @@ def test_what_is_assumed_is_told_and_what_is_given_is_not(run: Run) -> None:
     assert "load is assumed" not in given
 
 
+@pytest.mark.release
 def test_an_uneven_run_has_the_irregularity_of_its_speeds(run: Run, four: str) -> None:
     arguments = (four, "--imep", "2 bar", "--speed", "800 rpm", "--flywheel", "0.15 kg*m^2")
     told = torque(run, *arguments)["irregularity"]
@@ -308,6 +311,7 @@ def test_an_uneven_run_has_the_irregularity_of_its_speeds(run: Run, four: str) -
     assert (high - low) / 800 == pytest.approx(told, rel=2e-3)
 
 
+@pytest.mark.release
 def test_a_spreadsheet_holds_the_cycle_the_orders_and_the_speed(
     run: Run, four: str, tmp_path: Path
 ) -> None:
@@ -326,6 +330,7 @@ def test_a_spreadsheet_holds_the_cycle_the_orders_and_the_speed(
 RACER = ("kr250-racer", "--imep", "9 bar")
 
 
+@pytest.mark.release
 def test_the_gears_of_two_crankshafts_are_told_with_the_flywheel_here_and_there(run: Run) -> None:
     alike, with_load = torque(run, *RACER)["meshes"]
     assert (alike["crankshaft"], alike["onto"], alike["idler"]) == ("rear", "front", False)

@@ -91,6 +91,7 @@ def curve(chart: Any, name: str) -> tuple[np.ndarray, np.ndarray]:
     return np.array([row["x"] for row in rows]), np.array([row["y"] for row in rows])
 
 
+@pytest.mark.release
 def test_analyze_shows_torque_and_roll_with_gas_as_torque_does(run: Run, four: str) -> None:
     told = answer(run, "torque", four)
     own = answer(run, "analyze", four)
@@ -116,6 +117,7 @@ def test_the_roll_on_the_same_mounts_has_no_gas(run: Run, four: str) -> None:
         assert all(abs(c) < 1e-9 for c in amplitudes(told, what="roll_on_same_mounts").values())
 
 
+@pytest.mark.release
 def test_a_flywheel_for_an_irregularity_gives_it(run: Run, four: str) -> None:
     told = answer(run, "torque", four, "--point", "idle", "--irregularity", "1/40")
     wheel = told["flywheel"]
@@ -167,6 +169,7 @@ def test_forces_that_the_uneven_speed_changes_are_told_at_idle_alone(run: Run, f
     )
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("quantity", "key"), [("mean_torque", "mean_torque"), ("peak_pressure", "peak_pressure")]
 )
@@ -201,6 +204,7 @@ def test_gas_in_a_sweep_needs_what_it_is_made_of(run: Run, four: str) -> None:
     assert "give cylinder.bore" in refused(run, *bare)
 
 
+@pytest.mark.release
 def test_compare_has_the_torque_of_two_loads_side_by_side(
     run: Run, four: str, tmp_path: Path
 ) -> None:
@@ -286,6 +290,7 @@ def test_a_figure_says_what_its_engine_lacks() -> None:
         assert "cylinder.bore" in text
 
 
+@pytest.mark.release
 def test_the_report_has_a_chapter_of_gas_where_the_file_has_a_cycle(
     run: Run, four: str, tmp_path: Path
 ) -> None:

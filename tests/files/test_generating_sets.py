@@ -24,6 +24,7 @@ def written(folder: Path) -> str:
     return str(path)
 
 
+@pytest.mark.release
 def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     asked = ("--pole-pairs", "20", "--engines", "4")
     out = json.loads(run("genset", written(tmp_path), *asked, "--json").out)
@@ -41,6 +42,7 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
         assert row["exceeded_5"] == pytest.approx(one.exceeded[0])
 
 
+@pytest.mark.release
 def test_one_engine_has_no_columns_of_several_for_readers(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path)
     for engines, titles in ((1, 0), (3, 4)):
@@ -60,6 +62,7 @@ def test_one_engine_has_no_columns_of_several_for_readers(run: Run, tmp_path: Pa
         assert set(columns["unit"]) == {"kN m"}
 
 
+@pytest.mark.release
 def test_readers_are_told_what_is_counted_and_missing(run: Run, tmp_path: Path) -> None:
     asked = ("--pole-pairs", "20", "--engines", "4", "--irregularity", "1/100")
     out = " ".join(run("genset", written(tmp_path), *asked).out.split())
@@ -91,6 +94,7 @@ def test_the_csv_has_a_row_for_each_order_of_each_quantity(run: Run, tmp_path: P
     assert orders[:3] == [("pitch", 1), ("pitch", 2), ("pitch", 4)]
 
 
+@pytest.mark.release
 def test_the_csv_has_uneven_running_too(run: Run, tmp_path: Path) -> None:
     asked = (written(tmp_path), "--pole-pairs", "20", "--irregularity", "1/100")
     facts = json.loads(run("genset", *asked, "--json").out)
@@ -121,6 +125,7 @@ def test_what_cannot_be_is_one_sentence(
     assert said in " ".join(refused.err.split())
 
 
+@pytest.mark.release
 def test_the_sums_are_at_the_speed_that_they_name(run: Run, tmp_path: Path) -> None:
     """Of an operating point slower than the engine, and without what even running needs."""
     point = [{"name": "idle", "speed": "52 rpm", "bmep": "4 bar"}]
@@ -189,6 +194,7 @@ def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
     assert [option for option in wrong if option not in told] == []
 
 
+@pytest.mark.release
 def test_a_small_number_beside_great_ones_of_other_units_has_its_range(run: Run) -> None:
     asked = ("--flywheel", "10 kg*m^2", "--estimate", "--json")
     rows = json.loads(run("genset", "napier-deltic", *asked).out)["running"]

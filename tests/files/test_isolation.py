@@ -65,6 +65,7 @@ def greatest_force(engine: crankstar.Engine, speeds: Any = SPEEDS) -> float:
     return float(rms(over.ground_force[..., :3]).max())
 
 
+@pytest.mark.release
 def test_far_above_resonance_the_softest_that_sag_allows_is_best() -> None:
     engine = four(CORNERS)
     found = best(engine, [500.0], limits=MountLimits(stiffness=(2e4, 4e5), sag=6e-3))
@@ -89,6 +90,7 @@ def test_mounts_of_the_file_may_lie_outside_the_limits() -> None:
     assert found.after > found.before  # softer ones were not asked for
 
 
+@pytest.mark.release
 def test_no_point_of_a_grid_is_better_than_what_is_found() -> None:
     """Two stiffnesses that are free, against every pair of a fine grid, computed by `mounts`."""
     own = [
@@ -133,6 +135,7 @@ def test_roll_is_decoupled_where_stiffness_times_arm_is_even(what: str) -> None:
     assert found.after < 1e-5
 
 
+@pytest.mark.release
 def test_products_of_inertia_do_not_lead_beyond_decoupled_roll() -> None:
     """With them shares of energy may be below nought: what counts is their size."""
     block = {**FOUR["block"], "product_up_z": "0.8 kg*m^2"}

@@ -43,6 +43,7 @@ def test_keys_are_quoted_as_in_toml(path: str, keys: list[str | int]) -> None:
     assert keys_of(path) == keys
 
 
+@pytest.mark.release
 def test_the_range_of_an_estimate_is_set_by_the_path_of_its_mistake(
     run: Run, tmp_path: Path
 ) -> None:

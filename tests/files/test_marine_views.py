@@ -208,6 +208,7 @@ def test_from_which_share_orders_are_told_is_said(run: Run, tmp_path: Path) -> N
     assert "those of guide-force" not in alone
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("verb", ["marine", "guide"])
 def test_the_unbalance_is_in_the_units_that_are_chosen(run: Run, tmp_path: Path, verb: str) -> None:
     asked = (verb, written(tmp_path), *(() if verb == "marine" else ("--numbers", "7")))

@@ -62,6 +62,7 @@ def test_the_verdict_tells_roll_mode_worst_force_and_worst_shake(run: Run, tmp_p
         assert words.format(rpm=over.speeds[place] * RPM, size=size[place] * factor) in text
 
 
+@pytest.mark.release
 def test_the_order_of_the_verdict_is_the_strongest_at_the_worst_speed() -> None:
     found = crankstar.mounts(mounted())
     over = found.over
@@ -185,6 +186,7 @@ def test_the_report_has_a_chapter_on_the_mounts(run: Run, tmp_path: Path) -> Non
     assert "Force on the ground over the speed." in text
 
 
+@pytest.mark.release
 def test_an_estimated_engine_on_mounts_has_ranges(run: Run, tmp_path: Path) -> None:
     guessed = spoilt(SHORT, block=BLOCK, mounts=THREE, gas=GAS)
     for key in ("rod_length", "reciprocating_mass", "rotating_mass"):
@@ -196,6 +198,7 @@ def test_an_estimated_engine_on_mounts_has_ranges(run: Run, tmp_path: Path) -> N
     assert " to " in part or "estimated" in part
 
 
+@pytest.mark.release
 def test_points_of_block_and_frame_are_told_with_their_worst(run: Run, tmp_path: Path) -> None:
     below = [{"name": "bar end", "up": "300 mm", "right": "-400 mm"}]
     more = {"block": {**BLOCK, "points": GRIPS}, "foundation": {**GROUND, "points": below}}

@@ -241,6 +241,7 @@ def test_a_body_that_hardly_can_be_is_a_doubt(tables: dict[str, Any], found: lis
     assert [each for each in doubts(engine) if each.code.startswith("doubt.piston")] == []
 
 
+@pytest.mark.release
 def test_a_slip_of_unit_in_masses_is_told(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "own.toml"
     own = {"block": BLOCK, "mounts": THREE, "foundation": {**GROUND, "mass": "0.9 kg"}}

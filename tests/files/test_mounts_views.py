@@ -62,6 +62,7 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     assert [row["name"] for row in out["axes"]] == ["torque_roll", "elastic"]
 
 
+@pytest.mark.release
 def test_the_sign_of_the_advance_is_told_and_holds(run: Run, tmp_path: Path) -> None:
     """A point on the elastic axis goes to the front with it while the block rolls clockwise."""
     leaning = [{**each, "bearing": "20 deg", "lean": "15 deg"} for each in THREE[:1]]
@@ -81,6 +82,7 @@ def test_the_sign_of_the_advance_is_told_and_holds(run: Run, tmp_path: Path) -> 
     assert "clockwise, seen from the front" in out
 
 
+@pytest.mark.release
 def test_at_one_speed_the_orders_make_the_whole(run: Run, tmp_path: Path) -> None:
     out = json.loads(run("mounts", written(tmp_path), "--speed", "900 rpm", "--json").out)
     sizes = [
@@ -140,6 +142,7 @@ def test_each_mount_has_columns_of_its_name_in_csv(run: Run, tmp_path: Path) -> 
         assert through == pytest.approx(found.transmissibility[:, at])
 
 
+@pytest.mark.release
 def test_orders_that_are_asked_for_are_all_shown(run: Run, tmp_path: Path) -> None:
     asked = ("--speed", "900 rpm", "--orders", "1,10.5,12")
     out = run("mounts", written(tmp_path), *asked).out
@@ -157,6 +160,7 @@ def test_the_shares_of_every_mode_with_those_of_the_foundation_make_100(
         assert sum(map(float, row[4:])) == pytest.approx(100, abs=0.4)
 
 
+@pytest.mark.release
 def test_a_workbook_has_a_sheet_for_each_table(run: Run, tmp_path: Path) -> None:
     book = tmp_path / "mounts.xlsx"
     run("mounts", written(tmp_path), "--speeds", "600..6000 rpm/90", "-o", str(book))
@@ -289,6 +293,7 @@ def test_chosen_units_are_those_of_every_number_and_sentence(
     assert plain["mounts"][0]["stiffness"][0] == pytest.approx(200)
 
 
+@pytest.mark.release
 def test_the_point_is_told_with_its_name_and_what_each_length_is(run: Run, tmp_path: Path) -> None:
     out = " ".join(run("mounts", written(tmp_path, block=SUMP)).out.split())
     assert "the point sump (up -150 mm, right 0 mm, along 0 mm); see --at." in out

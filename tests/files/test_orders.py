@@ -50,6 +50,7 @@ def test_where_nothing_fires_evenly_it_is_told_why_and_the_most_even_are_offered
     assert "No firing order meets these conditions" in run("orders", "kr250-racer-simultaneous").out
 
 
+@pytest.mark.release
 def test_orders_can_be_asked_for_by_their_intervals(run: Run) -> None:
     for words in (
         "315, 405",
@@ -172,6 +173,7 @@ def test_orders_as_csv_have_a_row_for_each(run: Run, tmp_path: Path) -> None:
     assert len(json.loads((tmp_path / "orders.json").read_text(encoding="utf-8"))["orders"]) == 8
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["v8-cross-plane", "i6", "gm-3800", "boxer-6"])
 def test_every_row_becomes_an_engine_file(run: Run, name: str) -> None:
     for row, one in enumerate(even_orders(load(name)), 1):
@@ -266,6 +268,7 @@ def test_vees_of_six_cylinders_are_listed_best_first(run: Run) -> None:
     assert run("vees", "6", "--bank", "60, 90, 120").out == out
 
 
+@pytest.mark.release
 def test_who_asks_for_no_bank_angle_is_told_how_to_ask_for_split_pins(run: Run) -> None:
     told = 'others fire evenly with split pins: --bank "{}".'
     for cylinders, angles in (

@@ -111,6 +111,7 @@ def test_an_engine_that_twists_weighs_orders_in_its_own_mode(run: Run, six: str)
     assert f"mode 1 of the crankshaft, {mode.frequency:.1f} Hz" in shown
 
 
+@pytest.mark.release
 def test_orders_are_sorted_by_the_stress_that_each_makes(
     run: Run, six: str, tmp_path: Path
 ) -> None:
@@ -140,6 +141,7 @@ def test_orders_are_sorted_by_the_load_on_the_bearings(run: Run, six: str) -> No
     assert values[0] == pytest.approx(spectra.peaks(loads.load).max(), rel=1e-12)
 
 
+@pytest.mark.release
 def test_a_front_weighs_the_engine_s_own_mode_and_judges_each_row(
     run: Run, six: str, tmp_path: Path
 ) -> None:
@@ -173,6 +175,7 @@ def test_a_front_weighs_the_engine_s_own_mode_and_judges_each_row(
     assert f"Shear stress {own['stress']:.5g} MPa." in shown
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("judge", JUDGES)
 def test_a_row_shows_the_best_of_all_orders_with_its_sums(run: Run, six: str, judge: Judge) -> None:
     """Every permutation that fires evenly, put into the engine and computed."""

@@ -46,6 +46,7 @@ def test_a_page_names_the_language_that_it_is_written_in(
     assert f'<html lang="{language}">' in place.read_text(encoding="utf-8")
 
 
+@pytest.mark.release
 def test_a_page_holds_the_engine_with_its_figures_and_the_fitted_one(
     run: Run, tmp_path: Path
 ) -> None:
@@ -84,6 +85,7 @@ def test_two_engines_and_changed_values(run: Run, tmp_path: Path) -> None:
     assert "<title>mine &amp; yours and " in place.read_text(encoding="utf-8")
 
 
+@pytest.mark.release
 def test_a_page_does_not_tell_where_on_this_machine_its_engine_lies(
     run: Run, tmp_path: Path
 ) -> None:
@@ -98,6 +100,7 @@ def test_a_page_does_not_tell_where_on_this_machine_its_engine_lies(
     assert held_in(place)["exhibition"]["sources"] == ["mine.toml"]
 
 
+@pytest.mark.release
 def test_a_page_of_what_comes_in_says_a_command_that_reads_it_again(
     run: Run, tmp_path: Path
 ) -> None:
@@ -106,6 +109,7 @@ def test_a_page_of_what_comes_in_says_a_command_that_reads_it_again(
     assert held_in(place)["exhibition"]["command"] == "crankstar page - -o engine.html"
 
 
+@pytest.mark.release
 def test_a_file_whose_name_is_no_text_has_a_page(run: Run, tmp_path: Path) -> None:
     file = tmp_path / os.fsdecode(b"mine\xff.toml")
     file.write_text(SHORT, encoding="utf-8")
@@ -114,6 +118,7 @@ def test_a_file_whose_name_is_no_text_has_a_page(run: Run, tmp_path: Path) -> No
     assert held_in(place)["exhibition"]["sources"] == ["mine?.toml"]
 
 
+@pytest.mark.release
 def test_it_is_the_same_file_every_time(run: Run, tmp_path: Path) -> None:
     one, other = tmp_path / "one.html", tmp_path / "other.html"
     for place in (one, other):
@@ -141,6 +146,7 @@ def test_what_is_no_engine_makes_no_page(
     assert not place.exists()
 
 
+@pytest.mark.release
 def test_a_page_without_a_place_is_named_after_the_engine(run: Run, tmp_path: Path) -> None:
     assert run("page", "i4") == (0, "", "Wrote i4.html\n")
     first = (tmp_path / "i4.html").read_bytes()
@@ -169,6 +175,7 @@ def test_a_page_is_not_written_over_an_engine_file(run: Run, tmp_path: Path) -> 
     assert file.read_text(encoding="utf-8") == SHORT
 
 
+@pytest.mark.release
 def test_a_disk_that_is_full_leaves_what_was_there(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

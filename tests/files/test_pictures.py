@@ -31,6 +31,7 @@ BEGINS = {
 }
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("kind", BEGINS)
 def test_a_chart_is_written_as_its_suffix_says(run: Run, tmp_path: Path, kind: str) -> None:
     place = tmp_path / f"star.{kind}"
@@ -41,11 +42,13 @@ def test_a_chart_is_written_as_its_suffix_says(run: Run, tmp_path: Path, kind: s
         assert parameter["value"] == 30
 
 
+@pytest.mark.many(first=22)
 @pytest.mark.parametrize("chart", CHARTS)
 def test_every_chart_is_drawn_into_a_pipe(run: Run, chart: str) -> None:
     assert run("plot", "gm-3800", chart, "-o", "-").out.startswith("<svg")
 
 
+@pytest.mark.release
 def test_several_engines_are_drawn_side_by_side(run: Run) -> None:
     out = run(
         "plot",
@@ -109,6 +112,7 @@ def test_chart_and_engine_may_be_given_the_other_way_round(run: Run) -> None:
     assert "<svg" in other
 
 
+@pytest.mark.release
 def test_a_sweep_finds_the_balance_factor_of_a_single(run: Run) -> None:
     out = run(
         "sweep", "single", "--over", "balance_factor=0..1", "--quantity", "force", "--orders", "1"
@@ -136,6 +140,7 @@ def test_a_sweep_finds_where_a_right_angled_twin_is_free(run: Run) -> None:
     assert "force.backward of order 1" in out
 
 
+@pytest.mark.release
 def test_a_sweep_as_csv_and_as_a_chart(run: Run, tmp_path: Path) -> None:
     over = "layout.banks[1].bearing=0..90 deg/7"
     run("sweep", "harley-45", "--over", over, "--quantity", "force", "-o", str(tmp_path / "s.csv"))
@@ -223,6 +228,7 @@ def test_what_an_engine_is_called_stays_text_in_a_page(run: Run, tmp_path: Path)
     assert "<img" not in (tmp_path / "x.svg").read_text(encoding="utf-8")
 
 
+@pytest.mark.release
 def test_a_roll_of_a_high_order_is_not_denied(run: Run) -> None:
     eight = " ".join(run("verdict", "sinitsyn-8-two-stroke").out.split())
     assert "Rolling moment" in eight

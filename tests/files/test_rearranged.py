@@ -39,6 +39,7 @@ def evenness(engine: Engine) -> float:
     return max(abs(interval - mean) for interval in fired.intervals_deg) / mean
 
 
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize(
     "name", [each for each in EVERY_NAME if not is_explicit(tree_of(str(each.values[0])))]
 )
@@ -59,6 +60,7 @@ def test_an_engine_with_more_cylinders_is_one_and_fires_evenly_if_it_can(name: s
     assert [offer.tree for offer in made.orders if offer.chosen] == [made.tree]
 
 
+@pytest.mark.many(first=10)
 @EVERY_ENGINE
 def test_there_and_back_again_there_are_as_many_cylinders(name: str) -> None:
     tree = tree_of(name)

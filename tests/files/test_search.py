@@ -89,6 +89,7 @@ def test_contradictions_are_proved(run: Run) -> None:
     assert "Proved: no star keeps these limits" in out
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("kind", ["csv", "json", "parquet"])
 def test_results_are_written_with_all_rows(run: Run, tmp_path: Path, kind: str) -> None:
     place = tmp_path / f"eight.{kind}"
@@ -177,6 +178,7 @@ def test_counterweights_turn_with_the_throws_of_a_row(run: Run, tmp_path: Path) 
     assert third["M1"] == pytest.approx(914e3, rel=1e-3)
 
 
+@pytest.mark.release
 def test_the_pistons_alone_are_named_and_all_parts_stand_beside(run: Run, tmp_path: Path) -> None:
     text = BALANCED_SEVEN + '[[cylinders]]\nnumber = 1\nreciprocating_mass = "6000 kg"\n'
     (tmp_path / "seven.toml").write_text(text.replace("balance_factor", "# balance_factor"))
@@ -525,6 +527,7 @@ def test_vertical_and_horizontal_moments_are_those_that_analyze_finds(
         assert row[name] == pytest.approx(size, rel=1e-9)
 
 
+@pytest.mark.release
 def test_the_row_of_a_search_or_of_orders_is_written_as_its_name_says(run: Run) -> None:
     for words in (("orders", "i6"), ("search", "7")):
         for name in ("row.toml", "row.json", "row.xlsx"):

@@ -69,6 +69,7 @@ def rows_of(picture: str) -> dict[str, list[float]]:
     return out
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("units", "name", "size"),
     [("MN m", "MN m", 1e6), ("us", "lbf ft", 4.4482216152605 * 0.3048), ("si", "MN m", 1e6)],
@@ -106,6 +107,7 @@ def luminance(colour: str) -> float:
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("theme", GROUND)
 @pytest.mark.parametrize("chart", ["front", "stars"])
 def test_its_letters_can_be_read_on_paper(run: Run, marine: str, chart: str, theme: str) -> None:
@@ -118,6 +120,7 @@ def test_its_letters_can_be_read_on_paper(run: Run, marine: str, chart: str, the
         assert (bright + 0.05) / (dim + 0.05) >= 4.5, colour
 
 
+@pytest.mark.release
 def test_it_has_the_size_asked_for(run: Run, marine: str) -> None:
     picture = drawn(run, marine, "--chart", "front", "--width", "150 mm")
     sides = SIDES.search(picture)
@@ -164,6 +167,7 @@ def test_the_front_over_firing_orders_has_the_numbers_of_its_table(
         assert f"{row['twist']:.4g}" in near
 
 
+@pytest.mark.release
 def test_stars_of_torsion_are_drawn_beside_the_crank_of_each_row(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "stars.svg"
     assert run(*SEQUENCES, "--chart", "stars", "-o", str(place)).code == 0

@@ -19,6 +19,7 @@ from tests.holding import PATIENCE, awaited, reached
 from crankstar.site import building, pages
 
 
+@pytest.mark.release
 def test_a_site_of_one_engine_has_its_page_and_may_be_written_again(
     run: Run, tmp_path: Path
 ) -> None:

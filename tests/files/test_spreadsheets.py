@@ -33,6 +33,7 @@ def back(tree: dict[str, Any]) -> Engine:
     return engine_of(workbook_tree(workbook_bytes(sheets_of(tree)), "engine.xlsx"))
 
 
+@pytest.mark.release
 @settings(deadline=None, max_examples=25)
 @given(st.one_of(*OF_ANY_KIND.values()))
 def test_any_engine_comes_back_from_a_spreadsheet(engine: Engine) -> None:
@@ -45,6 +46,7 @@ def test_every_file_of_the_catalog_comes_back_in_its_own_form(name: str) -> None
     assert back(tree) == load(name)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("layout", STARTERS)
 def test_a_starter_with_all_its_blanks_is_the_engine_of_the_text(layout: str) -> None:
     tree = text_tree(STARTERS[layout])
@@ -243,6 +245,7 @@ def test_merged_cells_are_the_only_mistake_of_their_row() -> None:
     assert "are merged" in said
 
 
+@pytest.mark.release
 def test_titles_may_be_merged_and_headings_be_capital() -> None:
     def note(book: Any) -> None:
         page = book["engine"]

@@ -248,6 +248,7 @@ def test_a_fault_of_a_spreadsheet_names_its_cell() -> None:
         engine_of(workbook_tree(out.getvalue(), "book.xlsx"), name="book.xlsx")
 
 
+@pytest.mark.release
 def test_the_schema_allows_tolerances() -> None:
     tree = json.loads(json.dumps(tree_of(SIX)))
     jsonschema.validate(tree, schema())
@@ -312,6 +313,7 @@ def test_the_sign_is_looked_for_in_short_texts_only() -> None:
     assert parted(3.5) is None
 
 
+@pytest.mark.release
 def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "six.toml"
     place.write_text(SIX)
@@ -455,6 +457,7 @@ def test_a_published_tolerance_stands_beside_the_mass_that_it_is_of(
     assert typical(tree, vee)["cylinder.rotating_mass"].tolerance.value == pytest.approx(0.4)
 
 
+@pytest.mark.release
 def test_standard_input_is_read_once(run: Run, tmp_path: Path) -> None:
     words = ("tolerance", "-", "--builds", "1000", "--reference", "10 mm", "-o", "out.xlsx")
     assert run(*words, stdin=SIX.encode()).code == 0

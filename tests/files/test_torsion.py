@@ -319,6 +319,7 @@ def test_a_range_may_stand_behind_speed_as_well(run: Run, eight: str) -> None:
     assert one == told(run, eight, "--speeds", "1000..2000 rpm/5")
 
 
+@pytest.mark.release
 def test_one_speed_is_told_by_order_and_with_the_inertia_of_each_angle(
     run: Run, eight: str
 ) -> None:
@@ -331,6 +332,7 @@ def test_one_speed_is_told_by_order_and_with_the_inertia_of_each_angle(
     assert {row["order"] for row in answer["orders"]} >= {0.5, 4.0}
 
 
+@pytest.mark.release
 def test_another_operating_point_twists_it_otherwise(run: Run, eight: str) -> None:
     idle, full = (
         told(run, eight, "--point", point, "--speed", "700 rpm")["sections_at_speed"][3]["torque"]
@@ -349,6 +351,7 @@ def test_readers_have_chain_modes_criticals_stress_and_heat(run: Run, eight: str
         assert words in text
 
 
+@pytest.mark.release
 def test_estimated_stiffness_is_said_to_be(run: Run, tmp_path: Path) -> None:
     own = {key: value for key, value in TORSION.items() if key not in ("stiffness", "loss_factor")}
     tree = spoilt(SHORT, torsion={**own, "dimensions": DIMENSIONS}, gas=GAS)
@@ -427,6 +430,7 @@ def test_what_cannot_be_is_refused_with_what_would_be_right(
     assert words in " ".join(found.err.split())
 
 
+@pytest.mark.release
 def test_torsion_in_a_spreadsheet_and_as_csv(run: Run, eight: str, tmp_path: Path) -> None:
     run("torsion", eight, "-o", str(tmp_path / "torsion.xlsx"))
     assert openpyxl.load_workbook(tmp_path / "torsion.xlsx").sheetnames
@@ -448,6 +452,7 @@ def test_masses_that_are_all_rigid_do_not_twist(run: Run) -> None:
     assert told(run, *single, "--speed", "3000 rpm")["modes"] == []
 
 
+@pytest.mark.release
 def test_a_throw_lighter_than_its_pistons_is_doubted(run: Run, eight: str) -> None:
     light = ("--set", 'torsion.inertia="0.001 kg*m^2"')
     assert "bare_inertia of the crankshaft?" in " ".join(run("torsion", eight, *light).out.split())

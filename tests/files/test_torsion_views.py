@@ -122,6 +122,7 @@ def test_a_sweep_of_the_flywheel_gives_the_first_frequency_of_each() -> None:
     assert np.all(np.diff(curve.values) < 0)
 
 
+@pytest.mark.release
 def test_a_sweep_gives_the_greatest_stress_and_the_free_end() -> None:
     made = crankstar.sweep(own(), "torsion.disc[2].inertia=0.1..0.3 kg*m^2/2")
     stress = crankstar.watched(made, "torsion_stress")

@@ -33,6 +33,7 @@ LENGTHS = {"m": 1, "mm": 1e3, "cm": 1e2, "in": 1 / 0.0254, "ft": 1 / 0.3048}
 MASSES = {"kg": 1, "g": 1e3, "t": 1e-3, "lb": 1 / 0.45359237, "oz": 16 / 0.45359237}
 
 
+@pytest.mark.release
 def test_every_command_takes_units_and_a_variable_stands_for_them(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -66,6 +67,7 @@ def test_units_of_the_wrong_kind_are_refused_and_nothing_is_written(
         assert not (tmp_path / "i4.csv").exists()
 
 
+@pytest.mark.release
 def test_units_change_csv_and_leave_json_in_si(run: Run) -> None:
     plain = run("analyze", "audi-25-tfsi", "--json").out
     assert run("analyze", "audi-25-tfsi", "--json", "--units", "us").out == plain

@@ -56,7 +56,7 @@ def blue_paths(chart: charts.Chart) -> list[np.ndarray]:
     return out
 
 
-@pytest.mark.many(first=8)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("quantity", QUANTITIES)
 @pytest.mark.parametrize("name", ENGINES)
 def test_farthest_point_of_a_polar_diagram_is_the_peak_in_the_table(
@@ -170,6 +170,7 @@ def vector_at(panel: dict[str, Any], theta: float) -> complex:
     return complex(eval(formulas["y2"], known), eval(formulas["x2"], known))  # noqa: S307
 
 
+@pytest.mark.many(first=11)
 @pytest.mark.parametrize("model", [None, "determinate", "continuous"])
 @pytest.mark.parametrize("name", ["i4", "v8-cross-plane", "i2-270", "radial-9"])
 def test_peak_of_the_bending_picture_is_that_of_the_table(name: str, model: Model | None) -> None:

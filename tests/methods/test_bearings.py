@@ -107,6 +107,7 @@ def test_bearings_and_walls_carry_what_shakes_the_block(name: str, model: Model)
     assert_carried(crankstar.load(name), model)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("kind", OF_ANY_KIND)
 def test_bearings_and_walls_of_any_engine_carry_what_shakes_it(kind: str) -> None:
     @settings(max_examples=8, deadline=None)

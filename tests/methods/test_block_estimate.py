@@ -99,6 +99,7 @@ def test_one_side_alone_is_a_fault() -> None:
     assert found == [("block.width", "block.size-missing"), ("block.height", "block.size-missing")]
 
 
+@pytest.mark.release
 def test_mounts_of_an_estimated_block_say_that_it_is(tmp_path: Path) -> None:
     made = estimated(spoilt(SHORT, block=BOX, mounts=THREE))
     place = tmp_path / "made.json"

@@ -389,6 +389,7 @@ def test_the_length_of_a_semi_axis_stands_at_its_end_and_not_at_the_vector(
         assert abs(complex(text.y3, text.x3)) > length
 
 
+@pytest.mark.many(first=23)
 @EVERY_ENGINE
 @pytest.mark.parametrize(
     "quantity", ["force", "couple", "roll", pytest.param("torque", marks=pytest.mark.release)]
@@ -469,6 +470,7 @@ def test_the_bars_of_a_spectrum_are_the_vectors_of_the_balance(name: str) -> Non
             assert (row["from"], row.to) == pytest.approx(ends[row.what])
 
 
+@pytest.mark.release
 def test_the_forces_on_each_cylinder_of_the_first_racer_are_those_of_the_essay() -> None:
     """Source: the essay's table of the Kawasaki KR250, with the exact second order, not 1/4."""
     second = harmonic(crankstar.load("kr250-racer"), 2)[0]

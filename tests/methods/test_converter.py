@@ -29,6 +29,7 @@ def test_what_is_drawn_beside_is_what_is_drawn_here() -> None:
     assert found == [charts.svg(figure, "x") for figure in figures]
 
 
+@pytest.mark.release
 @pytest.mark.usefixtures("beside")
 def test_figures_are_drawn_here_once_the_process_has_gone() -> None:
     figure = charts.hodograph(load("i4"))

@@ -204,6 +204,7 @@ def _trace(work: Any) -> tuple[Any, Any]:
     return np.arange(pressure.size) * (720 / pressure.size), pressure
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("offset", [None, "8 mm", "-8 mm"], ids=["six", "V8", "V8 mirrored"])
 def test_the_web_bends_as_the_hinged_crankshaft_does_there(offset: str | None) -> None:
     """The other road is the bending moment along the shaft, turned into the plane of the throw."""
@@ -232,6 +233,7 @@ def test_the_web_bends_as_the_hinged_crankshaft_does_there(offset: str | None) -
         assert pin.bending * module == pytest.approx(best, rel=1e-3)
 
 
+@pytest.mark.release
 def test_torsion_is_half_the_range_of_the_greatest_torque_over_the_speeds() -> None:
     engine = six()
     found, fatigue = assessed(engine)
@@ -247,6 +249,7 @@ def test_torsion_is_half_the_range_of_the_greatest_torque_over_the_speeds() -> N
     assert journal.torsion == pytest.approx(16 * greatest.torque / (pi * 0.058**3))
 
 
+@pytest.mark.release
 def test_the_equivalent_stress_is_von_mises_of_the_fillet_with_the_additional_one() -> None:
     _found, fatigue = assessed(six(fatigue={**STEEL, "additional_stress": "30 MPa"}))
     pin, journal = fatigue.fillets[:2]
@@ -263,6 +266,7 @@ def test_the_equivalent_stress_is_von_mises_of_the_fillet_with_the_additional_on
         assert own.acceptability == own.strength / own.equivalent
 
 
+@pytest.mark.release
 def test_a_crankshaft_twice_as_large_at_half_the_speed_is_stressed_alike_and_bears_less() -> None:
     """Lengths x 2, masses x 8, inertias x 32, dampings x 16, pressures as they are."""
     _one, small = assessed(six())
@@ -294,6 +298,7 @@ def test_a_crankshaft_twice_as_large_at_half_the_speed_is_stressed_alike_and_bea
     assert large.factors[0] == pytest.approx(small.factors[0])
 
 
+@pytest.mark.release
 def test_a_stronger_steel_or_a_better_forging_has_a_better_factor() -> None:
     _found, plain = assessed(six())
     _found, forged = assessed(six(fatigue={**STEEL, "strength_factor": 1.05}))
@@ -303,6 +308,7 @@ def test_a_stronger_steel_or_a_better_forging_has_a_better_factor() -> None:
     assert plain.accepted == (plain.weakest.acceptability >= 1.15)
 
 
+@pytest.mark.release
 def test_factors_that_are_given_stand_before_those_by_dimensions() -> None:
     given_ = {"pin_bending": 4.0, "pin_torsion": 3.0}
     _found, own = assessed(six(fatigue={**STEEL, **given_}))
@@ -330,6 +336,7 @@ def test_a_stiffness_that_is_given_stands_before_that_by_dimensions() -> None:
     assert torsion(six()).chain.estimated == ("torsion.stiffness",)
 
 
+@pytest.mark.release
 def test_two_stroke_throws_count_four_fifths_of_their_bending() -> None:
     four, two = (
         engine_of(spoilt(SIX, cycle=name, torsion=TORSION, gas={**GAS, "imep": imep}))

@@ -141,6 +141,7 @@ def one_of(faults: list[Fault], kind: str, number: int) -> bool:
     return (faults[0].kind, faults[0].number) == (kind, number)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("number", [1, 2, 3, 4])
 def test_a_heavier_piston_is_found_with_its_mass(number: int) -> None:
     healthy = seen(four())
@@ -155,6 +156,7 @@ def test_a_heavier_piston_is_found_with_its_mass(number: int) -> None:
     assert not found.healthy
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("number", [1, 2, 3, 4])
 def test_a_lost_weight_is_found_or_its_like(number: int) -> None:
     healthy = seen(four())
@@ -167,6 +169,7 @@ def test_a_lost_weight_is_found_or_its_like(number: int) -> None:
     assert {fault.kind for fault in near} == {"weight", "big_end"}  # both turn on one throw
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("number", "share"), [(1, 1.0), (3, 0.3), (4, 0.15)])
 def test_a_weak_cylinder_is_found_with_its_share(number: int, share: float) -> None:
     healthy = seen(four())
@@ -190,6 +193,7 @@ def test_what_would_be_felt_is_what_mounts_says_of_the_changed_file() -> None:
     assert cut == pytest.approx(seen(four(), cut_torque(3, 1.0)), abs=1e-6 * scale)
 
 
+@pytest.mark.release
 def test_the_error_of_a_size_is_its_scatter_over_many_measurements() -> None:
     clean, healthy = seen(heavy(3, "reciprocating_mass", "710 g")), seen(four())
     found = [diagnosed(four(), lines(noisy(clean, healthy, seed))) for seed in range(12)]
@@ -199,6 +203,7 @@ def test_the_error_of_a_size_is_its_scatter_over_many_measurements() -> None:
     assert sizes.std() == pytest.approx(expected_error, rel=0.6)
 
 
+@pytest.mark.release
 def test_a_measurement_before_the_fault_cancels_what_the_model_has_wrong() -> None:
     """The true engine has other mounts and another block than the file."""
     other = {"block": {**BLOCK, "mass": "140 kg"}, "mounts": THREE}
@@ -213,6 +218,7 @@ def test_a_measurement_before_the_fault_cancels_what_the_model_has_wrong() -> No
     assert alone.suspects[0].explained < with_before.suspects[0].explained
 
 
+@pytest.mark.release
 def test_two_faults_together_are_told_where_one_does_not_explain() -> None:
     faults = [Fault("piston", 3, 0.03), Fault("combustion", 1, 0.05)]
     readings = lines(np.zeros(len(SHAPES), complex))
@@ -222,6 +228,7 @@ def test_two_faults_together_are_told_where_one_does_not_explain() -> None:
     assert found.pair.explained == pytest.approx(1)
 
 
+@pytest.mark.release
 def test_noise_alone_is_no_fault_and_what_nothing_makes_is_told() -> None:
     healthy = seen(four())
     chance = np.random.default_rng(2)
@@ -272,6 +279,7 @@ def test_faults_that_an_engine_cannot_have_are_refused() -> None:
         shaken(load("i4"), [Fault("piston", 1)], speed=SPEED)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("of", ["piston", "big_end"])
 def test_no_suspect_has_lost_more_than_it_weighs(of: Any) -> None:
     """A difference that three times the part would have to lose: every suspect can be built."""
@@ -289,6 +297,7 @@ def test_no_suspect_has_lost_more_than_it_weighs(of: Any) -> None:
     assert own.explained == pytest.approx(1 - (2 / 3) ** 2)
 
 
+@pytest.mark.release
 def test_what_a_part_can_lose_is_what_the_engine_can_be_without() -> None:
     """The least size of every fault is one that the records allow, and a little less is not."""
     for name in ("audi-25-tfsi", "subaru-ej25", "man-s90mc-c", "napier-lion"):

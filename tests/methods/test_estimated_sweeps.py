@@ -64,12 +64,14 @@ def sweep_of_two_values(made):  # a Sweep, at its first values alone
     return made.again(made.values[:2])
 
 
+@pytest.mark.release
 def test_a_varied_value_has_no_range_of_its_own() -> None:
     made = sweep("toyota-2jz", "cylinder.reciprocating_mass=400..600 g/15", estimate=True)
     assert len(made.ends()) == 1 + 2**5  # the others: rod (3), throw and pitch
     assert "cylinder.reciprocating_mass" not in made.engine.provenance
 
 
+@pytest.mark.release
 def test_a_sweep_of_two_numbers_and_a_very_fine_one_have_no_ranges() -> None:
     two = sweep("triumph-675", [OVER, "cylinder.offset=0..5 mm/4"], estimate=True)
     fine = sweep("triumph-675", f"balance_factor=0..1/{MOST_VALUES + 1}", estimate=True)

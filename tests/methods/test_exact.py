@@ -81,6 +81,7 @@ def as_number(coefficients: np.ndarray) -> Number:
     )
 
 
+@pytest.mark.many(first=7)
 @pytest.mark.parametrize("count", range(1, 9))
 def test_zero_forces_and_couples_of_all_crank_stars_are_those_of_seventy_digits(count: int) -> None:
     stars = crank_stars(count)
@@ -123,6 +124,7 @@ def test_so_many_stars_have_no_couple_of_the_first_four_orders(
     ] == zeros
 
 
+@pytest.mark.release
 @given(st.integers(3, 14), st.data())
 def test_stars_of_cylinders_at_uneven_places_vanish_exactly_where_seventy_digits_do(
     count: int, data: Any
@@ -293,6 +295,7 @@ def test_a_closed_polygon_is_zero_in_every_field(order: int, shift: int, size: i
     assert not cyclotomic.total(sides[1:]).zero
 
 
+@pytest.mark.release
 @settings(max_examples=30)
 @given(sums(1, 30))
 def test_the_minimal_polynomial_has_the_number_as_root_and_no_factors(a: Both) -> None:
@@ -349,6 +352,7 @@ def bearing_of(number: Number) -> Any:
     return evaluated(radical.bearing(number))
 
 
+@pytest.mark.release
 @settings(max_examples=60)
 @given(sums(3, 24, WHOLE))
 def test_closed_forms_have_fifty_digits_of_the_number(a: Both) -> None:
@@ -366,6 +370,7 @@ def test_closed_forms_have_fifty_digits_of_the_number(a: Both) -> None:
         assert abs(2 * MP.pi * mp(turn) - true) < CLOSE
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("order", [5, 8, 10, 12, 16, 24])
 def test_two_vectors_have_the_length_and_bearing_that_they_have(order: int) -> None:
     """Among them square roots of sums that can be taken apart: sqrt(4 - 2 sqrt 3) = sqrt 3 - 1."""
@@ -594,6 +599,7 @@ def assert_holds(ball: arb, value: Any, *, least: Any = None) -> None:
 RATIOS = st.builds(Fraction, st.integers(200, 800), st.just(100))
 
 
+@pytest.mark.release
 @settings(max_examples=15)
 @given(RATIOS, st.sampled_from([1, 2, 3, 4, 6, 8, 12, 24]))
 @example(Fraction(2), 24)
@@ -603,6 +609,7 @@ def test_harmonics_of_a_centred_crank_are_enclosed(ratio: Fraction, order: int) 
     assert_holds(ball, piston_harmonic(ratio, order), least=MP.mpf(10) ** -40)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("ratio", "order"), [(Fraction(4), 2), (Fraction(7, 2), 4), (Fraction(2), 6)]
 )
@@ -621,6 +628,7 @@ def test_harmonics_are_the_integrals_of_the_acceleration(ratio: Fraction, order:
     assert abs(from_ball(enclosure.coefficient(ratio, order)) - whole) < MP.mpf(10) ** -40
 
 
+@pytest.mark.release
 @settings(max_examples=15)
 @given(
     RATIOS,
@@ -641,6 +649,7 @@ def test_harmonics_of_an_offset_cylinder_are_enclosed(
     assert_holds(found.right.real, MP.mpf(0))
 
 
+@pytest.mark.release
 @settings(max_examples=6)
 @given(
     st.sampled_from([Fraction(4), Fraction(7, 2), Fraction(9, 2)]),
@@ -824,6 +833,7 @@ def test_brackets_of_every_print_are_balanced(tree: Formula) -> None:
         assert not set(inside) & set("$%#&~_^\\<>{}"), told
 
 
+@pytest.mark.release
 @settings(max_examples=100)
 @given(TREES)
 def test_mathml_is_xml_and_says_the_names_as_they_are(tree: Formula) -> None:
@@ -880,6 +890,7 @@ def cosines(draw: Any) -> Formula:
     return formula.summed(*terms)
 
 
+@pytest.mark.release
 @settings(max_examples=100)
 @given(cosines())
 def test_formulas_come_to_the_same_in_floats_in_balls_and_in_sixty_digits(tree: Formula) -> None:

@@ -64,6 +64,7 @@ def told(name: str) -> Exhibit:
     return exhibit(load(name), relatives=False)
 
 
+@pytest.mark.release
 def test_the_speed_of_the_page_is_that_of_the_file_with_and_without_masses() -> None:
     with_speed = [engine for engine in map(load, names()) if engine.speed is not None]
     massless = [engine for engine in with_speed if "mass" in engine.relative]
@@ -74,6 +75,7 @@ def test_the_speed_of_the_page_is_that_of_the_file_with_and_without_masses() -> 
         assert (shown.units.force == "N") is {"mass", "radius"}.isdisjoint(engine.relative)
 
 
+@pytest.mark.release
 def test_engines_in_different_units_are_compared_by_their_first_cylinders() -> None:
     engine = load("audi-25-tfsi")
     in_newtons, relative = (
@@ -108,6 +110,7 @@ def at(vectors: Vectors, orders: tuple[float, ...], sense: int, theta: Any) -> A
     )
 
 
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("name", SOME)
 def test_the_sums_are_those_of_the_public_answer(name: str) -> None:
     engine, shown = load(name), told(name)
@@ -159,6 +162,7 @@ def test_arrows_are_what_the_bodies_do_but_for_orders_that_are_left_out(
         assert abs(at(cylinder.force, shown.orders, shown.sense, theta) - expected) < 1e-7 * largest
 
 
+@pytest.mark.many(first=17)
 @EVERY_ENGINE
 def test_orders_that_are_left_out_are_not_missed(name: str) -> None:
     """The page's force, couple and roll are the negative rates of change of momentum, to 0.1 %.
@@ -272,6 +276,7 @@ def test_ellipses_of_the_table_are_the_paths_of_the_vectors(name: str) -> None:
             assert abs(np.sin(np.angle(far) - row.direction)) < 0.02
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize("name", SOME)
 def test_of_each_quantity_the_greatest_order_comes_first_and_what_is_zero_last(name: str) -> None:
     shown = told(name)
@@ -289,6 +294,7 @@ def test_of_each_quantity_the_greatest_order_comes_first_and_what_is_zero_last(n
         assert sizes == sorted(sizes, reverse=True)
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize("name", SOME)
 def test_strokes_are_those_of_the_public_answer(name: str) -> None:
     engine, shown = load(name), told(name)
@@ -337,6 +343,7 @@ def greatest(vectors: Vectors, place: int) -> float:
     return abs(complex(*vectors.forward[place])) + abs(complex(*vectors.backward[place]))
 
 
+@pytest.mark.release
 def test_the_fitted_engine_is_quiet_in_what_it_was_fitted_for() -> None:
     four, eight = fitted(load("i4")), fitted(load("v8-cross-plane"))
     assert four is not None
@@ -363,6 +370,7 @@ def test_the_fitted_engine_is_quiet_in_what_it_was_fitted_for() -> None:
         ]
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(("name", "unit"), [("audi-25-tfsi", "N"), ("i4", "m r ω²")])
 def test_figures_are_in_the_units_of_the_numbers_beside_them(name: str, unit: str) -> None:
     assert told(name).units.force == unit
@@ -370,6 +378,7 @@ def test_figures_are_in_the_units_of_the_numbers_beside_them(name: str, unit: st
     assert made["title"]["text"] == [f"Force over the crank angle, in {unit}"]
 
 
+@pytest.mark.release
 @settings(max_examples=200 if RELEASE else 5)
 @given(st.one_of(*OF_ANY_KIND.values()))
 def test_any_engine_at_all_has_an_exhibit_and_perhaps_a_fitted_one(engine: Engine) -> None:
@@ -388,6 +397,7 @@ def test_any_engine_at_all_has_an_exhibit_and_perhaps_a_fitted_one(engine: Engin
 LARGE = [pytest.param(name, marks=pytest.mark.release) for name in ("v8-cross-plane", "vw-vr6")]
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["kr250-racer", "single", *LARGE])
 def test_every_key_of_an_exhibit_can_be_asked_for(name: str) -> None:
     engine, shown = load(name), told(name)
@@ -602,6 +612,7 @@ def test_without_a_bundle_it_is_said_how_to_build_it(
         document(tree())
 
 
+@pytest.mark.release
 def test_a_file_has_every_figure_and_derivation_of_its_engines_with_it() -> None:
     steps: list[tuple[int, int, str]] = []
     made = held([load("i4")], sources=["i4"], tell=lambda *step: steps.append(step))
@@ -699,6 +710,7 @@ def test_the_page_knows_which_weights_turn_with_a_throw() -> None:
         assert len(numbers) == len(of.shafts[0].weights)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", ["v8-cross-plane", "napier-deltic", "kr250-racer"])
 def test_weights_have_no_part_in_the_derivation_of_an_order_they_do_not_exert(name: str) -> None:
     """Derived for the page without them; here with them, as the command line does."""

@@ -90,6 +90,7 @@ def every_line(engine: Engine, notation: Notation, *, power: int = 7) -> list[Li
     return [line for step in chapter.steps for line in step.lines]
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("notation", NOTATIONS.values(), ids=list(NOTATIONS))
 def test_every_exact_line_is_true_as_printed(notation: Notation) -> None:
     with cyclotomic.precision(40):
@@ -183,6 +184,7 @@ def test_powers_of_the_sine_are_these_cosines(half: int) -> None:
         assert cosines == pytest.approx(np.sin(psi) ** (2 * half), abs=1e-13)
 
 
+@pytest.mark.release
 def test_a_whole_derivation_starts_before_the_second_harmonic() -> None:
     def titles(*words: str) -> list[str]:
         out = io.StringIO()

@@ -126,6 +126,7 @@ def test_natural_frequencies_of_a_multibody_model_are_ours() -> None:
     assert theirs == pytest.approx([mode.speed for mode in mount_modes(block)], rel=1e-6)
 
 
+@pytest.mark.release
 def test_a_multibody_run_stays_on_our_steady_answer_in_all_orders() -> None:
     """Started on the harmonic answer, EXUDYN integrates inertia and gas over a whole cycle."""
     found = shaken()

@@ -32,6 +32,7 @@ def scales(figure: dict[str, Any]) -> list[tuple[float, float]]:
     return sorted({(float(low), float(high)) for low, high in found} - {(0.0, 360.0)})
 
 
+@pytest.mark.release
 def test_a_figure_that_stands_beside_another_has_its_scale() -> None:
     one, other = load(CROSS), load(FLAT)
     for key in FIGURES:
@@ -43,6 +44,7 @@ def test_a_figure_that_stands_beside_another_has_its_scale() -> None:
         assert reach[0] == pytest.approx(max(reach[2:]), rel=1e-9), key
 
 
+@pytest.mark.release
 def test_each_engine_beside_another_is_drawn_at_its_own_speed() -> None:
     slow = load("audi-25-tfsi")
     assert slow.speed

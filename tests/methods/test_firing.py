@@ -53,6 +53,7 @@ def test_an_offset_cylinder_is_at_dead_centre_where_crank_and_rod_are_in_line() 
     assert centres[2].angle_deg == pytest.approx(360 - degrees(1.0))
 
 
+@pytest.mark.release
 @given(engine=engines())
 def test_crank_and_rod_are_in_line_where_a_search_finds_the_piston_farthest(engine: Engine) -> None:
     for outward in (1.0, -1.0):

@@ -85,6 +85,7 @@ KNOWN = {
 }
 
 
+@pytest.mark.many(first=15)
 @pytest.mark.parametrize("name", KNOWN)
 def test_the_even_orders_are_those_among_all_permutations_that_fire_evenly(name: str) -> None:
     engine = crankstar.load(name)
@@ -136,6 +137,7 @@ def test_an_in_line_engine_has_no_banks_to_tell_apart() -> None:
     assert [one.banks for one in even_orders(crankstar.load("i4"))] == [{}, {}]
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize("cylinders", [4, 6, 8, 10, 12, 14, 16])
 def test_paired_dead_centres_give_two_to_the_power_of_one_less_than_the_pairs(
     cylinders: int,
@@ -167,6 +169,7 @@ def test_a_radial_engine_with_an_odd_number_of_cylinders_fires_every_other_one()
     assert len(possible_orders(engine)) == 64
 
 
+@pytest.mark.release
 def test_four_rows_of_seven_are_counted_and_listed_and_more_refused() -> None:
     step = 2 * pi / 28
     rows = tuple(
@@ -232,6 +235,7 @@ def test_the_most_even_orders_come_first() -> None:
     assert sizes[0] < sizes[-1]
 
 
+@pytest.mark.release
 @given(engines(max_shafts=1))
 def test_the_possible_orders_are_the_permutations_that_fit(engine: Engine) -> None:
     found = possible_orders(engine)
@@ -249,6 +253,7 @@ def test_the_possible_orders_are_the_permutations_that_fit(engine: Engine) -> No
         assert again.intervals_deg == pytest.approx(one.firing.intervals_deg, abs=1e-6)
 
 
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("layout", OF_LAYOUT)
 def test_every_order_of_every_layout_can_be_fired(layout: str) -> None:
     @given(OF_LAYOUT[layout])
@@ -295,6 +300,7 @@ def test_in_a_mirror_or_turning_backwards_an_engine_fires_backwards(name: str) -
     )
 
 
+@pytest.mark.release
 @given(engines(max_shafts=1))
 def test_turning_the_whole_engine_changes_no_order(engine: Engine) -> None:
     shafts = tuple(

@@ -303,6 +303,7 @@ def counted_from_the_fitted(engine: Engine, masses: Real, chosen: tuple[int, ...
     return float(np.linalg.norm(linear_unbalance(built).fixed - law.fixed))
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("make", [twin, triple])
 def test_of_too_many_pistons_those_are_fitted_that_leave_least(make: Callable[[], Engine]) -> None:
     """The mean counts of those that are fitted: pistons left over are in no engine."""
@@ -336,6 +337,7 @@ def test_a_twin_of_a_batch_is_the_same_alone_and_as_the_first_of_several() -> No
     )
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("whole", [True, False])
 def test_of_too_many_of_every_part_the_best_are_fitted(whole: bool) -> None:
     engine, parts = triple(), batch(4)

@@ -96,6 +96,7 @@ def shaken(engine: Engine, speed_rpm: float, point: str) -> MountResponse:
     return mount_response(block, mount_excitation(block, engine, speeds=at, point=point))
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("foundation", [None, FOUNDATION])
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
 def test_a_vibration_is_that_of_all_orders_at_its_speed(
@@ -258,6 +259,7 @@ def test_without_mounts_nothing_is_sent_and_without_a_speed_no_vibration() -> No
     assert "Without a speed nothing shakes it" in " ".join(numbers.notes)
 
 
+@pytest.mark.release
 def test_points_are_those_of_the_file_then_centres_then_mounts() -> None:
     grips = [
         {"name": name, "up": up} for name, up in (("left grip", "1 m"), ("right grip", "0.9 m"))
@@ -281,6 +283,7 @@ def test_points_are_those_of_the_file_then_centres_then_mounts() -> None:
     assert shown.points[3].velocity == pytest.approx(rms(deck), rel=1e-8)
 
 
+@pytest.mark.release
 def test_an_exhibit_has_the_mounts_in_chosen_units() -> None:
     engine = standing()
     assert exhibit(engine, relatives=False).mounts == sent(engine)

@@ -64,6 +64,7 @@ def test_the_waves_of_chambers_add_up_to_the_torque_of_the_engine(name: str, wav
     checked(load(name), point=first(name), off=(1,))
 
 
+@pytest.mark.release
 def test_every_operating_point_is_sent_and_an_assumed_load_only_without_any() -> None:
     engine = load("audi-25-tfsi")
     points = tuple(OperatingPoint(name=f"{bar} bar", imep=bar * 1e5) for bar in range(2, 20))

@@ -63,6 +63,7 @@ def told(engine: Engine, vibration: Vibration) -> dict[str, Any]:
     return {table.key: table for table in document.tables}
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", [CLOCKWISE, COUNTER_CLOCKWISE])
 def test_a_vibration_is_that_of_the_command_at_its_speed(name: str) -> None:
     engine = twisting(name)
@@ -79,6 +80,7 @@ def test_a_vibration_is_that_of_the_command_at_its_speed(name: str) -> None:
             assert np.abs(course).max() == pytest.approx(peak, rel=2e-3)
 
 
+@pytest.mark.release
 def test_the_turns_of_the_throws_obey_newton_between_the_shafts() -> None:
     """J times the acceleration is the torque behind less that in front, what drives and what damps.
 

@@ -88,7 +88,7 @@ def test_rods_of_a_motion_have_their_length_and_pistons_their_axes(name: str) ->
             assert moving.big_end[row] == pytest.approx(home + pin)
 
 
-@pytest.mark.many(first=40)
+@pytest.mark.many(first=38)
 @EVERY_ENGINE
 @pytest.mark.parametrize("view", SIGHTS)
 def test_nothing_of_a_drawing_is_cut_off(name: str, view: str) -> None:
@@ -158,6 +158,7 @@ def test_a_nearer_body_is_painted_over_a_farther_one_whatever_their_middles() ->
         assert order == ([0, 1] if first else [1, 0])
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["i4", "merlin", "square-four", "napier-deltic", "gm-3800"])
 def test_a_film_ends_one_step_before_it_begins(name: str) -> None:
     engine = crankstar.load(name)
@@ -191,6 +192,7 @@ def test_a_film_has_every_picture_and_goes_on_for_ever(kind: str) -> None:
     assert len(frames) == 6
 
 
+@pytest.mark.release
 def test_an_mp4_has_every_picture_at_its_rate() -> None:
     import imageio_ffmpeg
 

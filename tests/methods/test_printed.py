@@ -304,6 +304,7 @@ def test_the_share_of_a_whole_bank_to_the_right_is_printed_in_brackets() -> None
     assert "= −(" in documents.equations(right[0]).replace("\n", " ")
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", ["boxer-6", "v8-cross-plane", "audi-25-tfsi", "napier-lion"])
 def test_derivations_of_a_few_engines_are_true_as_they_are_printed(name: str) -> None:
     for order in (1, 2):
@@ -458,6 +459,7 @@ def test_torques_of_the_catalog_are_true_as_printed_or_refused() -> None:
     assert {"napier-deltic", "radial-9", "vw-vr6"} <= set(refused)
 
 
+@pytest.mark.release
 @given(
     st.lists(st.integers(0, 23), min_size=1, max_size=5),
     st.sampled_from([1.25, 3, 3.7, 8]),

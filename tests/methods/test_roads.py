@@ -116,6 +116,7 @@ def test_the_series_carried_far_is_exact(ratio: float) -> None:
     )
 
 
+@pytest.mark.release
 @given(engines())
 def test_each_cylinder_may_have_angles_of_its_own(engine: Engine) -> None:
     theta = np.linspace(0, 2 * np.pi, 7)
@@ -128,6 +129,7 @@ def test_each_cylinder_may_have_angles_of_its_own(engine: Engine) -> None:
             assert all(np.allclose(a[index], b[-1]) for a, b in zip(ours, theirs, strict=True))
 
 
+@pytest.mark.release
 @given(engines())
 def test_rods_are_where_circles_cut_axes_and_move_as_they_stand(engine: Engine) -> None:
     """Places by the package and by plane geometry; its derivatives against spectral ones."""
@@ -339,6 +341,7 @@ def assert_peak(spectrum: Spectrum) -> None:
     assert abs(found.vector) == pytest.approx(found.value)
 
 
+@pytest.mark.release
 @settings(max_examples=10)
 @given(engines())
 def test_no_sample_is_longer_than_the_peak(engine: Engine) -> None:
@@ -486,6 +489,7 @@ def assert_rows_alike(batch: Totals, single: Totals, at: tuple[int, ...]) -> Non
         assert np.abs(of_batch.backward - alone.backward).max() <= 1e-11 * scale
 
 
+@pytest.mark.release
 @given(engines(tight=False), st.sampled_from([(3,), (2, 2), (1,)]), st.integers(0, 1000))
 def test_a_batch_of_engines_is_a_loop_over_them(
     engine: Engine, shape: tuple[int, ...], seed: int
@@ -508,6 +512,7 @@ ALONE = [
 ]
 
 
+@pytest.mark.release
 @given(engines(), st.sampled_from(ALONE))
 def test_one_array_with_a_leading_axis_is_enough_for_a_batch(engine: Engine, name: str) -> None:
     machine = mechanism(engine)
@@ -550,6 +555,7 @@ def test_every_result_of_a_batch_has_its_leading_axis(name: str) -> None:
     assert [part.forward.shape for part in totals(batch, orders=[1, 2], block=2)] == 4 * [(3, 2)]
 
 
+@pytest.mark.release
 @given(engines(tight=False), st.integers(0, 1000), st.integers(1, 6))
 def test_sums_over_a_long_batch_are_the_same_block_by_block(
     engine: Engine, seed: int, block: int
@@ -577,6 +583,7 @@ def test_sums_over_a_long_batch_are_the_same_block_by_block(
             assert np.abs(many.backward[index] - whole.backward).max() <= 1e-11 * scale
 
 
+@pytest.mark.release
 @given(
     engines(),
     st.lists(
@@ -597,6 +604,7 @@ def test_the_orders_asked_for_are_those_of_the_whole_spectrum(
         assert np.abs(few.backward - expected.backward).max() <= 1e-13 * scale
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("layout", LAYOUTS)
 @settings(max_examples=10)
 @given(data=st.data())

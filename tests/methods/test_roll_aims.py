@@ -65,6 +65,7 @@ def test_an_aim_of_roll_is_that_of_the_engine_with_the_weights(aim: Aim) -> None
     assert best.value < 0.9 * best.before
 
 
+@pytest.mark.release
 def test_no_weights_of_a_scan_roll_less_than_the_best() -> None:
     engine, planes = two_cranks()
     aim = Aim("roll")
@@ -76,6 +77,7 @@ def test_no_weights_of_a_scan_roll_less_than_the_best() -> None:
     assert min(tried) >= best.bound - 1e-9
 
 
+@pytest.mark.release
 def test_a_limit_of_roll_is_kept_by_the_engine_that_is_written() -> None:
     engine, planes = two_cranks()
     aim, free = Aim("roll", order=1.0), best_weights(engine, planes=planes, aim=Aim("force"))
@@ -100,6 +102,7 @@ def test_roll_on_the_command_line(run: Run) -> None:
     assert "Roll of order 1" in done.out
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

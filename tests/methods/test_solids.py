@@ -65,6 +65,7 @@ def bearing_of(engine: Engine, shaft: Shaft, angle: float) -> complex:
     return np.exp(1j * (angle + engine.sense * float(shaft.speed_ratio) * THETA))
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", TURNING)
 def test_pins_and_weights_turn_with_their_shafts(name: str) -> None:
     engine = with_counterweights(load(name), factor=0.5)

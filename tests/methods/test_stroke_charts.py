@@ -98,6 +98,7 @@ def test_intake_is_blue_and_exhaust_red_and_banks_stand_apart() -> None:
     assert colours[EXHAUST] == "rgba(213, 94, 0, 0.5)"
 
 
+@pytest.mark.release
 def test_what_is_assumed_is_marked_in_the_chart_and_what_is_given_is_not() -> None:
     words = words_of(charts.saved(charts.stroke_chart(crankstar.load("i4")), "svg", title="x"))
     assert "exhaust 50°* before BDC to 15°* after TDC" in words

@@ -223,6 +223,7 @@ def assert_one_by_one(
             assert_as_alone(sums, make(float(numbers[place])), point, row)
 
 
+@pytest.mark.many(first=11)
 @pytest.mark.parametrize(("name", "path", "unit", "low", "high", "lawful"), FIELDS, ids=str)
 def test_a_sweep_is_as_its_engines_one_by_one(
     name: str, path: str, unit: str | None, low: float, high: float, lawful: bool
@@ -239,6 +240,7 @@ def test_a_sweep_is_as_its_engines_one_by_one(
     assert_one_by_one(make, numbers, lawful=lawful)
 
 
+@pytest.mark.release
 @given(engines(tight=False), st.integers(0, 10_000), st.floats(0.01, 2.0))
 @settings(max_examples=100 if RELEASE else 8, deadline=None)
 def test_any_number_of_any_engine_as_one_by_one(engine: Engine, pick: int, span: float) -> None:
@@ -391,6 +393,7 @@ def test_a_slave_rod_that_cannot_reach_in_the_middle_of_the_range_is_found() -> 
         variants(make, around)
 
 
+@pytest.mark.release
 def test_gear_ratios_are_swept_in_groups() -> None:
     sweep = swept("kr250-racer", over="layout.cranks[2].speed_ratio", values=[-1, 1, 2, 0.5, 1])
     assert [group.rows.tolist() for group in sweep.groups] == [[0, 1, 4], [2], [3]]
@@ -423,6 +426,7 @@ def test_a_single_is_best_with_half_balance_and_then_it_is_a_pure_backward_circl
     assert watched(sweep, "force.backward", order=1).values == pytest.approx([0.5] * 3, abs=1e-12)
 
 
+@pytest.mark.release
 def test_a_45_degree_twin_is_a_pure_backward_circle_of_cos_45_at_a_half() -> None:
     found = best_of("harley-45", "balance_factor=0..1/8", "force", 1)  # 0.5 is not among the eight
     assert (found.value, found.result) == (
@@ -434,6 +438,7 @@ def test_a_45_degree_twin_is_a_pure_backward_circle_of_cos_45_at_a_half() -> Non
     )
 
 
+@pytest.mark.release
 def test_a_90_degree_twin_has_no_first_order_at_a_half() -> None:
     found = best_of("v2-90", "balance_factor=0..1/8", "force", 1)
     assert (found.value, found.result) == (pytest.approx(0.5, abs=1e-6), pytest.approx(0, abs=1e-6))
@@ -449,6 +454,7 @@ def test_90_degrees_is_the_bank_angle_at_which_half_balance_leaves_a_twin_no_fir
     assert (found.value, found.result) == (pytest.approx(90, abs=1e-4), pytest.approx(0, abs=1e-6))
 
 
+@pytest.mark.release
 def test_a_parallel_twin_over_its_crank_phase() -> None:
     text = "layout.throws[2]=0..360/100 deg"
     force = of("i2-360", text)
@@ -550,6 +556,7 @@ def test_a_firing_order_does_not_stand_in_the_way_and_throws_may_follow_from_it(
     assert len(of("audi-25-tfsi", "layout.bearing=0..90/3 deg").engine.shafts[0].throws) == 5
 
 
+@pytest.mark.release
 def test_units_and_reference_are_those_of_the_file_for_all_values() -> None:
     mass = {"cylinder.reciprocating_mass": "500 g"}
     base = crankstar.load("bmw-s65", changes=mass)
@@ -585,6 +592,7 @@ def test_a_number_that_makes_lengths_known_is_counted_in_them() -> None:
 # What is watched
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize(("what", "quantity", "part"), [
     ("force.up", "force", "vertical"), ("force.right", "force", "horizontal"),
     ("couple.up", "couple", "vertical"), ("couple.pitch", "couple", "vertical"),
@@ -642,6 +650,7 @@ def test_an_order_that_an_engine_does_not_have_is_nothing() -> None:
 # The best value
 
 
+@pytest.mark.release
 def test_the_best_value_at_an_end_of_the_range_is_said_to_be_there() -> None:
     found = best_of("single", "balance_factor=0..0.4/9", "force", 1)
     assert (found.value, found.at_edge) == (0.4, True)
@@ -652,6 +661,7 @@ def test_the_best_value_at_an_end_of_the_range_is_said_to_be_there() -> None:
     )
 
 
+@pytest.mark.release
 def test_between_two_equal_values_the_tip_is_found() -> None:
     between = swept("single", over="balance_factor", values=[0.0, 0.4, 0.6, 1.0])
     found = best(between, watched(between, "force", order=1))
@@ -672,6 +682,7 @@ def test_of_values_in_a_row_that_are_equally_good_both_ends_are_told() -> None:
     assert found.result == pytest.approx(0.5, abs=1e-12)
 
 
+@pytest.mark.release
 def test_the_best_of_all_orders_lies_beyond_a_half_and_nothing_near_it_is_better() -> None:
     sweep = of("single", "balance_factor=0..1/50")
     found = best(sweep, watched(sweep, "force"))
@@ -682,6 +693,7 @@ def test_the_best_of_all_orders_lies_beyond_a_half_and_nothing_near_it_is_better
     assert around[2] == pytest.approx(found.result, rel=1e-9)
 
 
+@pytest.mark.release
 def test_more_than_eight_equal_values_are_cut() -> None:
     found = best_of("i2-360", "layout.throws[2]=0..7200/2001 deg", "force", 1)
     assert found.result == pytest.approx(0, abs=1e-6)
@@ -802,6 +814,7 @@ def test_a_file_with_a_firing_order_that_cannot_be_is_not_swept(tmp_path: Path) 
         assert [fault.path for fault in error.value.faults] == [("firing_order", 0)]
 
 
+@pytest.mark.release
 def test_every_number_that_a_message_names_can_be_swept() -> None:
     for name in ("v8-cross-plane", "kr250-racer", "vw-vr6", "napier-deltic", "radial-9"):
         with pytest.raises(SweepError) as error:

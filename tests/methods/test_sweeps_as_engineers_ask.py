@@ -158,6 +158,7 @@ def test_a_call_with_nothing_is_told_what_is_wanted(call: Any, told: str) -> Non
         call()
 
 
+@pytest.mark.release
 def test_a_file_that_is_written_is_named_on_standard_error(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -99,6 +99,7 @@ def returned(
     return end.y[:, -1], begin
 
 
+@pytest.mark.release
 def test_a_damped_chain_integrated_in_time_comes_back_to_the_harmonic_answer() -> None:
     chain, push = driven(eight())
     found = response(chain, push, speeds=np.array([SPEED]))
@@ -114,6 +115,7 @@ def test_a_damped_chain_integrated_in_time_comes_back_to_the_harmonic_answer() -
         assert after[part] == pytest.approx(before[part], abs=1e-7 * np.abs(before[part]).max())
 
 
+@pytest.mark.release
 def test_the_inertia_of_each_angle_integrated_in_time_comes_back_to_the_harmonic_answer() -> None:
     """Steady torques are added that hold the mean twist, which the harmonic answer leaves out."""
     chain, push = driven(eight())
@@ -368,6 +370,7 @@ def test_a_straight_shape_of_even_firing_leaves_multiples_of_half_the_cylinders(
     assert (sums[~main] == 0).all()
 
 
+@pytest.mark.release
 @given(chains(rings=False, most=6), st.integers(0, 1000))
 def test_opentorsion_finds_the_same_modes_and_response(tree: Chain, seed: int) -> None:
     opentorsion: Any = import_module("opentorsion")  # it takes floats where it says int

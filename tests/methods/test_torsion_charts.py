@@ -207,6 +207,7 @@ def test_an_order_that_is_asked_for_is_drawn_and_no_other(six: Any) -> None:
     assert x[[0, -1]] == pytest.approx(np.array([400.0, 585.0]) * RPM)
 
 
+@pytest.mark.release
 def test_shaded_speeds_are_those_at_which_the_stress_passes_the_limit(six: Any) -> None:
     drawn = charts.torsion_response_chart(six, quantity="stress")
     shades = [row for row in rows_of(drawn.to_dict()) if set(row) == {"x", "x2"}]
@@ -291,6 +292,7 @@ def test_options_that_are_none_are_refused(six: Any, kind: str) -> None:
             figure.draw(six, quantity="noise")
 
 
+@pytest.mark.release
 def test_the_limit_of_the_stress_is_named_where_its_line_is() -> None:
     engine = engine_of(tree(), changes={"torsion.shear_limit": "24 MPa"})
     drawn = charts.CHARTS["torsion-response"].draw(engine, quantity="stress")

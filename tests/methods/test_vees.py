@@ -111,6 +111,7 @@ def test_no_lesser_split_makes_an_engine_fire_evenly(
         assert even_orders(tried(bank_angle=bank_angle, split=lesser, throws=throws)) == ()
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize(
     ("cylinders", "bank_angles", "cycle"),
     [
@@ -226,6 +227,7 @@ def test_the_v12_of_60_deg_on_the_crank_of_a_six_is_free_of_all() -> None:
     assert best.left == 0
 
 
+@pytest.mark.release
 def test_a_v16_of_45_deg_and_of_135_deg_is_found() -> None:
     found = vees(cylinders=16, bank_angles_deg=(45, 135), greatest_split_deg=0)
     for angle in (45.0, 135.0):

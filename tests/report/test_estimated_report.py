@@ -84,6 +84,7 @@ def test_masses_of_the_data_sheet_are_those_of_the_bobweights(twin: Subject) -> 
     assert own == pytest.approx(engine.shafts[0].throws[0].throw_mass, rel=0.006)
 
 
+@pytest.mark.release
 def test_masses_in_the_file_are_named_as_being_without_the_rod(twin: Subject) -> None:
     headings = [
         [column.heading for column in table.columns if column.key.endswith("_mass")]

@@ -100,6 +100,7 @@ def test_the_contents_name_the_pages_of_the_sections(chromium: str, tmp_path: Pa
         assert re.search(heading, pages[int(page) - 1], re.MULTILINE), title
 
 
+@pytest.mark.release
 def test_the_front_page_says_what_it_is_how_it_shakes_and_what_to_do() -> None:
     page = report(subject("audi-25-tfsi", full=False))
     front = page[: page.index('<nav class="contents">')]
@@ -114,6 +115,7 @@ def test_the_front_page_says_what_it_is_how_it_shakes_and_what_to_do() -> None:
     assert front.count("1-3-4-2") == 1
 
 
+@pytest.mark.release
 def test_figures_and_tables_are_numbered_through_and_referred_to() -> None:
     page = report(subject("v8-cross-plane", full=False))
     for kind, word in (("figure", "Figure"), ("table", "Table")):
@@ -139,6 +141,7 @@ def test_figures_leave_the_name_of_the_engine_to_the_page_but_not_its_sense() ->
         assert "\N{NO-BREAK SPACE}" not in drawing
 
 
+@pytest.mark.release
 def test_only_the_full_report_has_derivations_and_the_engine_file() -> None:
     short, full = (report(subject("i4", full=full)) for full in (False, True))
     for words in ('id="derivations"', 'class="file"', "harmonic"):

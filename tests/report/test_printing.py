@@ -47,6 +47,7 @@ def pages(content: bytes) -> int:
     return len(re.findall(rb"/Type\s*/Page\b(?!s)", content))
 
 
+@pytest.mark.release
 def test_a_page_becomes_a_pdf_with_its_pages_and_title_and_without_a_date(chromium: str) -> None:
     content = pdf(PAGE, by=chromium)
     assert content.startswith(b"%PDF")
@@ -158,6 +159,7 @@ def test_what_cannot_be_written_is_refused(
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.release
 def test_a_report_that_is_there_is_replaced_whole_and_the_command_in_it_names_no_directory(
     run: Run, tmp_path: Path
 ) -> None:

@@ -68,6 +68,7 @@ def test_a_report_is_well_formed_and_nothing_in_it_can_run_or_be_fetched(name: s
     assert linked <= set(names)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", ENGINES)
 def test_every_section_is_there(name: str) -> None:
     sections = [
@@ -100,6 +101,7 @@ def size_of(order: dict[str, Any], quantity: str) -> float:
     return sum(abs(complex(*order[quantity][way])) for way in ("forward", "backward"))
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ENGINES)
 def test_the_table_of_orders_says_what_the_machine_readable_answer_says(name: str) -> None:
     """Table values times the harmonic of the first piston are the answer of --json."""
@@ -134,6 +136,7 @@ def test_the_table_of_orders_says_what_the_machine_readable_answer_says(name: st
                 )
 
 
+@pytest.mark.release
 def test_forces_in_newtons_are_those_of_the_answer_at_the_speed_of_the_engine() -> None:
     engine = crankstar.load("audi-25-tfsi")
     public = tree(answer(engine, balance(engine, speed=engine.speed)))
@@ -145,6 +148,7 @@ def test_forces_in_newtons_are_those_of_the_answer_at_the_speed_of_the_engine() 
         assert newton_metres == pytest.approx(sizes[float(row[0])], rel=1e-4, abs=1e-6)
 
 
+@pytest.mark.release
 def test_loads_with_gas_are_those_of_the_bearings_with_the_cycle_of_the_report() -> None:
     engine = crankstar.load("audi-25-tfsi")
     loads = crankstar.bearing_loads(engine, cycle=crankstar.cycle(engine, speed=engine.speed))
@@ -167,6 +171,7 @@ def test_a_short_report_of_many_bearings_draws_the_greatest_loads_and_says_so() 
         assert re.search(rf"\b{number} \S+ assumed", words)
 
 
+@pytest.mark.release
 def test_a_speed_that_is_asked_for_is_the_one_of_every_number() -> None:
     page = report(subject("audi-25-tfsi", speed=100.0, orders=(1.0, 2.0)))
     heads, *rows = Reader(page).table("Couple on the block")
@@ -184,6 +189,7 @@ def test_a_speed_that_is_asked_for_is_the_one_of_every_number() -> None:
     assert "6500 rpm" not in before + after.partition('id="bearings"')[2]
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", ENGINES)
 def test_the_verdict_and_every_source_are_in_it(name: str) -> None:
     engine = crankstar.load(name)
@@ -265,6 +271,7 @@ def test_orders_that_are_named_are_derived_in_full() -> None:
     assert "Every cylinder along its own axis" in page
 
 
+@pytest.mark.release
 def test_the_same_engine_gives_the_same_bytes() -> None:
     assert report(subject("single")) == written("single")
 
@@ -282,6 +289,7 @@ def test_the_name_of_an_engine_is_text_everywhere() -> None:
     assert ("h1", HOSTILE) in {(path[-1], data) for path, data in read.texts if path}
 
 
+@pytest.mark.release
 def test_the_running_title_cannot_leave_its_string() -> None:
     name = 'a"; } * { display: none } \\'
     tree = {**catalog.tree_of("single")[1], "name": name}
@@ -290,6 +298,7 @@ def test_the_running_title_cannot_leave_its_string() -> None:
     assert "display: none }" not in style.split("@top-left")[-1]
 
 
+@pytest.mark.release
 def test_another_engine_stands_beside_it() -> None:
     page = report(subject("i4", beside=crankstar.load("v8-flat-plane")))
     read = Reader(page)

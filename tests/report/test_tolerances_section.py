@@ -38,6 +38,7 @@ def test_the_report_of_an_engine_with_tolerances_says_how_engines_scatter() -> N
     assert text.count("of each tolerance in the variance") == 2, "of the figure, of the table"
 
 
+@pytest.mark.release
 def test_a_report_without_tolerances_has_no_such_section() -> None:
     plain = spoilt(SHORT, speed="6000 rpm")
     assert as_built(engine_of(plain), plain) is None

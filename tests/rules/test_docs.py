@@ -103,6 +103,7 @@ def printed(command: str, folder: Path) -> str:
     return screens.trimmed(out.getvalue())
 
 
+@pytest.mark.many(first=39)
 @pytest.mark.parametrize(
     "page",
     [
@@ -128,6 +129,7 @@ def test_screens_fit_the_column_of_their_page(page: Path) -> None:
                 assert line.startswith("$ ") or len(line) <= int(screens.WIDTH), command
 
 
+@pytest.mark.many(first=53)
 @EVERY_PAGE
 def test_every_python_example_prints_what_it_says(
     page: Path, monkeypatch: pytest.MonkeyPatch
@@ -268,6 +270,7 @@ def test_a_bare_number_nobody_can_have_meant_is_refused(bare: float) -> None:
         assert error.value.code in ("unit.missing", "unit.implausible")
 
 
+@pytest.mark.many(first=43)
 @EVERY_PAGE
 def test_what_the_program_makes_is_in_the_text_as_it_is_now(page: Path) -> None:
     """If this fails: `python docs/tables.py` updates pages."""
@@ -352,6 +355,7 @@ def test_the_words_of_the_design_are_in_the_glossary() -> None:
     assert all(word in said for word in wanted)
 
 
+@pytest.mark.release
 def test_the_page_of_commands_has_every_option_of_every_command() -> None:
     page = text_of("docs/reference/commands.md")
     for name in cli.app:

@@ -99,6 +99,7 @@ def test_the_optimum_is_that_of_a_grid_over_all_angles(
     assert found.value > least - 0.02
 
 
+@pytest.mark.many(first=9)
 @EVERY
 @pytest.mark.parametrize("forces", [{}, {1: 1.0}])
 def test_no_angles_near_the_optimum_are_better(name: str, forces: dict[int, float]) -> None:

@@ -111,6 +111,7 @@ def test_a_function_that_fails_is_named_with_its_star(function, told):
         answer_to(asked)
 
 
+@pytest.mark.release
 def test_least_lengths_leave_out_what_is_shorter():
     rows = exhaustive.stars(7, 1)
     sizes = exhaustive.lengths(rows, exhaustive.arms(7), 1, 7)
@@ -120,6 +121,7 @@ def test_least_lengths_leave_out_what_is_shorter():
     assert answer_to(asked).stars == ((sizes >= 3.0) & (sizes <= 5.0)).sum()
 
 
+@pytest.mark.release
 def test_a_class_of_many_stars_within_wide_limits_is_listed_alone():
     eleven = stars(11)
     same = Equivalence((couple(eleven, 1), couple(eleven, 2)), tuple(range(11)))

@@ -64,6 +64,7 @@ def test_a_search_goes_on_with_stretches_of_another_size(tmp_path, written, answ
     assert told[-1].done == BLOCKS
 
 
+@pytest.mark.release
 def test_a_file_cut_at_any_byte_gives_the_same_answer(tmp_path, written, answer):
     path = tmp_path / "file"
     start = len(b"".join(written[:-1]))

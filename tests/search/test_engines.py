@@ -53,6 +53,7 @@ def amplitude(spectrum, order):
     return abs(spectra.vertical(spectra.selected(spectrum, order))[0])
 
 
+@pytest.mark.many(first=22)
 @pytest.mark.parametrize(("cylinders", "cycle"), CASES)
 @pytest.mark.parametrize("unequal", [False, True])
 def test_the_engine_of_a_star_shakes_as_its_vector_sums_say(cylinders, cycle, unequal):

@@ -92,6 +92,7 @@ def test_points_stand_at_the_values_of_the_findings_and_zeros_apart(
     sound(charts.saved(chart, "svg", title=name))
 
 
+@pytest.mark.release
 def test_zero_has_its_own_number_on_a_logarithmic_axis() -> None:
     for logarithmic in (False, True):
         picture = charts.saved(
@@ -215,6 +216,7 @@ def placing(chart: Any) -> Callable[[float, float], np.ndarray]:
     return place
 
 
+@pytest.mark.many(first=9)
 @pytest.mark.parametrize("logarithmic", [False, True])
 @pytest.mark.parametrize(
     "name", ["6", "7", "9 with neighbours", "5 four-stroke", "seven, three couples"]
@@ -288,6 +290,7 @@ def test_every_point_of_a_short_front_has_its_number_also_where_it_stands_on_an_
     assert {int(row.text) for row in rows["texts"]} == {row.row for row in rows["points"]}
 
 
+@pytest.mark.release
 def test_a_third_objective_gives_the_colour() -> None:
     for name, scale in (("7 with neighbours", "ordinal"), ("seven, three couples", "quantitative")):
         answer = found(name)
@@ -347,6 +350,7 @@ def test_long_firing_orders_are_folded() -> None:
     sound(charts.saved(charts.best_stars(answer), "svg", title="24"))
 
 
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("draw", [charts.pareto_front, charts.best_stars])
 @pytest.mark.parametrize(
     ("suffix", "begins"),
@@ -402,6 +406,7 @@ def titles(spec: Any) -> Any:
         yield spec["title"]["text"]
 
 
+@pytest.mark.release
 def test_where_more_stars_were_found_than_are_drawn_the_figure_says_so() -> None:
     answer = found("9 with neighbours")
     part = f"6 of {len(answer.rows)} stars"

@@ -46,6 +46,7 @@ def plain(found):
     ]
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("ask", ASKS)
 @given(rows=finds(), data=st.data())
 def test_any_parts_in_any_order_make_the_same_whole(ask, rows, data):
@@ -81,6 +82,7 @@ def test_a_front_has_what_nothing_betters_and_counts_all_of_it(rows, examples):
     assert all(len(group) <= examples for group in results.groups(found))
 
 
+@pytest.mark.release
 @given(rows=finds())
 def test_a_list_counts_what_it_does_not_keep(rows):
     found = results.merged([part(rows)], All(3))
@@ -88,6 +90,7 @@ def test_a_list_counts_what_it_does_not_keep(rows):
     assert int(found.times.sum()) + found.beyond == sum(times for _, _, times in rows)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("ask", ASKS)
 @given(rows=finds(), data=st.data())
 def test_a_wider_search_that_was_stopped_adds_only_what_is_new(ask, rows, data):

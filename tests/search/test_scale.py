@@ -127,6 +127,7 @@ def test_the_answer_is_the_same_in_pieces_of_any_size(answers, name, size):
     assert answer_to(KINDS[name], range_size=size) == answers[name]
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", KINDS)
 def test_the_answer_is_the_same_by_processes_threads_and_whoever_comes_first(answers, name, two):
     assert answer_to(KINDS[name], workers=two, range_size=4) == answers[name]
@@ -256,6 +257,7 @@ class _Asleep(Workers):
         self.dropped = True
 
 
+@pytest.mark.release
 def test_only_so_many_stretches_are_under_way_and_an_interrupt_drops_them():
     asleep = _Asleep()
     outcome = searched(MIDDLE, workers=asleep, range_size=1)
@@ -265,6 +267,7 @@ def test_only_so_many_stretches_are_under_way_and_an_interrupt_drops_them():
     assert asleep.dropped
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("at", [0, 1, 30])
 def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(
@@ -303,6 +306,7 @@ def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(
     assert told[-1].seconds_left == 0
 
 
+@pytest.mark.release
 @pytest.mark.usefixtures("interruptible")
 def test_processes_that_are_gone_before_their_pool_knows_leave_no_fault(monkeypatch):
     """A fault in the thread of the pool would be printed at the user; here it is an error."""
@@ -367,6 +371,7 @@ def test_progress_counts_what_was_done_here_for_its_rate(tmp_path):
     assert first.rate * first.seconds <= 10 * 1.001 + first.rate * 0.5
 
 
+@pytest.mark.release
 def test_every_block_counts_and_so_does_the_proof(monkeypatch, answers):
     """A search that skips a block, or stops too early, fails the tests above."""
     question, wanted = KINDS["front"], answers["front"]

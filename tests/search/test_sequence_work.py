@@ -76,6 +76,7 @@ class Losing(Workers):
         return super().submit(part)
 
 
+@pytest.mark.release
 @pytest.mark.usefixtures("many_parts")
 def test_threads_processes_and_lost_workers_change_nothing(whole: SequenceFront) -> None:
     with threads(3) as workers:
@@ -128,6 +129,7 @@ def test_an_interrupted_front_goes_on_from_its_checkpoint(
     assert told[-1].seconds_left == 0
 
 
+@pytest.mark.release
 @pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("count", [0, 1])
 def test_a_part_that_is_halted_is_shown_and_not_kept(
@@ -192,6 +194,7 @@ def test_a_checkpoint_of_another_question_is_refused(tmp_path: Path) -> None:
         checkpoint.opened(path, other)
 
 
+@pytest.mark.release
 def test_a_checkpoint_with_other_parts_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -202,6 +205,7 @@ def test_a_checkpoint_with_other_parts_is_refused(
         sequence_front(EIGHT, checkpoint=checkpoint.opened(path, EIGHT))
 
 
+@pytest.mark.release
 def test_the_command_keeps_a_checkpoint_and_takes_a_cluster(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -258,6 +262,7 @@ def with_travel(about: SequenceQuestion, **more: Any) -> SequenceQuestion:
     return dataclasses.replace(about, goals=(*about.goals, goal))
 
 
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize(
     ("cylinders", "bank", "words"),
     [

@@ -136,6 +136,7 @@ def test_without_goals_couples_that_are_alike_are_none(name: str, goals: list[st
     assert [goal.name for goal in asked.question.goals] == goals
 
 
+@pytest.mark.many(first=10)
 @pytest.mark.parametrize(("cylinders", "bank"), SHAFTS)
 def test_stars_times_sequences_are_all_orders_that_fit(cylinders: int, bank: float) -> None:
     shaft = shaft_of(cylinders, bank_angle_deg=bank or None)
@@ -145,6 +146,7 @@ def test_stars_times_sequences_are_all_orders_that_fit(cylinders: int, bank: flo
         assert shaft.firing_order(shaft.fired_in(order)) == tuple(order)
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize(
     ("cylinders", "bank"), [(6, 120), (8, 90), (8, 180), (10, 72), (12, 60), (12, 120), (16, 45)]
 )
@@ -201,7 +203,7 @@ def random_question(seed: int) -> SequenceQuestion | None:
     return question(cylinders, bank, ",".join(goals), limit=limits, **words)
 
 
-@pytest.mark.many(first=8)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("block", range(100))
 def test_random_questions_are_answered_as_by_every_order(block: int, seed: int) -> None:
     """Thirty questions in each block."""
@@ -294,6 +296,7 @@ def test_threads_and_a_narrow_buffer_change_nothing(monkeypatch: pytest.MonkeyPa
         assert sequence_front(about, workers=workers).points == plainly.points
 
 
+@pytest.mark.many(first=14)
 @pytest.mark.parametrize("minimise", ["M1,M2,twist", "M1,twist,neighbours", "M2,T1.5"])
 @pytest.mark.parametrize(("cylinders", "bank"), [(5, 0), (6, 0), (7, 0), (8, 90), (10, 72)])
 def test_ways_are_all_orders_of_a_point(cylinders: int, bank: float, minimise: str) -> None:
@@ -549,6 +552,7 @@ def test_uneven_angles_do_what_is_said_in_the_engine_that_is_written(
         assert length == pytest.approx(after[f"T{half:g}"], abs=1e-6)
 
 
+@pytest.mark.release
 def test_no_drawn_angles_are_better_than_the_uneven_ones_that_were_found() -> None:
     shaft = shaft_of(6)
     fired = shaft.fired_in((1, 5, 3, 6, 2, 4))

@@ -32,6 +32,7 @@ def test_the_page_opens_with_the_engine_that_was_named(server: Server) -> None:
     assert found.engines[0].file == V8
 
 
+@pytest.mark.release
 def test_the_schema_and_the_catalog_are_those_of_the_package(server: Server) -> None:
     assert server.ask("api/schema").json == json.loads(json.dumps(files.schema()))
     entries = server.ask("api/catalog").json
@@ -65,6 +66,7 @@ def test_an_edit_changes_the_exhibit_and_asking_again_gives_the_same(server: Ser
     assert bearings == {0.523599, -0.523599}
 
 
+@pytest.mark.release
 def test_figures_and_derivations_are_asked_for_by_the_keys_of_the_exhibit(server: Server) -> None:
     engine = crankstar.load("v8-cross-plane")
     exhibit = server.ask("api/exhibit", {"engine": V8}).json
@@ -80,6 +82,7 @@ def test_figures_and_derivations_are_asked_for_by_the_keys_of_the_exhibit(server
         assert answer.json == {"html": figures.derivation(engine, derivation["key"])}
 
 
+@pytest.mark.release
 def test_an_engine_is_fitted_as_its_verdict_advises_or_as_one_likes(server: Server) -> None:
     plain = server.ask("api/fitted", {"engine": "v8-cross-plane"}).json["exhibit"]
     assert plain["remedies"]
@@ -211,6 +214,7 @@ def test_names_in_addresses_do_not_lead_out_of_the_catalog(server: Server) -> No
         assert answer.json["problems"]
 
 
+@pytest.mark.release
 def test_the_workshop_offers_what_the_package_offers(server: Server) -> None:
     answer = server.ask("api/arrangements", {"engine": "i4", "cylinders": 5})
     assert answer.json == workshop(catalog.tree_of("i4")[1], cylinders=5).model_dump(mode="json")

@@ -58,6 +58,7 @@ def over(search: Any) -> Any:
     return None if search["state"] == "running" else search
 
 
+@pytest.mark.release
 def test_a_search_finds_what_the_package_finds_and_each_row_makes_its_engine(
     server: Server,
 ) -> None:
@@ -217,6 +218,7 @@ def test_what_is_said_of_a_lost_search_is_in_the_language_of_the_server(
     assert (search.state, search.note) == ("failed", "慣性力")
 
 
+@pytest.mark.release
 def test_a_process_speaks_the_language_of_the_server() -> None:
     with spoken("ja"):
         child = processes.Child(chores.say)

@@ -32,6 +32,7 @@ def exact(order: int, length: float, offset: float) -> complex:
         return complex(2 * order**2 * mpmath.fsum(terms) / count)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("length", "offset"), [(10.0, 0.0), (4.0, 0.0), (4.0, 0.3), (2.5, 1.2)])
 def test_harmonics_are_true_to_twelve_figures_however_small(length: float, offset: float) -> None:
     found = piston_harmonics(crank_radius=1.0, rod_length=length, offset=offset)
@@ -40,6 +41,7 @@ def test_harmonics_are_true_to_twelve_figures_however_small(length: float, offse
         assert abs(found[order] - expected) <= 1e-12 * abs(expected)
 
 
+@pytest.mark.release
 def test_show_prints_the_true_digits_of_the_eighth_harmonic() -> None:
     engine = load("i4", changes={"cylinder.rod_ratio": 10})
     (table,) = engines.harmonics(engine)
@@ -52,6 +54,7 @@ def offset_engines() -> list[Engine]:
     return [engine for engine in map(load, catalog.names()) if engine.first.offset]
 
 
+@pytest.mark.release
 def test_tables_charts_and_json_have_one_a_k_for_engines_with_offset() -> None:
     assert offset_engines()
     for engine in offset_engines():

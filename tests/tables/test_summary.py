@@ -147,6 +147,7 @@ def columns_of(table: Table, order: float) -> dict[str, complex]:
     return out
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ["audi-25-tfsi", "subaru-ej25", "v8-cross-plane", "harley-45"])
 def test_printed_amplitudes_are_those_of_the_turning_engine(name: str) -> None:
     engine = with_values(load(name), relative=())

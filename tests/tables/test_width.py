@@ -71,6 +71,7 @@ def documents(name: str) -> Iterator[Document]:
         return
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "name",
     [
@@ -85,6 +86,7 @@ def test_tables_of_an_engine_fit_80_columns(name: str) -> None:
         assert_fits(document)
 
 
+@pytest.mark.release
 def test_tables_without_an_engine_fit_80_columns() -> None:
     assert_fits(engines.catalog(catalog.summaries()))
     assert_fits(errata_document(errata(None)))

@@ -82,6 +82,7 @@ def test_weights_do_not_crowd_the_texts_of_a_chart(name: str, page: Page) -> Non
     assert_clear(pictures(with_counterweights(crankstar.load(name), factor=0.5)), page)
 
 
+@pytest.mark.release
 def test_texts_that_collide_or_are_cut_are_seen(page: Page) -> None:
     drawing = (
         '<svg width="90" height="40"><text x="5" y="15">force</text>'
@@ -114,6 +115,7 @@ def numbers(picture: Measured) -> set[int]:
     return out
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "name",
     [
@@ -213,6 +215,7 @@ def test_text_on_paper_is_large_and_dark_enough(name: str, paper: charts.Paper, 
             assert stated is None or side == pytest.approx(stated / 0.0254 * 96, abs=0.1)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("width", "across"), [(0.254, 2), (0.120, 1)])
 def test_two_stars_lie_side_by_side_where_the_paper_is_wide(
     width: float, across: int, page: Page

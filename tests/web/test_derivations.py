@@ -36,7 +36,7 @@ def written(name: str, folder: Path) -> Path:
     return place
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ENGINES)
 def test_every_formula_is_set(page: Page, tmp_path: Path, name: str) -> None:
     page.goto(written(name, tmp_path).as_uri())

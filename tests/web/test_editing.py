@@ -176,6 +176,7 @@ def test_undo_and_redo_by_buttons_and_keys(editing: Page) -> None:
     eventually(lambda: bank_angles(editing), [30, -45])
 
 
+@pytest.mark.release
 def test_a_drag_moves_the_engine_while_it_lasts_and_is_one_step(editing: Page) -> None:
     slider = field(editing, BEARING).locator("xpath=..").locator("input[type=range]")
     slider.scroll_into_view_if_needed()
@@ -335,6 +336,7 @@ def test_a_file_that_is_no_engine_is_told_of_and_changes_nothing(editing: Page) 
     expect(editing.locator(".note")).to_contain_text("huge.toml is too large")
 
 
+@pytest.mark.release
 def test_what_is_saved_is_what_is_on_the_stage(editing: Page, tmp_path: Path) -> None:
     field(editing, BEARING).fill("36 deg")
     eventually(lambda: bank_angles(editing), [36, -45])

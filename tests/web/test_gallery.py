@@ -30,6 +30,7 @@ def gallery(page: Page, server: Server) -> Page:
     return page
 
 
+@pytest.mark.release
 def test_every_engine_of_the_catalog_has_a_card_that_leads_to_it(gallery: Page) -> None:
     links = gallery.locator(".cards a").evaluate_all("all => all.map(a => a.getAttribute('href'))")
     titles = gallery.locator(".cards .title").all_text_contents()
@@ -113,6 +114,7 @@ def test_the_gallery_speaks_other_languages(
     page.wait_for_url(f"**/gallery?lang={language}")
 
 
+@pytest.mark.release
 def test_the_gallery_and_the_page_are_in_the_language_that_the_browser_prefers(
     browser: Browser, server: Server
 ) -> None:
@@ -139,6 +141,7 @@ def test_a_server_that_is_told_its_language_keeps_to_it(browser: Browser) -> Non
     assert complaints == []
 
 
+@pytest.mark.release
 def test_an_engine_file_that_is_dropped_is_opened(gallery: Page) -> None:
     gallery.evaluate(DROPPED, [RIGHT, "mine.toml"])
     gallery.wait_for_url("**/#engine=~*")

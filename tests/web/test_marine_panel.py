@@ -84,6 +84,7 @@ def test_the_panel_has_the_moments_of_the_command(path: Path, page: Page, tmp_pa
     compared(told(tmp_path), dict(tables))
 
 
+@pytest.mark.release
 def test_the_report_has_a_section_with_the_same_moments(tmp_path: Path) -> None:
     read = Reader(report(Subject(engine_of(SHIP), SHIP, "crankstar report ship.toml")))
     assert "marine" in [tag.attributes.get("id") for tag in read.tags]
@@ -104,6 +105,7 @@ def test_other_engines_have_neither_panel_nor_section(name: str) -> None:
     assert ship_engine(engine_of(LACKING[name])) is None
 
 
+@pytest.mark.release
 def test_an_engine_of_a_car_has_no_such_panel(built_page: Any, page: Page) -> None:
     opened(page, built_page("v8-cross-plane"), "a=0&tab=marine")
     expect(page.get_by_role("tab", name="Twist")).to_have_count(1)

@@ -118,6 +118,7 @@ def test_an_engine_without_mass_is_asked_for_it_and_put_on_mounts(laying: Page) 
     expect(page.get_by_role("tab", name="Mounts")).to_have_count(1)
 
 
+@pytest.mark.release
 def test_a_mount_is_dragged_in_each_view_and_undone(laying: Page) -> None:
     page = laying
     dropped(page, toml(standing()))
@@ -153,6 +154,7 @@ def test_a_mount_is_dragged_in_each_view_and_undone(laying: Page) -> None:
     waiting(page, f"file.mounts[1].right === '{right:g} mm' && file.mounts[1].z === '90 mm'")
 
 
+@pytest.mark.release
 def test_keys_move_mounts_and_the_centre_of_mass(laying: Page) -> None:
     page = laying
     dropped(page, toml(standing()))
@@ -172,6 +174,7 @@ def test_keys_move_mounts_and_the_centre_of_mass(laying: Page) -> None:
     assert centre == pytest.approx([0.09, -0.014, -0.035])
 
 
+@pytest.mark.release
 def test_mounts_are_added_removed_and_changed_by_number(laying: Page) -> None:
     page = laying
     dropped(page, toml(standing()))

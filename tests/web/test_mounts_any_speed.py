@@ -106,6 +106,7 @@ def test_the_stage_moves_as_python_says_at_any_speed(
     checked(engine, rest, read(page), *at(engine, 2345))
 
 
+@pytest.mark.release
 def test_every_point_has_its_curves_over_the_speed(tmp_path: Path, page: Page) -> None:
     path, engine = written(tmp_path, based=True)
     opened(page, path, "a=0&tab=mounts&mounts.rpm=2500")
@@ -129,6 +130,7 @@ def test_every_point_has_its_curves_over_the_speed(tmp_path: Path, page: Page) -
         assert values == pytest.approx(1e6 * now, abs=6e-3)
 
 
+@pytest.mark.release
 def test_speed_and_point_are_chosen_by_keys_typed_and_linked(tmp_path: Path, page: Page) -> None:
     path, _engine = written(tmp_path)
     opened(page, path, "a=30&tab=mounts&mounts.rpm=3000")

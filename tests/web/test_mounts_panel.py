@@ -144,7 +144,7 @@ def driven(engine: Engine, shown: dict[str, Any], angles: list[float]) -> tuple[
     return np.real(found.motion[0].T @ turning), np.real(forces)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("rotation", "based", "means"),
     [
@@ -252,6 +252,7 @@ def test_the_picture_of_the_block_is_moved_as_much_as_is_said(
     assert np.abs(before - after).mean() < 0.35 * np.abs(before - unmoved).mean()
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
 def test_on_soft_mounts_the_block_moves_as_in_free_whirl(
     tmp_path: Path, page: Page, rotation: str
@@ -284,6 +285,7 @@ def number(text: str) -> float:
     return float(plain(text.strip()).removeprefix("+"))
 
 
+@pytest.mark.release
 def test_every_number_of_the_panel_is_that_of_the_command(
     tmp_path: Path, page: Page, told: Told
 ) -> None:
@@ -350,6 +352,7 @@ def test_curves_over_the_speed_have_their_dot_where_the_engine_runs(
         assert dots[1] == pytest.approx(share, abs=0.02)
 
 
+@pytest.mark.release
 def test_courses_run_with_the_crank_and_add_up_all_orders(tmp_path: Path, page: Page) -> None:
     path, engine = written_of(tmp_path, "counter-clockwise")
     opened(page, path, "a=0&tab=mounts&mounts.at=2")
@@ -365,6 +368,7 @@ def test_courses_run_with_the_crank_and_add_up_all_orders(tmp_path: Path, page: 
         assert told_numbers[3:] == pytest.approx(ground[:, step], abs=6e-3)
 
 
+@pytest.mark.release
 def test_an_engine_without_mounts_has_no_such_panel(built_page: Any, page: Page) -> None:
     opened(page, built_page("v8-cross-plane"), "a=0&tab=mounts&mounts.show=forced")
     expect(page.get_by_role("tab", name="Twist")).to_have_count(1)
@@ -373,6 +377,7 @@ def test_an_engine_without_mounts_has_no_such_panel(built_page: Any, page: Page)
     assert handle(page, "read().magnification") == 0
 
 
+@pytest.mark.release
 def test_what_moves_the_block_is_reached_by_keys_and_linked(tmp_path: Path, page: Page) -> None:
     path, _engine = written_of(tmp_path)
     opened(page, path, "a=30&tab=mounts")

@@ -43,6 +43,7 @@ def test_without_scripts_it_says_what_it_needs(browser: Browser, built_page: Bui
         context.close()
 
 
+@pytest.mark.release
 def test_no_other_script_runs_in_it_and_nothing_is_loaded(
     browser: Browser, built_page: Build, tmp_path: Path
 ) -> None:
@@ -86,6 +87,7 @@ def test_a_file_read_in_another_language_says_how_it_is_written_in_that(
     assert told.count() == 0
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("kept", ["H4sIAAAA", "no base64!"])
 def test_a_page_whose_script_is_damaged_says_so_and_is_not_waited_for(
     built_page: Build, page: Page, tmp_path: Path, kept: str
@@ -101,6 +103,7 @@ def test_a_page_whose_script_is_damaged_says_so_and_is_not_waited_for(
     assert INCOMPLETE in page.inner_text("body")
 
 
+@pytest.mark.release
 def test_a_script_may_hold_the_page_before_its_own_script_has_come(
     built_page: Build, page: Page
 ) -> None:
@@ -112,6 +115,7 @@ def test_a_script_may_hold_the_page_before_its_own_script_has_come(
     assert page.evaluate("async () => { await held.ready; return held.theta }") == 40
 
 
+@pytest.mark.release
 def test_formulas_are_set_in_the_font_that_the_page_carries(built_page: Build, page: Page) -> None:
     opened(page, built_page("single", figures=True), "a=0&tab=derivation")
     page.wait_for_selector(".typeset math")

@@ -53,6 +53,7 @@ def tab(page: Page, name: str) -> Locator:
     return page.get_by_role("tabpanel")
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     "name",
     [
@@ -84,6 +85,7 @@ def test_the_numbers_below_the_stage_are_those_of_python(
             )
 
 
+@pytest.mark.release
 def test_the_roll_of_an_engine_whose_cylinders_do_not_roll_by_themselves_is_told(
     built_page: Build, page: Page
 ) -> None:
@@ -232,6 +234,7 @@ def test_a_figure_keeps_its_size_while_it_turns(built_page: Build, page: Page) -
     assert len(sizes) == 1
 
 
+@pytest.mark.release
 def test_a_link_shows_the_same_again(built_page: Build, page: Page) -> None:
     page.emulate_media(reduced_motion="no-preference")
     file = built_page(CROSS)
@@ -371,6 +374,7 @@ def test_two_engines_stand_side_by_side(built_page: Build, page: Page) -> None:
     assert page.locator(".stage").count() == 1
 
 
+@pytest.mark.release
 def test_derivations_are_typeset(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS, figures=True), "a=0&of=couple&orders=1")
     panel = tab(page, "Derivation")
@@ -434,6 +438,7 @@ def test_names_are_text_everywhere(tmp_path: Path, page: Page) -> None:
     expect(page.get_by_role("heading", level=1)).to_have_text(HOSTILE)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     "share", [0.999, *(pytest.param(share, marks=pytest.mark.release) for share in (0.1, 0.5))]
 )

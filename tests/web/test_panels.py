@@ -47,6 +47,7 @@ def test_tabs_stand_in_one_row_and_the_chosen_one_is_seen(
     assert page.locator(".strip .back").is_visible() == overflowing
 
 
+@pytest.mark.release
 def test_what_is_chosen_in_a_panel_goes_into_the_link_and_comes_back(
     built_page: Build, page: Page
 ) -> None:
@@ -60,6 +61,7 @@ def test_what_is_chosen_in_a_panel_goes_into_the_link_and_comes_back(
     expect(page.locator(".polar-loads")).to_have_attribute("data-on", "pin")
 
 
+@pytest.mark.release
 def test_paths_of_a_quantity_are_drawn_to_one_scale_and_little_ones_are_pale(
     built_page: Build, page: Page
 ) -> None:
@@ -171,6 +173,7 @@ def test_terms_are_named_and_explained_in_the_language_of_the_page(
     assert term.meanings[language] != term.meanings["en"]
 
 
+@pytest.mark.release
 def test_a_link_to_a_panel_that_the_engine_lacks_says_so(built_page: Build, page: Page) -> None:
     opened(page, built_page(ENGINE), "a=0&tab=mounts")
     panel = page.get_by_role("tabpanel", name="Orders")
@@ -184,6 +187,7 @@ def test_a_link_to_a_panel_that_the_engine_lacks_says_so(built_page: Build, page
     expect(panel.get_by_role("status")).to_have_count(0)
 
 
+@pytest.mark.release
 def test_numbers_and_letters_of_the_orders_are_set_as_in_print(
     built_page: Build, page: Page
 ) -> None:
@@ -233,6 +237,7 @@ def test_numbers_bear_the_colour_of_their_arrow_while_it_is_drawn(
     expect(marks).to_have_count(2)
 
 
+@pytest.mark.release
 def test_the_polar_diagrams_of_bearings_say_what_their_circles_are(
     built_page: Build, page: Page
 ) -> None:
@@ -246,6 +251,7 @@ def test_the_polar_diagrams_of_bearings_say_what_their_circles_are(
     assert second["y"] - first["y"] - first["height"] >= 12
 
 
+@pytest.mark.release
 def test_what_balance_shafts_leave_does_not_shrink_the_arrows_of_other_panels(
     built_page: Build, page: Page
 ) -> None:

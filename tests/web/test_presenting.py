@@ -44,6 +44,7 @@ def test_a_presentation_is_large_and_without_controls(built_page: Build, page: P
     expect(page.locator(".tools")).to_be_visible()
 
 
+@pytest.mark.release
 def test_a_link_opens_a_presentation_and_a_button_ends_it(built_page: Build, page: Page) -> None:
     opened(page, built_page(ENGINE), "a=40&present=1")
     expect(page.locator(".tools")).to_be_hidden()
@@ -68,6 +69,7 @@ def test_a_click_on_the_enlarged_sheet_enlarges_the_view_below_it(
     page.wait_for_function("() => location.hash.includes('camera=side')")
 
 
+@pytest.mark.release
 def test_full_screen_comes_and_goes_by_a_key_and_a_button(built_page: Build, page: Page) -> None:
     opened(page, built_page(ENGINE), "a=40")
     page.keyboard.press("f")
@@ -79,6 +81,7 @@ def test_full_screen_comes_and_goes_by_a_key_and_a_button(built_page: Build, pag
     page.evaluate("() => document.exitFullscreen()")
 
 
+@pytest.mark.release
 def test_the_first_stop_of_the_keyboard_leads_to_the_panels(built_page: Build, page: Page) -> None:
     opened(page, built_page(ENGINE), "a=40")
     page.keyboard.press("Tab")

@@ -27,6 +27,7 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return out
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("width", "scheme"),
     [
@@ -100,6 +101,7 @@ def test_words_in_the_spectra_and_paths_do_not_lie_over_each_other(
     assert [one for one in page.evaluate(ON_AN_AXIS) if ": hodograph" in one] == []
 
 
+@pytest.mark.release
 def test_a_reader_who_does_not_see_it_finds_headings_and_names(page: Page, place: Path) -> None:
     page.goto(place.as_uri())
     levels = page.evaluate(
@@ -118,6 +120,7 @@ def test_a_reader_who_does_not_see_it_finds_headings_and_names(page: Page, place
     )
 
 
+@pytest.mark.release
 def test_on_paper_no_figure_and_no_line_is_wider_than_the_page(page: Page, place: Path) -> None:
     page.emulate_media(media="print")
     page.set_viewport_size({"width": 673, "height": 980})  # A4 less its margins, in px

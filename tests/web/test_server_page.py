@@ -27,6 +27,7 @@ def opened(page: Page, server: Server) -> None:
     page.evaluate(READY)
 
 
+@pytest.mark.release
 def test_the_page_shows_the_engine_it_was_started_with(page: Page, server: Server) -> None:
     opened(page, server)
     names = page.evaluate(
@@ -37,6 +38,7 @@ def test_the_page_shows_the_engine_it_was_started_with(page: Page, server: Serve
     assert len(reading["pistons"]) == 8
 
 
+@pytest.mark.release
 def test_every_panel_opens_under_the_policy_of_the_server(page: Page, server: Server) -> None:
     """The page fixture fails for whatever the policy refuses, because the console reports it."""
     opened(page, server)
@@ -51,6 +53,7 @@ def test_every_panel_opens_under_the_policy_of_the_server(page: Page, server: Se
     page.wait_for_selector("svg.marks")
 
 
+@pytest.mark.release
 def test_the_script_of_figures_is_read_when_the_first_is_wanted(page: Page, server: Server) -> None:
     """Until then it is not asked for; where it does not come, the figure says so and asks again."""
     asked: list[str] = []
@@ -73,6 +76,7 @@ def test_the_script_of_figures_is_read_when_the_first_is_wanted(page: Page, serv
     assert len([url for url in asked if "/figures.js" in url]) == before, "it is read once"
 
 
+@pytest.mark.release
 def test_a_file_is_handed_out_as_a_download(page: Page, server: Server) -> None:
     opened(page, server)
     with page.expect_download() as waited:
@@ -87,6 +91,7 @@ def test_a_file_is_handed_out_as_a_download(page: Page, server: Server) -> None:
     assert waited.value.suggested_filename == "mine.toml"
 
 
+@pytest.mark.release
 def test_a_script_that_is_written_into_the_page_does_not_run(
     browser: Browser, server: Server
 ) -> None:

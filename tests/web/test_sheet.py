@@ -59,6 +59,7 @@ def colliding(texts: list[tuple[str, list[float]]], width: float, height: float)
     return out
 
 
+@pytest.mark.release
 def test_a_wide_page_opens_with_four_views_to_one_scale_and_in_line(
     built_page: Build, page: Page
 ) -> None:
@@ -74,6 +75,7 @@ def test_a_wide_page_opens_with_four_views_to_one_scale_and_in_line(
     assert farthest_off(load(ENGINE), drawn(page)) < 1e-6
 
 
+@pytest.mark.release
 def test_a_click_on_a_view_enlarges_it_and_another_one_goes_back(
     built_page: Build, page: Page
 ) -> None:
@@ -92,6 +94,7 @@ def test_a_click_on_a_view_enlarges_it_and_another_one_goes_back(
         assert len(panes(page)) == 4
 
 
+@pytest.mark.release
 def test_on_a_phone_one_view_is_seen_and_a_swipe_shows_the_next(
     built_page: Build, page: Page
 ) -> None:
@@ -182,6 +185,7 @@ def test_the_paths_of_the_whirl_stand_beside_the_engine_and_say_how_much_is_exag
     assert texts[-1] == "exaggerated × 250"
 
 
+@pytest.mark.release
 def test_on_a_phone_the_paths_of_the_whirl_stand_beside_the_engine_too(
     built_page: Build, page: Page
 ) -> None:

@@ -80,6 +80,7 @@ def ink(picture: Image.Image) -> float:
     return float((np.abs(pixels - pixels[0, 0]).max(axis=2) > 24).mean())
 
 
+@pytest.mark.release
 def test_the_stage_is_saved_sharp_with_its_name_and_angle(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:
@@ -141,6 +142,7 @@ def test_the_svg_of_a_sheet_has_every_part_and_no_style(
     assert not re.search(r"style=|<style|<script|href=|rgb\(", drawn)
 
 
+@pytest.mark.release
 def test_the_svg_puts_pistons_where_the_stage_has_them(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:

@@ -65,6 +65,7 @@ def test_the_panel_has_the_numbers_of_the_command(path: Path, page: Page, tmp_pa
     expect(page.locator("[role=tabpanel] .figures svg")).to_have_count(1)
 
 
+@pytest.mark.release
 def test_an_engine_without_tolerances_has_no_such_panel(built_page: Any, page: Page) -> None:
     opened(page, built_page("v8-cross-plane"), "a=0&tab=tolerances")
     expect(page.get_by_role("tab", name="Twist")).to_have_count(1)

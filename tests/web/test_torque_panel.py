@@ -235,6 +235,7 @@ def test_what_is_chosen_of_the_torque_goes_into_the_link(built_page: Build, page
     assert outputs(page, page.locator(".cycle-curves").count() - 1) == [0.0]
 
 
+@pytest.mark.release
 def test_an_engine_without_bores_says_what_gas_needs(built_page: Build, page: Page) -> None:
     opened(page, built_page("v8-cross-plane"), "a=0&tab=torque")
     expect(page.locator("p.needs")).to_contain_text("give cylinder.bore in the engine file")
@@ -327,6 +328,7 @@ def test_one_click_leads_from_one_sound_to_the_other_and_hiding_ends_it(
     expect(page.get_by_role("button", name=f"Hear {flat}")).to_be_visible()
 
 
+@pytest.mark.release
 def test_the_speed_that_is_heard_follows_the_slider_of_the_page(
     built_page: Build, page: Page
 ) -> None:
@@ -336,6 +338,7 @@ def test_the_speed_that_is_heard_follows_the_slider_of_the_page(
     page.wait_for_function("() => location.hash.includes('sound.speed=engine')")
 
 
+@pytest.mark.release
 def test_the_orders_of_the_exhaust_stand_beside_its_sound(built_page: Build, page: Page) -> None:
     opened(page, built_page("v8-cross-plane"), "a=0&tab=sound")
     heights = page.locator(".bars-group").evaluate_all(
@@ -370,6 +373,7 @@ def test_torque_and_sound_can_be_read_by_everyone(
     assert found == {"torque": [], "sound": []}
 
 
+@pytest.mark.release
 def test_a_browser_without_sound_says_so(built_page: Build, page: Page) -> None:
     page.add_init_script(
         "window.AudioContext = class { constructor() { throw Error('no sound') } }"

@@ -83,6 +83,7 @@ def test_the_numbers_at_an_angle_are_the_rates_of_change_of_momentum(
             assert abs(value - wanted) < 1e-3 * greatest + 1e-5, (degrees, said, expected)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     "rotation", ["counter-clockwise", pytest.param("clockwise", marks=pytest.mark.release)]
 )

@@ -97,6 +97,7 @@ def test_two_engines_turn_at_the_same_angle(built_page: Build, page: Page) -> No
         assert farthest_off(load(name), drawn(page, index=index)) < 1e-6
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("end", ["front", pytest.param("rear", marks=pytest.mark.release)])
 def test_the_axis_of_a_cross_plane_crank_whirls_in_a_circle(
     end: str, built_page: Build, page: Page

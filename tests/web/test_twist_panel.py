@@ -123,7 +123,7 @@ def checked_places(
             assert (right, up) == pytest.approx((float(x), float(y)), abs=1e-6 * throws[0].radius)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("name", "sense", "means"),
     [(CLOCKWISE, 1, "webgl"), (COUNTER_CLOCKWISE, -1, "webgl"), (COUNTER_CLOCKWISE, -1, "flat")],
@@ -170,6 +170,7 @@ def test_the_colours_of_the_crank_go_with_the_stress(
     assert float(re.findall(r"([\d.]+) MPa", legend)[0]) == pytest.approx(most, rel=6e-4)
 
 
+@pytest.mark.release
 def test_the_picture_has_the_colours_that_are_told(tmp_path: Path, page: Page) -> None:
     """The journals between the throws, seen from the side, at the swing of a mode."""
     engine = twisting(CLOCKWISE)
@@ -195,6 +196,7 @@ def test_the_picture_has_the_colours_that_are_told(tmp_path: Path, page: Page) -
     assert max(apart) > 0.3
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
 def test_a_twisted_throw_is_drawn_where_a_crank_so_far_ahead_has_it(
     tmp_path: Path, page: Page, rotation: str
@@ -271,6 +273,7 @@ def test_every_number_of_the_panel_is_that_of_the_command(
             assert told_numbers == pytest.approx(known, rel=6e-5)
 
 
+@pytest.mark.release
 def test_an_engine_without_torsion_says_what_to_add(built_page: Any, page: Page) -> None:
     opened(page, built_page("v8-cross-plane"), "a=0&tab=twist&twist.show=mode")
     expect(page.locator("p.needs")).to_contain_text("give the table [torsion] in the engine file")
@@ -278,6 +281,7 @@ def test_an_engine_without_torsion_says_what_to_add(built_page: Any, page: Page)
     assert handle(page, "read().heat") == []
 
 
+@pytest.mark.release
 def test_without_a_driving_force_there_are_modes_and_the_torque_in_them(
     tmp_path: Path, page: Page
 ) -> None:
@@ -295,6 +299,7 @@ def test_without_a_driving_force_there_are_modes_and_the_torque_in_them(
     assert np.ptp(heat[0]) < 0.1 < np.ptp(heat[1])
 
 
+@pytest.mark.release
 def test_what_is_chosen_of_the_twist_is_reached_by_keys_and_linked(
     tmp_path: Path, page: Page
 ) -> None:
@@ -318,6 +323,7 @@ def test_what_is_chosen_of_the_twist_is_reached_by_keys_and_linked(
     assert handle(page, "read().pins[0]") == drawn
 
 
+@pytest.mark.release
 def test_an_edited_engine_twists_as_edited_with_its_figures(page: Page, server: Server) -> None:
     page.goto(f"{server.address}#a=30&tab=twist&twist.show=mode&twist.mode=2")
     expect(page.locator("p.needs")).to_be_visible()

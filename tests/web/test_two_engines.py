@@ -29,6 +29,7 @@ def number(text: str) -> float:
     return float(found.group())
 
 
+@pytest.mark.release
 def test_the_difference_now_is_that_of_the_two_balances(built_page: Build, page: Page) -> None:
     opened(page, built_page(ONE, OTHER, figures=False), f"a={THETA}&tab=orders")
     blocks = page.locator(".now .numbers")
@@ -114,6 +115,7 @@ def test_a_long_name_above_its_numbers_is_whole_where_there_is_room(
     assert names == [0, 0, 0]
 
 
+@pytest.mark.release
 def test_numbers_leave_two_engines_room_on_a_low_window(built_page: Build, page: Page) -> None:
     page.set_viewport_size({"width": 1024, "height": 768})
     opened(page, built_page("v8-flat-plane", "v8-cross-plane"), "a=0")

@@ -82,6 +82,7 @@ def test_the_words_of_the_whirl_have_room_in_every_language(built_page: Build, p
             assert label["bottom"] <= high, label
 
 
+@pytest.mark.release
 def test_a_figure_that_is_too_wide_says_that_it_scrolls(built_page: Build, page: Page) -> None:
     page.set_viewport_size({"width": 320, "height": 640})
     opened(page, built_page(OTHER, figures=True), "a=40&tab=remedies")
@@ -94,6 +95,7 @@ def test_a_figure_that_is_too_wide_says_that_it_scrolls(built_page: Build, page:
     expect(figure).not_to_contain_text("scrolls")
 
 
+@pytest.mark.release
 def test_two_engines_are_printed_on_one_sheet(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:

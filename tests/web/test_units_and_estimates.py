@@ -109,6 +109,7 @@ def test_the_choice_is_in_the_link_and_kept(file_page: Path, page: Page) -> None
     expect(page.locator("table.orders")).to_contain_text("N m")
 
 
+@pytest.mark.release
 def test_units_that_a_file_does_not_hold_are_refused_in_a_sentence(
     file_page: Path, page: Page
 ) -> None:

@@ -179,6 +179,7 @@ def test_nothing_is_left_when_the_cell_is_cleared(show: Show, page: Page) -> Non
     assert page.evaluate("document.adoptedStyleSheets.length") == 0
 
 
+@pytest.mark.release
 @pytest.mark.usefixtures("show")
 def test_data_that_cannot_be_read_are_answered_with_a_sentence(page: Page) -> None:
     page.evaluate(

@@ -125,6 +125,7 @@ def test_a_slider_moves_both_banks_and_its_curve_is_that_of_the_sweep(bench: Pag
     expect(bench.locator(".bench .remains")).to_contain_text(unescape(typeset(fact["sentence"])))
 
 
+@pytest.mark.release
 def test_a_number_that_is_typed_takes_any_unit_of_its_kind(bench: Page) -> None:
     box = control(bench, "cylinder.rod_ratio").get_by_role("textbox")
     box.fill("3,5")
@@ -242,6 +243,7 @@ def test_back_and_forward_step_through_panels_and_edits(bench: Page) -> None:
     expect(bench.locator(".steps li")).to_have_count(2)
 
 
+@pytest.mark.release
 def test_engines_are_kept_shown_beside_exported_deleted_and_taken_in_again(
     bench: Page, tmp_path: Path
 ) -> None:
@@ -307,6 +309,7 @@ def test_the_workshop_can_be_read_and_used_by_everyone(bench: Page) -> None:
         assert barriers(bench) == []
 
 
+@pytest.mark.release
 def test_the_star_is_there_before_the_curves_of_the_sliders(
     browser: Browser, server: Server
 ) -> None:
@@ -331,6 +334,7 @@ def test_the_star_is_there_before_the_curves_of_the_sliders(
         ready(page)
 
 
+@pytest.mark.release
 def test_a_link_to_an_unknown_engine_says_so_in_one_sentence(
     browser: Browser, server: Server
 ) -> None:
@@ -344,6 +348,7 @@ def test_a_link_to_an_unknown_engine_says_so_in_one_sentence(
         expect(told.locator("code")).to_have_text("crankstar list")
 
 
+@pytest.mark.release
 def test_a_pin_that_is_dragged_is_not_framed(bench: Page) -> None:
     pin = bench.locator(".star .pin:not(.fixed)").last
     pin.scroll_into_view_if_needed()
