@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import count
 from typing import TYPE_CHECKING, Annotated, Any, cast, get_args
 
 from crankstar.cli.options import (
@@ -30,7 +31,7 @@ from crankstar.cli.options import (
     together,
     write_tree,
 )
-from crankstar.cli.output import display, working
+from crankstar.cli.output import display, progress
 from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
@@ -191,8 +192,11 @@ def bearings(
         partial(request.cylinders_off, off),
     )
     burning = gas or point is not None or bool(silent)
+    several = 1 if spread is None else len(spread.engines)
+    engines = count(1)
 
     def sheet(each: Engine) -> Document:
+        advance(next(engines), several, "")
         found = None
         if burning:
             found = cycle(each, point=point or "", speed=turning, off=silent)
@@ -205,7 +209,7 @@ def bearings(
             cycle=found,
         )
 
-    with working(_("Computing the loads ...")), words_for(form):
+    with progress(_("Computing the loads ...")) as advance, words_for(form):
         document = ranged(sheet, spread, loaded)
     give(document, output, form=form)
 
