@@ -280,3 +280,24 @@ def test_a_spreadsheet_that_unpacks_to_more_is_not_unpacked(
     with zipfile.ZipFile(tmp_path / "w.xlsx", "a", zipfile.ZIP_DEFLATED) as packed:
         packed.writestr("xl/more.xml", b" " * 31_000_000)
     assert "larger than 30 MB" in refused("match", "triple.toml", "w.xlsx")
+
+
+def test_one_engine_of_a_batch_is_printed_alike_with_and_without_its_number(run: Run) -> None:
+    for more in ([], ["--whole"], ["--classes", "1 g, 3 g"]):
+        own = run("match", "triple.toml", "w.csv", *more, "--json").out
+        assert run("match", "triple.toml", "w.csv", *more, "--engines", "1", "--json").out == own
+
+
+def test_what_classes_leave_is_told_of_each_of_several_engines(run: Run, tmp_path: Path) -> None:
+    more = "".join(f"{x}, {411 + x}, 99, 151, {401 - x}\n" for x in range(3))
+    (tmp_path / "six.csv").write_text(LIST + more, encoding="utf-8")
+    asked = ("match", "triple.toml", "six.csv", "--engines", "2", "--classes", "1 g, 3 g")
+    found = json.loads(run(*asked, "--json").out)
+    assert [(row["engine"], row["width"]) for row in found["classes"]] == [
+        *((1, 1.0), (1, 3.0), (2, 1.0), (2, 3.0))
+    ]
+    rows = list(csv.DictReader(io.StringIO(run(*asked, "--csv").out)))
+    classes = [row for row in rows if row["table"] == "classes"]
+    assert [float(row["most [kg*m]"]) for row in classes] == pytest.approx(
+        [row["most"] for row in found["classes"]]
+    )
