@@ -24,11 +24,7 @@ def words_for(form: str) -> Iterator[None]:
 
 
 def give(
-    document: Document,
-    place: str | None,
-    *,
-    form: str,
-    tree: Mapping[str, Any] | None = None,
+    document: Document, place: str | None, *, form: str, tree: Mapping[str, Any] | None = None
 ) -> None:
     """Write a document in a form of TABLES to a file or to standard output.
 
