@@ -6,8 +6,10 @@ Sheets of other names, such as those of results, are left alone.
 from __future__ import annotations
 
 import io
+import lzma
 import warnings
 import zipfile
+import zlib
 from collections.abc import Sequence
 from itertools import islice
 from pathlib import PurePosixPath
@@ -29,6 +31,7 @@ WIDTHS = {"key": 30, "value": 24, "source": 40, "meaning": 70}
 UNREADABLE = (
     *(KeyError, ValueError, TypeError, AttributeError, IndexError, SyntaxError, OSError),
     *(EOFError, NotImplementedError, RuntimeError, zipfile.BadZipFile, RecursionError),
+    *(zlib.error, lzma.LZMAError, OverflowError, MemoryError, AssertionError),
 )
 """What openpyxl and zipfile raise for files that are none."""
 

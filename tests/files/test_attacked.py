@@ -1,0 +1,100 @@
+"""Files that broke the program, data that was lost: each input that was found, and its kind."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from tests.commands import Run
+
+from crankstar.engine.provenance import Provenance
+from crankstar.files import EngineFileError, read, tree_of
+from crankstar.files.estimate import estimated
+from crankstar.server.watching import Watched
+
+CASES = Path(__file__).parents[1] / "cases"
+Refused = Callable[..., str]
+
+
+def codes_of(path: Path) -> list[str]:
+    with pytest.raises(EngineFileError) as caught:
+        read(path)
+    return [fault.code for fault in caught.value.faults]
+
+
+def test_a_spreadsheet_damaged_anywhere_is_one_sentence(tmp_path: Path) -> None:
+    assert codes_of(CASES / "damaged.xlsx") == ["file.not-spreadsheet"]
+    raw = (CASES / "damaged.xlsx").read_bytes()
+    with zipfile.ZipFile(CASES / "damaged.xlsx") as packed:
+        places = [entry.header_offset + 60 for entry in packed.infolist()]
+    for number, place in enumerate(places):
+        path = tmp_path / f"{number}.xlsx"
+        path.write_bytes(raw[:place] + bytes(40) + raw[place + 40 :])
+        assert codes_of(path) == ["file.not-spreadsheet"]
+
+
+def test_a_watched_file_is_followed_after_whatever_was_in_it(tmp_path: Path) -> None:
+    path, looks = tmp_path / "mine.toml", 0
+    path.write_text("a = 1")
+
+    def tree() -> dict[str, object]:
+        if path.read_text() == "broken":
+            raise ZeroDivisionError
+        return dict(tree_of(path.read_text()))
+
+    watched = Watched(path, tree(), tree)
+
+    async def followed() -> None:
+        nonlocal looks
+        path.write_text("broken")
+        watching = asyncio.create_task(watched.watch())
+        while watched.version == 1:
+            await asyncio.sleep(0.05)
+            looks += 1
+            if looks == 10:
+                path.write_text("b = 22")
+        watching.cancel()
+
+    asyncio.run(asyncio.wait_for(followed(), 20))
+    assert watched.tree == {"b": 22}
+
+
+@pytest.mark.parametrize("end", [10**400, "1e999", "nan"])
+def test_a_range_that_is_no_number_is_a_fault_at_its_place(end: object, tmp_path: Path) -> None:
+    text = (CASES / "range-overflow.toml").read_text()
+    head = text[: text.index("range =")]
+    path = tmp_path / "x.toml"
+    path.write_text(f"{head}range = [{json.dumps(0.5)}, {json.dumps(end)}] }}\n")
+    with pytest.raises(EngineFileError) as caught:
+        read(path)
+    assert [fault.path for fault in caught.value.faults] == [
+        ("provenance", "cylinder.bore", "range")
+    ] or [fault.path[:3] for fault in caught.value.faults] == [
+        ("provenance", "cylinder.bore", "range")
+    ]
+
+
+def test_the_range_of_the_case_is_told_and_a_range_of_whole_numbers_is_read() -> None:
+    assert codes_of(CASES / "range-overflow.toml") == ["provenance.multiples"]
+    assert Provenance.model_validate({"status": "estimated", "range": [1, 2]}).range == (1.0, 2.0)
+
+
+@pytest.mark.parametrize("name", ["explicit-without-bore", "geared-explicit"])
+def test_an_explicit_file_with_masses_needs_no_bore_to_be_estimated(name: str) -> None:
+    found = estimated(tree_of((CASES / f"{name}.toml").read_text()))
+    assert [each.path for each in found.filled] == ["speed"]
+
+
+def test_an_explicit_file_without_masses_and_bore_is_told_what_it_needs(refused: Refused) -> None:
+    text = (CASES / "explicit-without-bore.toml").read_text()
+    bare = 'relative = ["mass"]\n' + text.replace('"500 g"', "1")
+    for displacement in (None, 2e-3):
+        with pytest.raises(EngineFileError) as caught:
+            estimated(tree_of(bare), displacement=displacement)
+        assert [fault.code for fault in caught.value.faults] == ["file.explicit-without-bore"]
+    told = refused("estimate", str(CASES / "geared-explicit.toml"), "--displacement", "2 l")
+    assert "give bore in every entry" in told
