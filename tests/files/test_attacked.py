@@ -98,3 +98,26 @@ def test_an_explicit_file_without_masses_and_bore_is_told_what_it_needs(refused:
         assert [fault.code for fault in caught.value.faults] == ["file.explicit-without-bore"]
     told = refused("estimate", str(CASES / "geared-explicit.toml"), "--displacement", "2 l")
     assert "give bore in every entry" in told
+
+
+def test_no_file_that_was_read_is_written_over(refused: Refused, run: Run, tmp_path: Path) -> None:
+    for name in ("v6-idle-trace.toml", "pressure.csv"):
+        (tmp_path / name).write_bytes((CASES / name).read_bytes())
+    (tmp_path / "linked.csv").symlink_to("pressure.csv")
+    (tmp_path / "hard.csv").hardlink_to(tmp_path / "pressure.csv")
+    before = (tmp_path / "pressure.csv").read_bytes()
+    for place in ("pressure.csv", "./pressure.csv", "linked.csv", "hard.csv"):
+        for asked in (["torque", "v6-idle-trace.toml", "--csv"], ["analyze", "v6-idle-trace.toml"]):
+            said = refused(*asked, "-o", place)
+            assert f"{place} is read by this command and would be lost" in said
+    assert (tmp_path / "pressure.csv").read_bytes() == before
+    assert run("torque", "v6-idle-trace.toml", "--csv", "-o", "new.csv").code == 0
+    assert run("torque", "v6-idle-trace.toml", "--csv", "-o", "new.csv").code == 0
+
+
+def test_lists_and_readings_are_not_written_over(refused: Refused, tmp_path: Path) -> None:
+    (tmp_path / "e.toml").write_bytes((CASES / "match-engine.toml").read_bytes())
+    (tmp_path / "w.csv").write_bytes((CASES / "match-weights.csv").read_bytes())
+    (tmp_path / "same.csv").hardlink_to(tmp_path / "w.csv")
+    assert "would be lost" in refused("match", "e.toml", "w.csv", "--csv", "-o", "same.csv")
+    assert (tmp_path / "same.csv").read_bytes() == (CASES / "match-weights.csv").read_bytes()

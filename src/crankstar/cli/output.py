@@ -20,6 +20,7 @@ from crankstar.options.forms import STANDARD_OUTPUT
 
 PIPED = 140
 """Columns where there is no terminal."""
+LOST = N_("{file} is read by this command and would be lost; name another file with {option}")
 WRITE_PROTECTED = N_("it is write-protected")
 
 
@@ -82,6 +83,7 @@ def write_bytes(content: bytes, place: str | None, *, option: str = "-o") -> Non
     with _refusing(place, option):
         mode = _mode(place)
         if mode is None or stat.S_ISREG(mode):
+            _refuse_read(place, mode, option)
             _replace(Path(place).resolve(), content, option)
             said = N_("Wrote {file}") if mode is None else N_("Replaced {file}")
             complain(_(said, file=one_line(place)))
@@ -104,10 +106,19 @@ def writable(place: str, *, option: str = "-o") -> None:
         return
     with _refusing(place, option):
         mode = _mode(place)
+        _refuse_read(place, mode, option)
         if mode is None and not Path(place).resolve().parent.is_dir():
             _refuse(place, N_("there is no such directory"), option)
         if not os.access(place if mode is not None else Path(place).resolve().parent, os.W_OK):
             _refuse(place, WRITE_PROTECTED, option)
+
+
+def _refuse_read(place: str, mode: int | None, option: str) -> None:
+    """Refuse a file that this command has read, itself or through another. Raises OutputError."""
+    from crankstar.files.read_files import was_read
+
+    if mode is not None and was_read(place):
+        raise OutputError(LOST, file=one_line(place), option=option)
 
 
 @contextmanager

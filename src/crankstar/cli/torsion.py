@@ -59,8 +59,8 @@ def torsion(
     """Compute torsional vibration: modes, critical speeds, response and stress of a crankshaft."""
     from crankstar.dynamics.torsion_analysis import torsion as analysis
     from crankstar.tables.ranges import ranged
-    from crankstar.tables.torsion import torsion_document
     from crankstar.tables.table import with_tables
+    from crankstar.tables.torsion import torsion_document
 
     form = form_of(output, TABLES, json=json, csv=csv)
     if speed is not None and ".." in speed and speeds is None:

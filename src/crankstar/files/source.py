@@ -14,6 +14,7 @@ from typing import Any
 from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.kinds import kind_of
 from crankstar.files.mistakes import Tree
+from crankstar.files.read_files import note
 from crankstar.files.traces import with_trace
 from crankstar.files.workbook import PROTECTED, ZIP, workbook_tree
 from crankstar.language.quoting import one_line, seen
@@ -83,6 +84,7 @@ def _bytes(path: Path, name: str) -> bytes:
     if not stat.S_ISREG(mode):
         raise refused(name, "not-regular")
     with path.open("rb") as file:
+        note(file)
         return file.read(GREATEST_FILE + 1)
 
 

@@ -17,6 +17,7 @@ from typing import Any
 from crankstar.engine.quantities import ANGLE, PRESSURE, Quantity
 from crankstar.files import units
 from crankstar.files.errors import EngineFileError
+from crankstar.files.read_files import note
 from crankstar.language.faults import Fault, ValueFaultError
 from crankstar.language.quoting import one_line
 
@@ -63,6 +64,7 @@ def _text(folder: Path, file: str, name: str) -> str:
         raw = b""
         if there:
             with place.open("rb") as opened:
+                note(opened)
                 raw = opened.read(GREATEST_CSV + 1)
         text = raw[:GREATEST_CSV].decode("utf-8-sig")
     except (OSError, ValueError):

@@ -256,7 +256,7 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "file.explicit-without-bore": N_(
         "masses of a file in explicit form are estimated from the bore; give bore in every entry "
-        "of [[cylinders]], such as bore = \"86 mm\""
+        'of [[cylinders]], such as bore = "86 mm"'
     ),
     "file.displacement-and-sizes": N_(
         "the file gives a bore or a stroke, which the displacement would contradict; leave "
