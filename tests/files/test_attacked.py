@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import asyncio
 import json
+import os
+import subprocess
+import sys
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
+import openpyxl
 import pytest
-from tests.commands import Run
+from tests.commands import Run, csv_rows
 
 from crankstar.engine.provenance import Provenance
 from crankstar.files import EngineFileError, read, tree_of
@@ -121,3 +125,88 @@ def test_lists_and_readings_are_not_written_over(refused: Refused, tmp_path: Pat
     (tmp_path / "same.csv").hardlink_to(tmp_path / "w.csv")
     assert "would be lost" in refused("match", "e.toml", "w.csv", "--csv", "-o", "same.csv")
     assert (tmp_path / "same.csv").read_bytes() == (CASES / "match-weights.csv").read_bytes()
+
+
+ESCAPED = "no., piston [g]\nA\x1b[31mX, 411.3\n=1+2, 413\nC, 412.4\n@D, 410.8\n"
+
+
+@pytest.fixture
+def escaped(tmp_path: Path) -> None:
+    """An engine with a name like a formula, and weights with names that are commands."""
+    text = (CASES / "match-engine.toml").read_text().replace("in-line four", "=1+2")
+    (tmp_path / "e.toml").write_text(text)
+    (tmp_path / "w.csv").write_text(ESCAPED)
+
+
+@pytest.mark.usefixtures("escaped")
+@pytest.mark.parametrize(
+    "asked",
+    [
+        ("analyze", "e.toml"),
+        ("compare", "e.toml", "i4"),
+        ("show", "e.toml"),
+        ("match", "e.toml", "w.csv"),
+    ],
+)
+def test_no_text_of_a_user_is_a_formula_in_a_spreadsheet(
+    run: Run, tmp_path: Path, asked: tuple[str, ...]
+) -> None:
+    assert run(*asked, "-o", "x.xlsx").code == 0
+    book = openpyxl.load_workbook(tmp_path / "x.xlsx")
+    cells = [cell for page in book for row in page.iter_rows() for cell in row]
+    assert [cell.coordinate for cell in cells if cell.data_type == "f"] == []
+    assert any("=1+2" in str(cell.value) for cell in cells)
+
+
+@pytest.mark.usefixtures("escaped")
+def test_no_text_of_a_list_is_a_command_to_the_terminal(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "twice.csv").write_bytes((CASES / "weights-escape.csv").read_bytes())
+    ran = run("match", "e.toml", "twice.csv")
+    assert (ran.code, "A?[31mX" in ran.err) == (2, True)
+    assert "\x1b" not in ran.err
+    for form in ([], ["--csv"], ["--json"]):
+        assert "\x1b" not in run("match", "e.toml", "w.csv", *form).out
+    answer = json.loads(run("match", "e.toml", "w.csv", "--json").out)
+    assert {row["piston"] for row in answer["cylinders"]} == {"A\x1b[31mX", "=1+2", "C", "@D"}
+    rows = csv_rows(run("match", "e.toml", "w.csv", "--csv").out, "cylinders")
+    assert {row["piston"] for row in rows} == {"A?[31mX", "'=1+2", "C", "'@D"}
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "ascii", "utf-16"])
+def test_what_programs_read_is_utf_8_in_every_pipe(encoding: str, tmp_path: Path) -> None:
+    name = "Überengine 日本 ²"
+    file = str(CASES / "unicode-name.toml")
+    for asked in (["show", file, "--explicit"], ["analyze", file, "--json"]):
+        out = subprocess.run(
+            [sys.executable, "-m", "crankstar", *asked],
+            env={**os.environ, "PYTHONIOENCODING": encoding},
+            capture_output=True,
+            check=True,
+            cwd=tmp_path,
+        ).stdout
+        tree = tree_of(out.decode("utf-8"))
+        assert tree.get("name", tree.get("engine")) == name
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"{'a.' * 50_000}a = 1",
+        f"[{'a.' * 50_000}a]",
+        f"x = {{{'a . ' * 25_000}a = 1}}",
+        f"""{'"a".' * 25_000}a = 1""",
+    ],
+    ids=["key", "table", "inline", "quoted"],
+)
+def test_a_key_with_very_many_dots_is_refused_before_it_is_read(
+    text: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tomllib.loads", lambda _text: pytest.fail("it is quadratic in the dots"))
+    with pytest.raises(EngineFileError) as caught:
+        tree_of(text)
+    assert [fault.code for fault in caught.value.faults] == ["file.too-deep"]
+
+
+def test_texts_and_keys_with_some_dots_are_read() -> None:
+    text = f'source = "{"see p. 3. " * 30}"\n{".".join("abcdefghij")} = 1.5\n'
+    assert tree_of(text)["a"]["b"]["c"]["d"]["e"]["f"]["g"]["h"]["i"]["j"] == 1.5

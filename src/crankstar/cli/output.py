@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from crankstar.language.messages import N_, MessageError, _
-from crankstar.language.quoting import one_line
+from crankstar.language.quoting import CONTROL, one_line
 from crankstar.options.forms import STANDARD_OUTPUT
 
 PIPED = 140
@@ -57,15 +57,25 @@ def display(shown: Any, place: str | None = None) -> None:
         return
     with console.capture() as captured:
         console.print(drawn, crop=False)
-    write("".join(f"{line.rstrip()}\n" for line in captured.get().splitlines()), place)
-
-
-def write(text: str, place: str | None, *, option: str = "-o") -> None:
-    """Write text to standard output, or to a file, whole or not at all; raises OutputError."""
+    text = "".join(f"{line.rstrip()}\n" for line in captured.get().splitlines())
     if place in STANDARD_OUTPUT:
         _opened()
         sys.stdout.write(text)
-        return
+    else:
+        write(text, place)
+
+
+def write(text: str, place: str | None, *, option: str = "-o") -> None:
+    """Write text that programs read to standard output, or to a file, whole or not at all.
+
+    It is UTF-8 also in a pipe whose encoding is another one; a terminal shows what it can. Raises
+    OutputError.
+    """
+    if place in STANDARD_OUTPUT:
+        _opened()
+        if sys.stdout.isatty() or not hasattr(sys.stdout, "buffer"):
+            sys.stdout.write(text)
+            return
     write_bytes(text.encode("utf-8", errors="replace"), place, option=option)
 
 
@@ -233,7 +243,7 @@ def complain(text: str) -> None:
     """Write lines to standard error, if there is one, in the width of the terminal."""
     with suppress(OSError, ValueError):
         if sys.stderr is not None:
-            sys.stderr.write(f"{_in_width(text)}\n")
+            sys.stderr.write(f"{_in_width(CONTROL.sub('?', text))}\n")
             sys.stderr.flush()
 
 

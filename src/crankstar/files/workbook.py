@@ -19,7 +19,7 @@ from crankstar.files.cells import Cells, refused_sheet, spelt
 from crankstar.files.errors import refused
 from crankstar.files.mistakes import SpreadsheetTree
 from crankstar.files.sheets import MAIN, Cell, Sheet
-from crankstar.language.quoting import one_line, seen
+from crankstar.language.quoting import CONTROL, one_line, seen
 
 ZIP, PROTECTED = b"PK\x03\x04", b"\xd0\xcf\x11\xe0"
 """How an .xlsx begins; how one with a password, and an .xls, begin."""
@@ -38,7 +38,6 @@ UNREADABLE = (
 
 def add_sheets(book: Any, sheets: Sequence[Sheet]) -> None:
     """Append sheets to a write-only workbook of openpyxl, with choices for their cells."""
-    from openpyxl.cell import WriteOnlyCell
     from openpyxl.styles import Font
     from openpyxl.utils import get_column_letter
     from openpyxl.worksheet.datavalidation import DataValidation
@@ -57,7 +56,7 @@ def add_sheets(book: Any, sheets: Sequence[Sheet]) -> None:
             )
             offer.add(f"{get_column_letter(column + 1)}{row + 2}")
         page.data_validations.dataValidation.extend(offers.values())
-        heads = [WriteOnlyCell(page, head) for head in sheet.heads]
+        heads = [_text(page, head) for head in sheet.heads]
         for head in heads:
             head.font = Font(bold=True)
         page.append(heads)
@@ -66,12 +65,12 @@ def add_sheets(book: Any, sheets: Sequence[Sheet]) -> None:
 
 
 def _text(page: Any, value: Cell) -> Any:
-    """A cell; text that begins like a formula stays text."""
+    """A cell; text that begins like a formula stays text, and what a cell cannot hold is marked."""
     if not isinstance(value, str):
         return value
     from openpyxl.cell import WriteOnlyCell
 
-    cell = WriteOnlyCell(page, value)
+    cell = WriteOnlyCell(page, CONTROL.sub("?", value))
     cell.data_type = "s"
     return cell
 
