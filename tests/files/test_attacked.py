@@ -210,3 +210,31 @@ def test_a_key_with_very_many_dots_is_refused_before_it_is_read(
 def test_texts_and_keys_with_some_dots_are_read() -> None:
     text = f'source = "{"see p. 3. " * 30}"\n{".".join("abcdefghij")} = 1.5\n'
     assert tree_of(text)["a"]["b"]["c"]["d"]["e"]["f"]["g"]["h"]["i"]["j"] == 1.5
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        ("analyze", "i4"),
+        ("analyze", "i4", "--json"),
+        ("analyze", "i4", "--speeds", "1000..3000 rpm by 1000"),
+        ("bearings", "i4"),
+        ("compare", "i4", "i6"),
+    ],
+)
+def test_an_order_that_no_engine_of_the_kind_has_is_refused(
+    refused: Refused, asked: tuple[str, ...]
+) -> None:
+    assert "order 0.3 does not occur" in refused(*asked, "--orders", "1,0.3")
+
+
+def test_an_option_that_changes_nothing_in_a_derivation_is_named(run: Run) -> None:
+    ran = run("derive", "i4", "--orders", "1", "--speed", "3000 rpm", "--power", "3")
+    assert ran.code == 0
+    assert ran.err.splitlines() == [
+        "--speed changes nothing in this derivation.",
+        "--power changes nothing in this derivation.",
+    ]
+    assert run("derive", "i4", "--orders", "2", "--power", "3", "--notation", "stroke").err == ""
+    gas = run("derive", "i4", "--quantity", "gas", "--notation", "stroke")
+    assert gas.err == "--notation changes nothing in this derivation.\n"

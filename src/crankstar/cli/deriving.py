@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Annotated, Any
 
@@ -15,7 +15,7 @@ from crankstar.cli.options import (
     engine_and_speed,
     option,
 )
-from crankstar.cli.output import display, working, write
+from crankstar.cli.output import complain, display, working, write
 from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
 from crankstar.options import values as request
@@ -82,7 +82,8 @@ def derive(
     letters = notations.chosen(
         ("sinitsyn" if signs else "crankstar") if notation is None else notation
     )
-    with working(_("Deriving ...")) as tell:
+
+    def derived(turning: float | None, power: int | None) -> list[Any]:
         chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
         whole = orders is None and quantity is None and symbolic is None and not signs
         if whole or "motion" in names:
@@ -107,10 +108,33 @@ def derive(
                         loaded, number, kind, reference=point, speed=turning, power=power or 7
                     )
                 )
+        return chapters
+
+    with working(_("Deriving ...")) as tell:
+        chapters = derived(turning, power)
+        usual = notations.chosen("sinitsyn" if signs else "crankstar")
+        _say_unused(
+            documents.FORMATS["markdown"],
+            (chapters, letters),
+            {
+                "--speed": None if speed is None else lambda: (derived(None, power), letters),
+                "--power": None if power is None else lambda: (derived(turning, None), letters),
+                "--notation": None if letters == usual else lambda: (chapters, usual),
+            },
+        )
     if form == "text":
         display(documents.rendered(chapters, letters), output)
     else:
         write(documents.FORMATS[form](chapters, letters), output)
+
+
+def _say_unused(
+    written: Callable[..., str], made: Any, without: Mapping[str, Callable[[], Any] | None]
+) -> None:
+    """Say of each option that is given whether the text is the same `without` it."""
+    for name, other in without.items():
+        if other is not None and written(*other()) == written(*made):
+            complain(_("{option} changes nothing in this derivation.", option=name))
 
 
 def _refuse_unused(given: Mapping[str, Any], names: Sequence[str]) -> None:

@@ -128,6 +128,7 @@ def analyze(
         partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
     )
     point = request.reference(reference, loaded)
+    _refuse_foreign(orders, [loaded], gas=False)
     if form != "txt":
         first = balance(loaded, reference=point)
         picked = request.orders(orders, first.force.orders.tolist())
@@ -162,6 +163,16 @@ def analyze(
         display(document, output)
 
 
+def _refuse_foreign(orders: str | None, engines: Sequence[Engine], *, gas: bool) -> None:
+    """Refuse orders that none of the engines can have. Raises OrderError, RequestError."""
+    from crankstar.mechanics.occurring_orders import check_orders, foreign_orders
+
+    wanted = request.orders(orders, []) or []
+    for engine in engines:
+        wanted = foreign_orders(engine, wanted, gas=gas)
+    check_orders(engines[0], wanted, gas=gas)
+
+
 def bearings(
     engine: EngineName,
     /,
@@ -192,6 +203,7 @@ def bearings(
         partial(request.cylinders_off, off),
     )
     burning = gas or point is not None or bool(silent)
+    _refuse_foreign(orders, [loaded], gas=burning)
     several = 1 if spread is None else len(spread.engines)
     engines = count(1)
 
@@ -247,6 +259,7 @@ def compare(
         )
     )
     engines = [each.engine for each in loaded]
+    _refuse_foreign(orders, engines, gas=False)
     whole = analysis(engines[0], speed=turning)
     wanted = request.orders(orders, whole.normalised.force.orders.tolist()) or ()
     own = tables.told_apart(
