@@ -8,16 +8,21 @@ import os
 import subprocess
 import sys
 import zipfile
+from cmath import rect
 from collections.abc import Callable
+from math import radians
 from pathlib import Path
 
 import openpyxl
 import pytest
 from tests.commands import Run, csv_rows
 
+from crankstar.engine.engine import Engine
+from crankstar.engine.gas import Trace
 from crankstar.engine.provenance import Provenance
 from crankstar.files import EngineFileError, read, tree_of
 from crankstar.files.estimate import estimated
+from crankstar.mechanics.gas import cycle
 from crankstar.server.watching import Watched
 
 CASES = Path(__file__).parents[1] / "cases"
@@ -238,3 +243,63 @@ def test_an_option_that_changes_nothing_in_a_derivation_is_named(run: Run) -> No
     assert run("derive", "i4", "--orders", "2", "--power", "3", "--notation", "stroke").err == ""
     gas = run("derive", "i4", "--quantity", "gas", "--notation", "stroke")
     assert gas.err == "--notation changes nothing in this derivation.\n"
+
+
+def traced(tmp_path: Path, first: float, *, more: float) -> Engine:
+    """The V6 with its trace from another angle, closed by `more` times its first sample."""
+    lines = (CASES / "pressure.csv").read_text().split()[1:]
+    own = [tuple(map(float, line.split(","))) for line in lines]
+    rows = sorted(((angle - first) % 720 + first, pressure) for angle, pressure in own)
+    rows.append((first + 720, rows[0][1] * more))
+    text = "".join(f"{angle},{pressure}\n" for angle, pressure in rows)
+    (tmp_path / "pressure.csv").write_text(f"crank_deg,pressure_bar\n{text}")
+    path = tmp_path / "v6.toml"
+    path.write_bytes((CASES / "v6-idle-trace.toml").read_bytes())
+    return read(path)
+
+
+@pytest.mark.parametrize("more", [1.0, 1.1])
+def test_a_trace_is_the_same_cycle_wherever_it_begins(tmp_path: Path, more: float) -> None:
+    """One cycle and the next differ at their peak: a trace from 0 to 720 deg ends there."""
+    usual, other = (traced(tmp_path, first, more=more) for first in (-360.0, 0.0))
+    assert other.gas is not None
+    assert other.gas.trace is not None
+    assert len(other.gas.trace.angle) == 1440
+    one, two = (cycle(each, speed=73.3).pressure for each in (usual, other))
+    assert two == pytest.approx(one, rel=1e-9)
+
+
+def test_one_list_of_pressures_is_that_of_every_chamber(tmp_path: Path) -> None:
+    whole = traced(tmp_path, -360.0, more=1.0).gas
+    assert whole is not None
+    assert whole.trace is not None
+    angle, (pressure,) = whole.trace.angle, whole.trace.pressure
+    assert Trace.model_validate({"angle": angle, "pressure": pressure}) == whole.trace
+    assert Trace.model_validate({"angle": angle, "pressure": [pressure]}) == whole.trace
+
+
+def test_json_of_corrections_has_all_digits(run: Run) -> None:
+    """Two planes that are the measuring planes: what was put in comes out, to the last digit."""
+    spots = "12.3 g*mm at 123.4567 deg, 4.5 g*mm at 359.987 deg"
+    planes = ("--measuring-planes", "0 mm, 400 mm", "--correction-planes", "0 mm, 400 mm")
+    asked = ("correct", "--unbalance", spots, *planes)
+    answer = json.loads(run(*asked, "--json").out)
+    whole = {row["name"]: row for row in answer["unbalance"]}
+    first, second = rect(12.3e-6, radians(123.4567)), rect(4.5e-6, radians(359.987))
+    assert whole["static"]["size"] == pytest.approx(abs(first + second), rel=1e-12)
+    assert whole["couple"]["couple"] == pytest.approx(0.2 * abs(second - first), rel=1e-12)
+    assert [row["heavy_spot_deg"] for row in answer["planes"]] == pytest.approx(
+        [123.4567, 359.987], abs=1e-9
+    )
+    assert [row["at_deg"] for row in answer["added"]] == pytest.approx(
+        [303.4567, 179.987], abs=1e-9
+    )
+    assert "123.5" in run(*asked).out
+
+
+def test_json_of_mounts_has_the_stiffness_of_the_file(run: Run, tmp_path: Path) -> None:
+    text = (CASES / "match-engine.toml").read_text().replace('"80 N/mm"', '"81.2345 N/mm"')
+    (tmp_path / "e.toml").write_text(text)
+    asked = ("isolate", "e.toml", "--stiffness", "50..400 N/mm", "--starts", "1", "--minimise")
+    answer = json.loads(run(*asked, "roll", "--json").out)
+    assert answer["mounts"][0]["stiffness_before"] == pytest.approx([200, 81.2345, 81.2345])
