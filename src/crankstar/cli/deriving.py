@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import Annotated, Any
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from crankstar.cli.options import (
     EngineName,
@@ -21,6 +22,9 @@ from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import DERIVATIONS, form_of, format_of
 from crankstar.options.values import refusal
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
 
 
 def derive(
@@ -53,7 +57,6 @@ def derive(
     ] = None,
 ) -> None:
     """Derive the exact closed form of each order, step by step, from one cylinder to the sum."""
-    from crankstar import derive as exact
     from crankstar.derive import documents, notations
 
     if asked is not None:
@@ -83,34 +86,10 @@ def derive(
         ("sinitsyn" if signs else "crankstar") if notation is None else notation
     )
 
-    def derived(turning: float | None, power: int | None) -> list[Any]:
-        chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
-        whole = orders is None and quantity is None and symbolic is None and not signs
-        if whole or "motion" in names:
-            chapters.append(exact.motion_chapter(loaded, power=power or 7))
-        if "gas" in names and not signs:
-            asked_for = () if orders is None else request.derived_orders(orders)
-            chapters.append(exact.gas_orders(loaded, asked_for, off=silent))
-        if "twist" in names and not signs:
-            asked_for = () if orders is None else request.derived_orders(orders)
-            chapters.append(exact.twist_orders(loaded, asked_for))
-        for number, kind in [] if signs else wanted:
-            tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
-            if symbolic is not None:
-                chapters.append(exact.family(loaded, number, kind, symbol=symbolic))
-            elif kind == "torque":
-                chapters.append(
-                    exact.inertia_torque(loaded, number, speed=turning, power=power or 7)
-                )
-            else:
-                chapters.append(
-                    exact.derivation(
-                        loaded, number, kind, reference=point, speed=turning, power=power or 7
-                    )
-                )
-        return chapters
-
+    whole = orders is None and quantity is None and symbolic is None and not signs
+    own = _Asked(wanted, names, orders, signs, symbolic, point, silent, whole)
     with working(_("Deriving ...")) as tell:
+        derived = partial(_chapters, loaded, own, tell)
         chapters = derived(turning, power)
         usual = notations.chosen("sinitsyn" if signs else "crankstar")
         _say_unused(
@@ -126,6 +105,55 @@ def derive(
         display(documents.rendered(chapters, letters), output)
     else:
         write(documents.FORMATS[form](chapters, letters), output)
+
+
+class _Asked(NamedTuple):
+    """What is to be derived; `whole`: nothing was named, so that the motion comes first."""
+
+    wanted: list[tuple[Fraction, request.Derived]]
+    names: Sequence[str]
+    orders: str | None
+    signs: bool
+    symbolic: str | None
+    point: Any
+    silent: tuple[int, ...]
+    whole: bool
+
+
+def _chapters(
+    loaded: Engine,
+    given: _Asked,
+    tell: Callable[[str], None],
+    turning: float | None,
+    power: int | None,
+) -> list[Any]:
+    """The chapters of what is asked for, at a speed and to a power of λ."""
+    from crankstar import derive as exact
+
+    signs, names, orders, symbolic = given.signs, given.names, given.orders, given.symbolic
+    point = given.point
+    chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
+    if given.whole or "motion" in names:
+        chapters.append(exact.motion_chapter(loaded, power=power or 7))
+    if "gas" in names and not signs:
+        asked_for = () if orders is None else request.derived_orders(orders)
+        chapters.append(exact.gas_orders(loaded, asked_for, off=given.silent))
+    if "twist" in names and not signs:
+        asked_for = () if orders is None else request.derived_orders(orders)
+        chapters.append(exact.twist_orders(loaded, asked_for))
+    for number, kind in [] if signs else given.wanted:
+        tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
+        if symbolic is not None:
+            chapters.append(exact.family(loaded, number, kind, symbol=symbolic))
+        elif kind == "torque":
+            chapters.append(exact.inertia_torque(loaded, number, speed=turning, power=power or 7))
+        else:
+            chapters.append(
+                exact.derivation(
+                    loaded, number, kind, reference=point, speed=turning, power=power or 7
+                )
+            )
+    return chapters
 
 
 def _say_unused(
