@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
@@ -16,6 +18,13 @@ class Ran(NamedTuple):
 
 
 Run = Callable[..., Ran]
+
+
+def csv_rows(text: str, table: str) -> list[dict[str, str]]:
+    """The rows of one of several tables in CSV, with the columns that are filled in it."""
+    rows = [row for row in csv.DictReader(io.StringIO(text)) if row["table"] == table]
+    own = [name for name in (rows[0] if rows else ()) if any(row[name] for row in rows)]
+    return [{name: row[name] for name in own if name != "table"} for row in rows]
 
 
 def replaced(

@@ -42,10 +42,12 @@ from __future__ import annotations
 
 import sys
 from importlib import import_module
-from inspect import isfunction
-from typing import TYPE_CHECKING, Any
+from types import FunctionType
 
+TYPE_CHECKING = False  # typing takes most of the time in which an interrupt would be a traceback
 if TYPE_CHECKING:
+    from typing import Any
+
     from crankstar.derive import derivation, family, signs
     from crankstar.dynamics.bearings import BearingLoads, Bending, bearing_loads, bending_moment
     from crankstar.dynamics.mount_analysis import MountAnalysis, mounts
@@ -163,7 +165,7 @@ def __getattr__(name: str) -> Any:
     for module, public in _HOMES.items():
         if name in public:
             value = getattr(import_module(f"crankstar.{module}"), name)
-            if isfunction(value):
+            if isinstance(value, FunctionType):
                 value = import_module("crankstar.options.arguments").read(value)
             globals()[name] = value
             return value

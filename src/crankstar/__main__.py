@@ -15,6 +15,8 @@ def main() -> None:
     gc.set_threshold(OBJECTS)
     # it would read what is known of every installed package, to find plug-ins that none here needs
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    # matrices are small here: a second thread of numpy's waits for the first, at full speed
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         if sys.argv[1:] and sys.argv[1] in DRAWN:
             from crankstar.charts.converter import begin

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.commands import Run
+from tests.commands import Run, csv_rows
 
 RUNS = """run, trial [g*mm], at [deg], bearing 1 [mm/s], phase 1, bearing 2 [mm/s], phase 2 [deg]
 initial, , , 5.2, 40, 3.1, 210
@@ -157,8 +157,8 @@ OPPOSITE = ("--unbalance", "100 g*mm at 0 deg, 100 g*mm at 180 deg")
 def test_two_unbalances_that_cancel_leave_nothing_without_a_direction(run: Run) -> None:
     said = json.loads(run("correct", *OPPOSITE, *PLANES, "--json").out)
     still, twist = said["unbalance"]
-    assert (still["size_g_mm"], still["direction_deg"]) == (0.0, None)
-    assert twist["size_g_mm2"] == pytest.approx(100 * 400)
+    assert (still["size"], still["direction_deg"]) == (0.0, None)
+    assert twist["couple"] == pytest.approx(100e-6 * 400e-3)
     assert "e-1" not in run("correct", *OPPOSITE, *PLANES).out
 
 
@@ -190,10 +190,10 @@ def test_csv_says_what_to_add(run: Run, tmp_path: Path) -> None:
     (tmp_path / "runs.csv").write_text(RUNS, encoding="utf-8")
     weights = ("--positions", "12", "--at-radius", "80 mm")
     for line in (("runs.csv", *weights), (*SHOWN, *PLANES, *weights)):
-        head, *rows = run("correct", *line, "--csv").out.splitlines()
-        assert head.startswith("plane,at_deg [deg],unbalance [kg*m],mass [g],")
+        rows = csv_rows(run("correct", *line, "--csv").out, "added")
+        columns = ("plane", "at_deg [deg]", "unbalance [kg*m]", "mass [g]")
         added = json.loads(run("correct", *line, "--json").out)["added"]
-        told = [[float(cell) for cell in row.split(",")[:4]] for row in rows]
+        told = [[float(row[name]) for name in columns] for row in rows]
         assert told == [
             [each[k] for k in ("plane", "at_deg", "unbalance", "mass")] for each in added
         ]

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.commands import Run
+from tests.commands import Run, csv_rows
 from tests.methods.test_diagnosis import (
     PLACES,
     SHAPES,
@@ -280,7 +280,7 @@ def test_suspects_without_a_size_are_left_out_of_what_is_read(run: Run, tmp_path
 
 def test_csv_has_the_unit_of_each_size(run: Run) -> None:
     text = run("diagnose", "four.toml", "lost.csv", "--csv").out
-    units = {row["kind"]: row["size_unit"] for row in csv.DictReader(io.StringIO(text))}
+    units = {row["kind"]: row["size_unit"] for row in csv_rows(text, "suspects")}
     assert units == {"piston": "kg", "big_end": "kg", "weight": "share", "combustion": "share"}
 
 

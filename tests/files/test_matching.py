@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import csv
 import datetime
-import io
 import json
 import zipfile
 from collections.abc import Callable
@@ -13,7 +11,7 @@ from typing import Any
 
 import openpyxl
 import pytest
-from tests.commands import Run
+from tests.commands import Run, csv_rows
 from tests.methods.test_matching import TRIPLE
 
 LIST = """no., piston [g], pin [g], small end [g], big end [g]
@@ -49,7 +47,7 @@ def test_what_is_left_is_what_analyze_finds_in_the_file_that_is_written(run: Run
 
 
 def test_csv_has_the_parts_of_each_cylinder(run: Run) -> None:
-    rows = list(csv.DictReader(io.StringIO(run("match", "triple.toml", "w.csv", "--csv").out)))
+    rows = csv_rows(run("match", "triple.toml", "w.csv", "--csv").out, "cylinders")
     assert [row["cylinder"] for row in rows] == ["1", "2", "3"]
     assert {row["piston"] for row in rows} == {row["rod"] for row in rows} == {"a", "b", "c"}
 
@@ -148,7 +146,8 @@ def test_only_what_is_listed_is_spoken_of_with_what_is_left_over(run: Run, tmp_p
     assert "rods" not in said
     assert "pins" not in said
     assert "turns, listed" not in said
-    sets = " ".join(run("match", "triple.toml", "p.csv", "--engines", "1").out.split())
+    (tmp_path / "more.csv").write_text(PISTONS + "f, 507.0\n", encoding="utf-8")
+    sets = " ".join(run("match", "triple.toml", "more.csv", "--engines", "2").out.split())
     assert "greatest less least mass of pistons:" in sets
     both = " ".join(run("match", "triple.toml", "w.csv").out.split())
     assert "no other assignment of these parts, each piston with its pin, leaves less" in both
@@ -157,12 +156,13 @@ def test_only_what_is_listed_is_spoken_of_with_what_is_left_over(run: Run, tmp_p
 def test_csv_has_the_weights_as_they_were_listed(run: Run, tmp_path: Path) -> None:
     (tmp_path / "p.csv").write_text(PISTONS, encoding="utf-8")
     text = run("match", "triple.toml", "p.csv", "--csv").out
-    (head, *rows) = list(csv.reader(io.StringIO(text)))
-    assert "rotating" not in " ".join(head)
+    rows = csv_rows(text, "cylinders")
+    assert "rotating" not in " ".join(rows[0])
     listed = {cell.strip() for line in PISTONS.splitlines() for cell in line.split(",")}
     for row in rows:
-        assert {f"{float(cell)}" for cell in row[2:]} <= listed
-        assert not [cell for cell in row if len(cell) > 6]
+        weights = [cell for name, cell in row.items() if name.endswith("[g]")]
+        assert {f"{float(cell)}" for cell in weights} <= listed
+        assert not [cell for cell in row.values() if len(cell) > 6]
 
 
 def test_the_force_names_its_speed_and_that_the_couple_is_in_it(run: Run) -> None:
@@ -280,3 +280,23 @@ def test_a_spreadsheet_that_unpacks_to_more_is_not_unpacked(
     with zipfile.ZipFile(tmp_path / "w.xlsx", "a", zipfile.ZIP_DEFLATED) as packed:
         packed.writestr("xl/more.xml", b" " * 31_000_000)
     assert "larger than 30 MB" in refused("match", "triple.toml", "w.xlsx")
+
+
+def test_one_engine_of_a_batch_is_printed_alike_with_and_without_its_number(run: Run) -> None:
+    for more in ([], ["--whole"], ["--classes", "1 g, 3 g"]):
+        own = run("match", "triple.toml", "w.csv", *more, "--json").out
+        assert run("match", "triple.toml", "w.csv", *more, "--engines", "1", "--json").out == own
+
+
+def test_what_classes_leave_is_told_of_each_of_several_engines(run: Run, tmp_path: Path) -> None:
+    more = "".join(f"{x}, {411 + x}, 99, 151, {401 - x}\n" for x in range(3))
+    (tmp_path / "six.csv").write_text(LIST + more, encoding="utf-8")
+    asked = ("match", "triple.toml", "six.csv", "--engines", "2", "--classes", "1 g, 3 g")
+    found = json.loads(run(*asked, "--json").out)
+    assert [(row["engine"], row["width"]) for row in found["classes"]] == [
+        *((1, 1.0), (1, 3.0), (2, 1.0), (2, 3.0))
+    ]
+    classes = csv_rows(run(*asked, "--csv").out, "classes")
+    assert [float(row["most [kg*m]"]) for row in classes] == pytest.approx(
+        [row["most"] for row in found["classes"]]
+    )

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import re
 from pathlib import Path
@@ -12,7 +10,7 @@ from typing import Any
 import numpy as np
 import openpyxl
 import pytest
-from tests.commands import Run
+from tests.commands import Run, csv_rows
 from tests.files.test_mounts import BLOCK, GROUND, THREE
 from tests.texts import SHORT, spoilt
 
@@ -97,7 +95,7 @@ def test_at_one_speed_the_orders_make_the_whole(run: Run, tmp_path: Path) -> Non
 
 def test_the_csv_has_a_row_for_each_speed(run: Run, tmp_path: Path) -> None:
     out = run("mounts", written(tmp_path), "--speeds", SPEEDS, "--csv").out
-    rows = list(csv.DictReader(io.StringIO(out)))
+    rows = csv_rows(out, "speeds")
     assert len(rows) == 10
     assert float(rows[0]["speed_rpm [rpm]"]) == pytest.approx(600)
 
@@ -132,7 +130,7 @@ def test_the_worst_mounts_are_named_by_force_and_by_transmissibility(
 def test_each_mount_has_columns_of_its_name_in_csv(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path)
     out = run("mounts", place, "--speeds", SPEEDS, "--csv").out
-    rows = list(csv.DictReader(io.StringIO(out)))
+    rows = csv_rows(out, "speeds")
     found = crankstar.mounts(crankstar.load(place), speeds=np.linspace(20, 200, 10) * np.pi).over
     assert found is not None
     for at, name in enumerate(("left", "right", "rear")):

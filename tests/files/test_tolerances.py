@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import random
@@ -12,7 +11,7 @@ from typing import Any
 import jsonschema
 import openpyxl
 import pytest
-from tests.commands import Run
+from tests.commands import Run, csv_rows
 from tests.spoilt import TREES
 from tests.texts import check_sentences
 
@@ -335,7 +334,7 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
         assert shares == pytest.approx(own.shares)
     assert {row["path"]: row["bound"] for row in out["tolerances"]} == pytest.approx(BOUNDS)
     table = run("tolerance", str(place), "--builds", "2000", "--seed", "7", "--csv").out
-    rows = [*csv.DictReader(io.StringIO(table))]
+    rows = csv_rows(table, "orders")
     assert [float(row["rms"]) for row in rows] == pytest.approx([own.rms for own in found.rows])
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import openpyxl
 import pytest
-from tests.commands import Run
+from tests.commands import Run, csv_rows
 from tests.texts import EXPLICIT, SHORT, spoilt
 
 from crankstar.dynamics.torsion_analysis import torsion
@@ -432,11 +432,20 @@ def test_what_cannot_be_is_refused_with_what_would_be_right(
 
 @pytest.mark.release
 def test_torsion_in_a_spreadsheet_and_as_csv(run: Run, eight: str, tmp_path: Path) -> None:
-    run("torsion", eight, "-o", str(tmp_path / "torsion.xlsx"))
-    assert openpyxl.load_workbook(tmp_path / "torsion.xlsx").sheetnames
-    lines = run("torsion", eight, "--csv").out.splitlines()
-    assert lines[0] == "mode,frequency_hz [Hz],shape,nodes"
-    assert len(lines) == 6
+    asked = ("torsion", eight, "--speeds", "500..1500 rpm by 100", "--holzer", "2")
+    answer = json.loads(run(*asked, "--json").out)
+    kept = {key for key, rows in answer.items() if isinstance(rows, list) and rows}
+    kept &= {"modes", "masses", "sections", "holzer", "criticals", "response", "barred"}
+    assert {"holzer", "response"} <= kept
+    run(*asked, "-o", str(tmp_path / "torsion.xlsx"))
+    book = openpyxl.load_workbook(tmp_path / "torsion.xlsx")
+    printed = run(*asked, "--csv").out
+    for key in kept:
+        assert book[key].max_row == len(answer[key]) + 1
+        assert len(csv_rows(printed, key)) == len(answer[key])
+    rows = csv_rows(run("torsion", eight, "--csv").out, "modes")
+    assert [*rows[0]] == ["mode", "frequency_hz [Hz]", "shape", "nodes"]
+    assert len(rows) == 5
 
 
 def test_masses_that_are_all_rigid_do_not_twist(run: Run) -> None:

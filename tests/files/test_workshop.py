@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import re
 from itertools import pairwise
@@ -12,7 +10,7 @@ from pathlib import Path
 
 import openpyxl
 import pytest
-from tests.commands import Run
+from tests.commands import Run, csv_rows
 from tests.files.test_parts import PARTS, tree
 
 from crankstar.engine.copies import with_values
@@ -93,7 +91,7 @@ def test_the_card_of_uneven_cylinders_has_a_column_for_each_kind(run: Run, tmp_p
 
 
 def test_csv_and_json_of_the_card_agree(run: Run, v8: str) -> None:
-    rows = list(csv.DictReader(io.StringIO(run("bobweight", v8, "--csv").out)))
+    rows = csv_rows(run("bobweight", v8, "--csv").out, "bobweights")
     answer = json.loads(run("bobweight", v8, "--json").out)
     assert [float(row["bobweight [kg]"]) for row in rows] == pytest.approx([1.814] * 4)
     assert [row["bobweight"] for row in answer["bobweights"]] == pytest.approx([1.814] * 4)
@@ -275,7 +273,7 @@ def test_a_plane_without_unbalance_has_no_hole(run: Run) -> None:
 
 def test_csv_of_a_measured_unbalance_is_its_result(run: Run) -> None:
     args = ("grade", "--mass", "18 kg", "--speed", "6500 rpm", "--unbalance", "60 g*mm, 30 g*mm")
-    rows = list(csv.DictReader(io.StringIO(run(*args, "--csv").out)))
+    rows = csv_rows(run(*args, "--csv").out, "measured")
     answer = json.loads(run(*args, "--json").out)
     assert [row["plane"] for row in rows] == ["front bearing", "rear bearing"]
     assert [float(row["unbalance [kg*m]"]) for row in rows] == pytest.approx([60e-6, 30e-6])

@@ -9,8 +9,9 @@ import pytest
 
 import crankstar
 from crankstar import spectra
+from crankstar.dynamics import wear as wear_module
 from crankstar.dynamics.bearings import BearingError, Model, bearing_loads, bending_moment
-from crankstar.dynamics.wear import wear
+from crankstar.dynamics.wear import PLACES, SPREAD, wear
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import cycle
@@ -152,3 +153,17 @@ def test_wear_turns_with_the_load() -> None:
     turned = wear(spectra.turned(pin, pi / 2), speed_ratio=1.0)
     assert np.roll(found.pressed, 90) == pytest.approx(turned.pressed, rel=1e-9)
     assert found.mean == pytest.approx(turned.mean)
+
+
+@pytest.mark.parametrize("count", [1, 7, 720, 1440])
+def test_wear_is_the_share_of_each_load_within_60_degrees_of_a_direction(count: int) -> None:
+    random = np.random.default_rng(count)
+    directions = (np.arange(PLACES) - PLACES // 2) * (2 * pi / PLACES)
+    for angles in (random.uniform(-pi, pi, count), np.round(random.uniform(-6, 6, count)) / 6 * pi):
+        loads = random.exponential(size=count) * np.exp(1j * angles)
+        off = np.abs(np.angle(np.exp(1j * (angles[:, None] - directions))))
+        share = np.clip((SPREAD - off) / (2 * pi / PLACES) + 0.5, 0.0, 1.0)
+        expected = (np.abs(loads)[:, None] * share).mean(axis=0)
+        found = wear_module._pressed(loads, directions)
+        assert found == pytest.approx(expected, abs=1e-13 * expected.max())
+        assert found.min() >= 0.0

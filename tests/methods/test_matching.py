@@ -370,3 +370,39 @@ def test_of_more_parts_than_can_be_tried_nothing_is_proved(monkeypatch: pytest.M
     exchanged = matched(triple(), parts)
     assert (listed.proved, exchanged.proved) == (True, False)
     assert exchanged.unbalance == pytest.approx(listed.unbalance, rel=1e-6)
+
+
+@pytest.mark.parametrize("whole", [True, False])
+@pytest.mark.parametrize("ends", [("big_end",), ("small_end", "big_end")])
+def test_each_of_several_engines_has_the_least_that_was_asked_for(
+    ends: tuple[str, ...], whole: bool
+) -> None:
+    """By trying every assignment of its set on the engine itself, about what is asked for."""
+    engine, parts = triple(), batch(6, seed=4, kinds=("piston", *ends))
+    law = linear_unbalance(engine)
+    for found in divided(engine, parts, engines=2, whole=whole).engines:
+        pistons = [place.piston or 0 for place in found.places]
+        rods = [place.rod or 0 for place in found.places]
+        mean = {
+            name: own[pistons if name == "piston" else rods].mean()
+            for name, own in parts.masses.items()
+        }
+        tried: list[float] = []
+        for first, second in product(permutations(pistons), permutations(rods)):
+            fitted = {
+                name: own[[*(first if name == "piston" else second)]] - mean[name]
+                for name, own in parts.masses.items()
+            }
+            rows = linear_unbalance(with_parts(engine, fitted)).fixed
+            tried.append(float(np.linalg.norm(rows - (0 if whole else law.fixed))))
+        assert (found.whole, found.proved) == (whole, True)
+        assert found.unbalance == pytest.approx(min(tried), rel=1e-6)
+
+
+@pytest.mark.parametrize("whole", [True, False])
+def test_one_engine_of_a_batch_has_one_answer(whole: bool) -> None:
+    parts = batch(6, seed=4, kinds=("piston", "pin", "big_end"))
+    alone = matched(triple(), parts, whole=whole)
+    (one,) = divided(triple(), parts, engines=1, whole=whole).engines
+    assert (one.places, one.unbalance, one.whole) == (alone.places, alone.unbalance, whole)
+    assert one.classes == alone.classes

@@ -84,3 +84,9 @@ def count(path: str, pipe: str = "") -> bytes:
     with open(path, "a", encoding="utf-8") as file:  # noqa: PTH123
         file.write("once\n")
     return b"counted"
+
+
+def threads() -> bytes:
+    """The numbers of threads that numpy found in the environment of this process."""
+    names = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+    return " ".join(f"{name}={os.environ.get(name)}" for name in names).encode()

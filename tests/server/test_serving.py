@@ -10,12 +10,15 @@ import socket
 import subprocess
 import sys
 from contextlib import suppress
+from http.client import HTTPException
 from pathlib import Path
+from threading import Thread
 
 import pytest
 from tests.holding import PATIENCE, awaited
 from tests.web.serving import serving
 
+from crankstar.files.catalog import tree_of
 from crankstar.server.running import address_of
 
 HINT = "Open it in a browser; Ctrl-C stops the server.\n"
@@ -86,6 +89,26 @@ def test_it_ends_without_a_word_and_leaves_no_process(number: signal.Signals) ->
 @pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_from_the_keyboard_which_every_process_gets_ends_it_just_so() -> None:
     with serving("i4", alone=True) as server:
+        os.killpg(server.process.pid, signal.SIGINT)
+        assert server.process.wait(PATIENCE) == 0
+        server.listener.join(PATIENCE)
+        assert "".join(server.said) == HINT
+
+
+@pytest.mark.release
+@pytest.mark.usefixtures("interruptible")
+def test_an_interrupt_while_it_is_busy_ends_it_without_a_word() -> None:
+    with serving("v8-cross-plane", alone=True) as server:
+
+        def ask(number: int) -> None:
+            tree = {**tree_of("v8-cross-plane")[1], "cylinder": {"rod_ratio": 3.5 + number / 100}}
+            with suppress(OSError, HTTPException):
+                server.ask("api/exhibit", {"engine": tree})
+
+        askers = [Thread(target=ask, args=(number,), daemon=True) for number in range(150)]
+        for asker in askers:
+            asker.start()
+        server.ask("api/health")
         os.killpg(server.process.pid, signal.SIGINT)
         assert server.process.wait(PATIENCE) == 0
         server.listener.join(PATIENCE)

@@ -228,3 +228,16 @@ def test_answers_are_forgotten_when_there_are_too_many_of_them(tmp_path: Path) -
 
     with_workers(work)
     assert (tmp_path / "counted.txt").read_text() == "once\n" * 2
+
+
+def test_a_worker_has_one_thread_for_matrices_and_its_maker_keeps_its_own_number(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("MKL_NUM_THREADS", "3")
+    monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
+
+    async def work(pool: Workers) -> bytes:
+        return await pool.do(chores.threads)
+
+    assert with_workers(work, seconds=20.0) == b"OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=3"
+    assert "OPENBLAS_NUM_THREADS" not in os.environ

@@ -13,9 +13,10 @@ from cyclopts import App, CycloptsError
 
 from crankstar import __version__
 from crankstar.cli.complaints import complaint, unwritable
-from crankstar.cli.output import OutputError, abandon, complain, is_file
+from crankstar.cli.output import LOST, OutputError, abandon, complain, is_file
 from crankstar.cli.system_language import of_system
 from crankstar.files import STANDARD_INPUT
+from crankstar.files.read_files import files_noted
 from crankstar.language import spelling
 from crankstar.language.messages import (
     LANGUAGES,
@@ -134,7 +135,7 @@ def _code(words: list[str]) -> int:
         wanted = _language(words)
         speak(wanted or language(), named=wanted is not None)
         _doubt_encoding()
-        with shown_in(_units(words)):
+        with shown_in(_units(words)), files_noted():
             if not words and _gallery():
                 raise SystemExit(0)
             if not words or {"--help", "-h"} & set(words):  # only help needs its libraries
@@ -295,11 +296,7 @@ def _refuse_source(words: Sequence[str]) -> None:
             continue
         real = os.path.realpath(place)
         if [os.path.realpath(part) for part in parts].count(real) > 1:
-            raise OutputError(
-                "{file} is read by this command and would be lost; name another file with {option}",
-                file=one_line(place),
-                option=option,
-            )
+            raise OutputError(LOST, file=one_line(place), option=option)
 
 
 def _refuse_twice(written: Sequence[tuple[str, str]]) -> None:

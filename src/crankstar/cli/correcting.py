@@ -56,7 +56,6 @@ def correct(
 ) -> None:
     """Say what to add or to drill in two planes of a rotor."""
     from crankstar.options.coefficients import coefficients_text
-    from crankstar.tables.two_planes import rows_of
 
     form = form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
     both = {"--measuring-planes": measuring_planes, "--correction-planes": correction_planes}
@@ -92,8 +91,6 @@ def correct(
             _save(saved, save_coefficients)
             return
         document = _document(found, drill)
-        if form in ("csv", "parquet"):
-            document = rows_of(document)
     _save(saved, save_coefficients)
     give(document, output, form=form)
 

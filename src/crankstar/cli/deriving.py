@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import Annotated, Any
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from crankstar.cli.options import (
     EngineName,
@@ -15,12 +16,15 @@ from crankstar.cli.options import (
     engine_and_speed,
     option,
 )
-from crankstar.cli.output import display, working, write
+from crankstar.cli.output import complain, display, working, write
 from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import DERIVATIONS, form_of, format_of
 from crankstar.options.values import refusal
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
 
 
 def derive(
@@ -53,7 +57,6 @@ def derive(
     ] = None,
 ) -> None:
     """Derive the exact closed form of each order, step by step, from one cylinder to the sum."""
-    from crankstar import derive as exact
     from crankstar.derive import documents, notations
 
     if asked is not None:
@@ -82,35 +85,84 @@ def derive(
     letters = notations.chosen(
         ("sinitsyn" if signs else "crankstar") if notation is None else notation
     )
+
+    whole = orders is None and quantity is None and symbolic is None and not signs
+    own = _Asked(wanted, names, orders, signs, symbolic, point, silent, whole)
     with working(_("Deriving ...")) as tell:
-        chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
-        whole = orders is None and quantity is None and symbolic is None and not signs
-        if whole or "motion" in names:
-            chapters.append(exact.motion_chapter(loaded, power=power or 7))
-        if "gas" in names and not signs:
-            asked_for = () if orders is None else request.derived_orders(orders)
-            chapters.append(exact.gas_orders(loaded, asked_for, off=silent))
-        if "twist" in names and not signs:
-            asked_for = () if orders is None else request.derived_orders(orders)
-            chapters.append(exact.twist_orders(loaded, asked_for))
-        for number, kind in [] if signs else wanted:
-            tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
-            if symbolic is not None:
-                chapters.append(exact.family(loaded, number, kind, symbol=symbolic))
-            elif kind == "torque":
-                chapters.append(
-                    exact.inertia_torque(loaded, number, speed=turning, power=power or 7)
-                )
-            else:
-                chapters.append(
-                    exact.derivation(
-                        loaded, number, kind, reference=point, speed=turning, power=power or 7
-                    )
-                )
+        derived = partial(_chapters, loaded, own, tell)
+        chapters = derived(turning, power)
+        usual = notations.chosen("sinitsyn" if signs else "crankstar")
+        _say_unused(
+            documents.FORMATS["markdown"],
+            (chapters, letters),
+            {
+                "--speed": None if speed is None else lambda: (derived(None, power), letters),
+                "--power": None if power is None else lambda: (derived(turning, None), letters),
+                "--notation": None if letters == usual else lambda: (chapters, usual),
+            },
+        )
     if form == "text":
         display(documents.rendered(chapters, letters), output)
     else:
         write(documents.FORMATS[form](chapters, letters), output)
+
+
+class _Asked(NamedTuple):
+    """What is to be derived; `whole`: nothing was named, so that the motion comes first."""
+
+    wanted: list[tuple[Fraction, request.Derived]]
+    names: Sequence[str]
+    orders: str | None
+    signs: bool
+    symbolic: str | None
+    point: Any
+    silent: tuple[int, ...]
+    whole: bool
+
+
+def _chapters(
+    loaded: Engine,
+    given: _Asked,
+    tell: Callable[[str], None],
+    turning: float | None,
+    power: int | None,
+) -> list[Any]:
+    """The chapters of what is asked for, at a speed and to a power of λ."""
+    from crankstar import derive as exact
+
+    signs, names, orders, symbolic = given.signs, given.names, given.orders, given.symbolic
+    point = given.point
+    chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
+    if given.whole or "motion" in names:
+        chapters.append(exact.motion_chapter(loaded, power=power or 7))
+    if "gas" in names and not signs:
+        asked_for = () if orders is None else request.derived_orders(orders)
+        chapters.append(exact.gas_orders(loaded, asked_for, off=given.silent))
+    if "twist" in names and not signs:
+        asked_for = () if orders is None else request.derived_orders(orders)
+        chapters.append(exact.twist_orders(loaded, asked_for))
+    for number, kind in [] if signs else given.wanted:
+        tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
+        if symbolic is not None:
+            chapters.append(exact.family(loaded, number, kind, symbol=symbolic))
+        elif kind == "torque":
+            chapters.append(exact.inertia_torque(loaded, number, speed=turning, power=power or 7))
+        else:
+            chapters.append(
+                exact.derivation(
+                    loaded, number, kind, reference=point, speed=turning, power=power or 7
+                )
+            )
+    return chapters
+
+
+def _say_unused(
+    written: Callable[..., str], made: Any, without: Mapping[str, Callable[[], Any] | None]
+) -> None:
+    """Say of each option that is given whether the text is the same `without` it."""
+    for name, other in without.items():
+        if other is not None and written(*other()) == written(*made):
+            complain(_("{option} changes nothing in this derivation.", option=name))
 
 
 def _refuse_unused(given: Mapping[str, Any], names: Sequence[str]) -> None:

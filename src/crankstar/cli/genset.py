@@ -93,4 +93,4 @@ def genset(
 
     with working(_("Computing the cycle ...")), words_for(form):
         document = ranged(sheet, spread, loaded)
-    give(document, output, form=form, every=True)
+    give(document, output, form=form)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import count
 from typing import TYPE_CHECKING, Annotated, Any, cast, get_args
 
 from crankstar.cli.options import (
@@ -30,7 +31,7 @@ from crankstar.cli.options import (
     together,
     write_tree,
 )
-from crankstar.cli.output import display, working
+from crankstar.cli.output import display, progress
 from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
@@ -127,6 +128,7 @@ def analyze(
         partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
     )
     point = request.reference(reference, loaded)
+    _refuse_foreign(orders, [loaded], gas=False)
     if form != "txt":
         first = balance(loaded, reference=point)
         picked = request.orders(orders, first.force.orders.tolist())
@@ -161,6 +163,16 @@ def analyze(
         display(document, output)
 
 
+def _refuse_foreign(orders: str | None, engines: Sequence[Engine], *, gas: bool) -> None:
+    """Refuse orders that none of the engines can have. Raises OrderError, RequestError."""
+    from crankstar.mechanics.occurring_orders import check_orders, foreign_orders
+
+    wanted = request.orders(orders, []) or []
+    for engine in engines:
+        wanted = foreign_orders(engine, wanted, gas=gas)
+    check_orders(engines[0], wanted, gas=gas)
+
+
 def bearings(
     engine: EngineName,
     /,
@@ -191,8 +203,12 @@ def bearings(
         partial(request.cylinders_off, off),
     )
     burning = gas or point is not None or bool(silent)
+    _refuse_foreign(orders, [loaded], gas=burning)
+    several = 1 if spread is None else len(spread.engines)
+    engines = count(1)
 
     def sheet(each: Engine) -> Document:
+        advance(next(engines), several, "")
         found = None
         if burning:
             found = cycle(each, point=point or "", speed=turning, off=silent)
@@ -205,7 +221,7 @@ def bearings(
             cycle=found,
         )
 
-    with working(_("Computing the loads ...")), words_for(form):
+    with progress(_("Computing the loads ...")) as advance, words_for(form):
         document = ranged(sheet, spread, loaded)
     give(document, output, form=form)
 
@@ -243,6 +259,7 @@ def compare(
         )
     )
     engines = [each.engine for each in loaded]
+    _refuse_foreign(orders, engines, gas=False)
     whole = analysis(engines[0], speed=turning)
     wanted = request.orders(orders, whole.normalised.force.orders.tolist()) or ()
     own = tables.told_apart(

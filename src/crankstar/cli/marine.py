@@ -111,4 +111,4 @@ def marine(
         document = ranged(sheet, spread, loaded)
     if save is not None:
         write_engine(found(loaded).engine, tree, save, option="--save")
-    give(document, output, form=form, every=True)
+    give(document, output, form=form)

@@ -92,7 +92,7 @@ def match(
             show(done, of_all, "")
             return not stop.is_set()
 
-        if count is None:
+        if count in (None, 1):
             found = matched(loaded, batch, **rest, watch=watch)
             document = matching_document(loaded, batch, found, speed=own)
             built = [found.engine]

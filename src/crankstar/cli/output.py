@@ -15,11 +15,12 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from crankstar.language.messages import N_, MessageError, _
-from crankstar.language.quoting import one_line
+from crankstar.language.quoting import CONTROL, one_line
 from crankstar.options.forms import STANDARD_OUTPUT
 
 PIPED = 140
 """Columns where there is no terminal."""
+LOST = N_("{file} is read by this command and would be lost; name another file with {option}")
 WRITE_PROTECTED = N_("it is write-protected")
 
 
@@ -56,15 +57,25 @@ def display(shown: Any, place: str | None = None) -> None:
         return
     with console.capture() as captured:
         console.print(drawn, crop=False)
-    write("".join(f"{line.rstrip()}\n" for line in captured.get().splitlines()), place)
-
-
-def write(text: str, place: str | None, *, option: str = "-o") -> None:
-    """Write text to standard output, or to a file, whole or not at all; raises OutputError."""
+    text = "".join(f"{line.rstrip()}\n" for line in captured.get().splitlines())
     if place in STANDARD_OUTPUT:
         _opened()
         sys.stdout.write(text)
-        return
+    else:
+        write(text, place)
+
+
+def write(text: str, place: str | None, *, option: str = "-o") -> None:
+    """Write text that programs read to standard output, or to a file, whole or not at all.
+
+    It is UTF-8 also in a pipe whose encoding is another one; a terminal shows what it can. Raises
+    OutputError.
+    """
+    if place in STANDARD_OUTPUT:
+        _opened()
+        if sys.stdout.isatty() or not hasattr(sys.stdout, "buffer"):
+            sys.stdout.write(text)
+            return
     write_bytes(text.encode("utf-8", errors="replace"), place, option=option)
 
 
@@ -82,6 +93,7 @@ def write_bytes(content: bytes, place: str | None, *, option: str = "-o") -> Non
     with _refusing(place, option):
         mode = _mode(place)
         if mode is None or stat.S_ISREG(mode):
+            _refuse_read(place, mode, option)
             _replace(Path(place).resolve(), content, option)
             said = N_("Wrote {file}") if mode is None else N_("Replaced {file}")
             complain(_(said, file=one_line(place)))
@@ -104,10 +116,19 @@ def writable(place: str, *, option: str = "-o") -> None:
         return
     with _refusing(place, option):
         mode = _mode(place)
+        _refuse_read(place, mode, option)
         if mode is None and not Path(place).resolve().parent.is_dir():
             _refuse(place, N_("there is no such directory"), option)
         if not os.access(place if mode is not None else Path(place).resolve().parent, os.W_OK):
             _refuse(place, WRITE_PROTECTED, option)
+
+
+def _refuse_read(place: str, mode: int | None, option: str) -> None:
+    """Refuse a file that this command has read, itself or through another. Raises OutputError."""
+    from crankstar.files.read_files import was_read
+
+    if mode is not None and was_read(place):
+        raise OutputError(LOST, file=one_line(place), option=option)
 
 
 @contextmanager
@@ -222,7 +243,7 @@ def complain(text: str) -> None:
     """Write lines to standard error, if there is one, in the width of the terminal."""
     with suppress(OSError, ValueError):
         if sys.stderr is not None:
-            sys.stderr.write(f"{_in_width(text)}\n")
+            sys.stderr.write(f"{_in_width(CONTROL.sub('?', text))}\n")
             sys.stderr.flush()
 
 

@@ -61,6 +61,7 @@ def over_speeds(
 ) -> None:
     """Print the amplitudes at each of the speeds in a form of TABLES."""
     from crankstar.mechanics.balance import balance
+    from crankstar.mechanics.occurring_orders import check_orders
     from crankstar.studies.sweep import sweep
     from crankstar.tables import over_speeds as tables
     from crankstar.tables.ranges import ranged
@@ -73,6 +74,7 @@ def over_speeds(
     )
     present = balance(loaded).force.orders.tolist() if orders is not None else []
     wanted = request.orders(orders, present)
+    check_orders(loaded, wanted or (), gas=False)
     words = {"amplitudes": [""], "--set": settings, "--speeds": [speeds]}
     chart = command_text("plot", engine, words | ({"--estimate": [""]} if estimate else {}))
 

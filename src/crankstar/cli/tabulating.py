@@ -24,16 +24,11 @@ def words_for(form: str) -> Iterator[None]:
 
 
 def give(
-    document: Document,
-    place: str | None,
-    *,
-    form: str,
-    tree: Mapping[str, Any] | None = None,
-    every: bool = False,
+    document: Document, place: str | None, *, form: str, tree: Mapping[str, Any] | None = None
 ) -> None:
     """Write a document in a form of TABLES to a file or to standard output.
 
-    CSV and Parquet hold its first table for machines, or `every` one under one another; a
+    CSV and Parquet hold its tables for machines, of several each under the one before; a
     spreadsheet also the engine file `tree`.
     """
     if form == "txt":
@@ -42,7 +37,8 @@ def give(
     from crankstar.tables import machine
 
     keyed = [table for table in document.tables if table.key]
-    table = machine.stacked(keyed) if every else next(iter(keyed), None)
+    filled = [table for table in keyed if table.rows]
+    table = machine.stacked(filled) if len(filled) > 1 else next(iter([*filled, *keyed]), None)
     if form == "json":
         write(machine.json_text(machine.tree(document)), place)
     elif form == "xlsx":

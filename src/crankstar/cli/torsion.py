@@ -59,6 +59,7 @@ def torsion(
     """Compute torsional vibration: modes, critical speeds, response and stress of a crankshaft."""
     from crankstar.dynamics.torsion_analysis import torsion as analysis
     from crankstar.tables.ranges import ranged
+    from crankstar.tables.table import with_tables
     from crankstar.tables.torsion import torsion_document
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -81,7 +82,7 @@ def torsion(
                 '--speeds, such as "300..3000 rpm by 10"'
             )
 
-    def sheet(each: Engine | Chain) -> Document:
+    def sheet(each: Engine | Chain, *, machine: bool) -> Document:
         found = analysis(
             each, point=point or "", speed=turning, speeds=over, orders=wanted, modes=most
         )
@@ -90,14 +91,15 @@ def torsion(
             why = _n("there is one mode", "there are {count} modes", count, count=count)
             raise refusal("--holzer", table, why)
         return torsion_document(
-            each,
-            found,
-            modes=most,
-            holzer_of=table,
-            orders=wanted,
-            machine=form not in ("txt", "xlsx"),
+            each, found, modes=most, holzer_of=table, orders=wanted, machine=machine
         )
 
+    def made(*, machine: bool) -> Document:
+        build = partial(sheet, machine=machine)
+        return build(source) if isinstance(source, Chain) else ranged(build, spread, source)
+
     with working(_("Computing torsional vibration ...")), words_for(form):
-        document = sheet(source) if isinstance(source, Chain) else ranged(sheet, spread, source)
+        document = made(machine=form not in ("txt", "xlsx"))
+        if form == "xlsx":
+            document = with_tables(document, made(machine=True))
     give(document, output, form=form)

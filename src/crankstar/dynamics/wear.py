@@ -75,11 +75,26 @@ def wear(load: Spectrum, *, speed_ratio: float, inward: bool = False) -> Wear:
 
 
 def _pressed(vectors: Complex, bearing: Real) -> Real:
-    """The mean of the sizes of the vectors that act within SPREAD of each direction."""
-    off = np.abs(np.angle(np.exp(1j * (np.angle(vectors)[:, None] - bearing))))
-    edge = 2 * pi / PLACES  # so wide that no single crank angle decides
-    inside = np.clip((SPREAD - off) / edge + 0.5, 0.0, 1.0)
-    return (np.abs(vectors)[:, None] * inside).mean(axis=0)
+    """The mean of the sizes of the vectors that act within SPREAD of each direction.
+
+    The share of a vector among the directions of its range is 1, at each end w and 1 - w, so wide
+    that no single crank angle decides. Its differences are four, and the sum over all vectors of
+    the differences, added up along the directions, is W: linear in the crank angles.
+    """
+    step = 2 * pi / bearing.size
+    size = np.abs(vectors)
+    at = (np.angle(vectors) - bearing[0]) / step
+    half = SPREAD / step + 0.5
+    wraps = int(np.ceil(half / bearing.size)) + 1
+    last = np.floor(at + half - 1)  # of the directions that the whole of the vector presses
+    first = np.ceil(at - half + 1)
+    above, below = size * (at + half - 1 - last), size * (first - (at - half + 1))
+    places = np.concatenate([first - 1, first, last + 1, last + 2]).astype(int)
+    changes = np.concatenate([below, size - below, above - size, -above])
+    width = (2 * wraps + 1) * bearing.size
+    steps = np.bincount(places + wraps * bearing.size, weights=changes, minlength=width)
+    summed = np.cumsum(steps)[:width].reshape(-1, bearing.size).sum(axis=0)
+    return np.maximum(summed, 0.0) / size.size  # a sum of rounding is not less than nothing
 
 
 def _middle(bearing: Real, within: Real) -> float:

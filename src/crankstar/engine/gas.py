@@ -6,9 +6,9 @@ rotation, from the dead centre at which the chamber fires: negative before it.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
 from crankstar.engine.cylinder_parts import Record
 from crankstar.engine.quantities import Angle, Line, Number, Ordinal, Pressure, Speed, Temperature
@@ -78,6 +78,12 @@ class OperatingPoint(Load):
     name: Line = Field(description="by which it is asked for", examples=["idle"])
 
 
+def _in_lists(value: Any) -> Any:
+    """Pressures as lists of pressures: one list, of one chamber for all, may stand alone."""
+    flat = isinstance(value, list | tuple) and value
+    return [value] if flat and not any(isinstance(each, list | tuple) for each in value) else value
+
+
 class Trace(Record):
     """A measured pressure over one whole cycle, of one chamber for all or of each.
 
@@ -90,7 +96,7 @@ class Trace(Record):
         max_length=GREATEST_TRACE,
         description="crank angles from the dead centre at which the chamber fires, ascending",
     )
-    pressure: tuple[tuple[Pressure, ...], ...] = Field(
+    pressure: Annotated[tuple[tuple[Pressure, ...], ...], BeforeValidator(_in_lists)] = Field(
         max_length=256,
         description="absolute pressures, one list for all chambers or one for each of `chambers`",
     )

@@ -20,11 +20,11 @@ def _numbers(value: Any) -> Any:
     try:
         if isinstance(value, str):
             ends: Any = tuple(float(part) for part in value.replace(";", ",").split(","))
-        elif isinstance(value, list) and any(isinstance(part, str) for part in value):
+        elif isinstance(value, list) and any(type(part) in (str, int) for part in value):
             ends = tuple(map(float, value))
         else:
             ends = value
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise ValueFaultError("provenance.multiples", value=_ends_text(value)) from None
     if isinstance(ends, list | tuple) and len(ends) != 2:
         raise ValueFaultError("provenance.two-ends", value=_ends_text(ends))

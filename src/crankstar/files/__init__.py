@@ -10,6 +10,7 @@
 | `sheets` | a tree of keys as the form of a spreadsheet, and back |
 | `cells` | the cells of that form to a tree, with every fault |
 | `workbook` | that form in an .xlsx file, written and read |
+| `read_files` | the files that a command has read, so that it overwrites none |
 | `traces` | a measured pressure from the CSV file that an engine file names |
 | `kinds` | what a file is that is no engine file, or no list |
 | `lists` | a list of values with headings: CSV or spreadsheet |

@@ -81,6 +81,8 @@ def estimated(
     chambers = len({c.chamber or c.number for c in laid_out.cylinders})
     if bore is None and stroke is None and displacement is None:
         raise refused(name, "nothing-to-estimate-from")
+    if explicit and (displacement is not None or (bore is None and "mass" in laid_out.relative)):
+        raise refused(name, "explicit-without-bore")
     if displacement is not None and (bore is not None or stroke is not None):
         raise refused(name, "displacement-and-sizes")
     opposed = chambers < len(laid_out.cylinders)
@@ -99,7 +101,10 @@ def estimated(
     if kind is None:
         kind, reason = inferred(look)
     filling = Filling(tree, kind)
-    bore, stroke = _sizes(filling, bore, stroke, displacement, len(laid_out.cylinders))
+    if explicit:  # its masses are known: the stroke stands for the bore in what depends on neither
+        bore, stroke = look.bore, look.stroke
+    else:
+        bore, stroke = _sizes(filling, bore, stroke, displacement, len(laid_out.cylinders))
     try:
         _lengths(filling, laid_out, bore, stroke)
         _masses(filling, laid_out, bore, rod)

@@ -21,6 +21,7 @@ from typing import Any, NamedTuple
 
 from crankstar.files.errors import on_one_screen
 from crankstar.files.kinds import kind_of
+from crankstar.files.read_files import note
 from crankstar.files.workbook import GREATEST_UNPACKED, PROTECTED, UNREADABLE, ZIP, unpacked_size
 from crankstar.language.faults import sentence
 from crankstar.language.file_faults import KINDS
@@ -101,6 +102,7 @@ def read_list(place: str) -> Listed:
         raise ListError("the name of a list is empty; name a CSV file or a spreadsheet")
     try:
         with Path(place).open("rb") as opened:
+            note(opened)
             raw = opened.read(GREATEST_LIST + 1)
     except IsADirectoryError:
         raise ListError(

@@ -14,6 +14,7 @@ from typing import Any
 from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.kinds import kind_of
 from crankstar.files.mistakes import Tree
+from crankstar.files.read_files import note
 from crankstar.files.traces import with_trace
 from crankstar.files.workbook import PROTECTED, ZIP, workbook_tree
 from crankstar.language.quoting import one_line, seen
@@ -21,6 +22,8 @@ from crankstar.language.quoting import one_line, seen
 GREATEST_FILE = 1_000_000
 """Bytes: a hundred times the longest real engine file."""
 GREATEST_DEPTH = 16
+_DOTTED = re.compile(r"""(?<![\w"'-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){100}""")
+"""A key of TOML with so many dots that tomllib, quadratic in them, would not come to an end."""
 STANDARD_INPUT = "/dev/stdin"
 _STANDARD_INPUTS = ("-", STANDARD_INPUT)
 
@@ -83,6 +86,7 @@ def _bytes(path: Path, name: str) -> bytes:
     if not stat.S_ISREG(mode):
         raise refused(name, "not-regular")
     with path.open("rb") as file:
+        note(file)
         return file.read(GREATEST_FILE + 1)
 
 
@@ -100,12 +104,11 @@ def tree_of(text: str, *, name: str = "the engine") -> Tree:
             raise refused(name, "key-twice", key=seen(twice))
         return tree
 
+    as_json = text.lstrip().startswith("{")
+    if not as_json and _DOTTED.search(text):
+        raise refused(name, "too-deep", greatest=GREATEST_DEPTH)
     try:
-        return (
-            json.loads(text, object_pairs_hook=once)
-            if text.lstrip().startswith("{")
-            else tomllib.loads(text)
-        )
+        return json.loads(text, object_pairs_hook=once) if as_json else tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         _no_other_json(name, text)
         if found := kind_of(text):

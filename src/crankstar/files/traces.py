@@ -14,16 +14,16 @@ import re
 from pathlib import Path
 from typing import Any
 
+from crankstar.engine.gas_checks import GREATEST_JUMP
 from crankstar.engine.quantities import ANGLE, PRESSURE, Quantity
 from crankstar.files import units
 from crankstar.files.errors import EngineFileError
+from crankstar.files.read_files import note
 from crankstar.language.faults import Fault, ValueFaultError
 from crankstar.language.quoting import one_line
 
 GREATEST_CSV = 20_000_000
 """Bytes."""
-ALIKE = 0.02
-"""Share of the peak by which the ends of a cycle may differ."""
 _BRACKETS = re.compile(r"[(\[{]([^)\]}]*)[)\]}]\s*([A-Za-z]*)")
 _WORD = re.compile(r"[^\W\d_]+[²2]?")
 _NUMBERED = re.compile(r"(?:cyl\w*|ch\w*|no|nr|#)?[\s.]*\d+$", re.IGNORECASE)
@@ -63,6 +63,7 @@ def _text(folder: Path, file: str, name: str) -> str:
         raw = b""
         if there:
             with place.open("rb") as opened:
+                note(opened)
                 raw = opened.read(GREATEST_CSV + 1)
         text = raw[:GREATEST_CSV].decode("utf-8-sig")
     except (OSError, ValueError):
@@ -159,7 +160,8 @@ def _once(table: Tree, cycle: float) -> Tree:
     if abs(angle[-1] - angle[0] - cycle) > 1e-6:
         return table
     columns = [[float(text.split()[0]) for text in column] for column in table["pressure"]]
-    if any(abs(each[-1] - each[0]) > ALIKE * max(each) for each in columns):
+    # at 0 deg, near the peak, one cycle and the next differ by far more than at -360 deg
+    if any(abs(each[-1] - each[0]) > GREATEST_JUMP * (max(each) - min(each)) for each in columns):
         return table
     return {
         **table,

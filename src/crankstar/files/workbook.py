@@ -6,8 +6,10 @@ Sheets of other names, such as those of results, are left alone.
 from __future__ import annotations
 
 import io
+import lzma
 import warnings
 import zipfile
+import zlib
 from collections.abc import Sequence
 from itertools import islice
 from pathlib import PurePosixPath
@@ -17,7 +19,7 @@ from crankstar.files.cells import Cells, refused_sheet, spelt
 from crankstar.files.errors import refused
 from crankstar.files.mistakes import SpreadsheetTree
 from crankstar.files.sheets import MAIN, Cell, Sheet
-from crankstar.language.quoting import one_line, seen
+from crankstar.language.quoting import CONTROL, one_line, seen
 
 ZIP, PROTECTED = b"PK\x03\x04", b"\xd0\xcf\x11\xe0"
 """How an .xlsx begins; how one with a password, and an .xls, begin."""
@@ -29,13 +31,13 @@ WIDTHS = {"key": 30, "value": 24, "source": 40, "meaning": 70}
 UNREADABLE = (
     *(KeyError, ValueError, TypeError, AttributeError, IndexError, SyntaxError, OSError),
     *(EOFError, NotImplementedError, RuntimeError, zipfile.BadZipFile, RecursionError),
+    *(zlib.error, lzma.LZMAError, OverflowError, MemoryError, AssertionError),
 )
 """What openpyxl and zipfile raise for files that are none."""
 
 
 def add_sheets(book: Any, sheets: Sequence[Sheet]) -> None:
     """Append sheets to a write-only workbook of openpyxl, with choices for their cells."""
-    from openpyxl.cell import WriteOnlyCell
     from openpyxl.styles import Font
     from openpyxl.utils import get_column_letter
     from openpyxl.worksheet.datavalidation import DataValidation
@@ -54,7 +56,7 @@ def add_sheets(book: Any, sheets: Sequence[Sheet]) -> None:
             )
             offer.add(f"{get_column_letter(column + 1)}{row + 2}")
         page.data_validations.dataValidation.extend(offers.values())
-        heads = [WriteOnlyCell(page, head) for head in sheet.heads]
+        heads = [_text(page, head) for head in sheet.heads]
         for head in heads:
             head.font = Font(bold=True)
         page.append(heads)
@@ -63,12 +65,12 @@ def add_sheets(book: Any, sheets: Sequence[Sheet]) -> None:
 
 
 def _text(page: Any, value: Cell) -> Any:
-    """A cell; text that begins like a formula stays text."""
+    """A cell; text that begins like a formula stays text, and what a cell cannot hold is marked."""
     if not isinstance(value, str):
         return value
     from openpyxl.cell import WriteOnlyCell
 
-    cell = WriteOnlyCell(page, value)
+    cell = WriteOnlyCell(page, CONTROL.sub("?", value))
     cell.data_type = "s"
     return cell
 

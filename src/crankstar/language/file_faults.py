@@ -254,6 +254,10 @@ SENTENCES: dict[str, str | Plural] = {
         "there is no bore, stroke or displacement to estimate masses from; give one, such as "
         '--set cylinder.bore="86 mm" or, with `crankstar estimate`, --displacement "2 l"'
     ),
+    "file.explicit-without-bore": N_(
+        "masses of a file in explicit form are estimated from the bore; give bore in every entry "
+        'of [[cylinders]], such as bore = "86 mm"'
+    ),
     "file.displacement-and-sizes": N_(
         "the file gives a bore or a stroke, which the displacement would contradict; leave "
         "--displacement out"

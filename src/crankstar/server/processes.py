@@ -7,8 +7,10 @@ a server is killed, and hands a task to any process, not to the one that has the
 from __future__ import annotations
 
 import multiprocessing
-from collections.abc import Callable
-from contextlib import suppress
+import os
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -18,6 +20,10 @@ from crankstar.search.interrupts import held_back
 
 END_SECONDS = 2.0
 """How long a killed process may take to disappear."""
+ONE_THREAD = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+"""Variables that limit the threads of numpy's linear algebra; it reads them when it is loaded."""
+_starting = threading.Lock()
+"""Held while the environment is that of a process to be started."""
 
 
 class Child:
@@ -32,7 +38,7 @@ class Child:
         self._process = context.Process(
             target=_begun, args=(language(), dict(choice()), target, far, *arguments), daemon=True
         )
-        with held_back():
+        with held_back(), _one_thread():
             self._process.start()
         far.close()
 
@@ -53,6 +59,22 @@ class Child:
             self._process.kill()
         if wait:
             self._process.join(END_SECONDS)
+
+
+@contextmanager
+def _one_thread() -> Iterator[None]:
+    """Have a process started inside multiply its small matrices in one thread.
+
+    As many processes as there are cores, with as many threads each, wait for one another.
+    """
+    with _starting:
+        missing = [name for name in ONE_THREAD if name not in os.environ]
+        os.environ.update(dict.fromkeys(missing, "1"))
+        try:
+            yield
+        finally:
+            for name in missing:
+                os.environ.pop(name, None)
 
 
 def _begun(language: str, units: Choice, target: Callable[..., None], *arguments: Any) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import logging
 import os
 import signal
 import socket
@@ -121,7 +122,17 @@ def serve(
         timeout_graceful_shutdown=LEAVE_SECONDS,
         proxy_headers=False,
     )
-    _Server(config, ready).run(sockets=[taken])
+    server = _Server(config, ready)
+
+    def heard(_record: logging.LogRecord) -> bool:
+        return not server.should_exit  # answers that the end cuts short are no errors
+
+    log = logging.getLogger("uvicorn.error")
+    log.addFilter(heard)
+    try:
+        server.run(sockets=[taken])
+    finally:
+        log.removeFilter(heard)
 
 
 class _Protocol(H11Protocol):

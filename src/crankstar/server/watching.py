@@ -44,7 +44,7 @@ class Watched:
             await asyncio.sleep(EVERY)
             try:
                 await self.look()
-            except OSError:
+            except Exception:  # whatever is in the file, the next one that is saved is read
                 log.exception("the file could not be watched")
 
     async def look(self) -> None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import combinations
 from math import comb
 from typing import NamedTuple
@@ -158,6 +159,8 @@ def divided(
 ) -> Division:
     """A batch divided into sets for so many engines of a kind, each set matched to its cylinders.
 
+    One engine has no sets: it is matched from the whole batch, as by `matched`.
+
     Raises MatchingError where there are too few parts.
 
     >>> from crankstar.files.catalog import load
@@ -176,32 +179,33 @@ def divided(
             count=size,
             needed=engines * size,
         )
+    least = partial(
+        matched,
+        engine,
+        orders=orders,
+        quantities=quantities,
+        classes=classes,
+        whole=whole,
+        watch=watch,
+    )
+    if engines == 1:
+        return Division(None, None, (least(batch),))
     pins, sums = paired(batch)
     pistons = runs(sums, sets=engines, size=size) if batch.has_pistons else None
     rods = None
     if batch.has_rods:
         names = [name for name in ("small_end", "big_end") if name in batch.masses]
         ends = np.column_stack([batch.masses[name] for name in names])
-        whole = len(names) == 1
         rods = (
             runs(ends[:, 0], sets=engines, size=size)
-            if whole
+            if len(names) == 1
             else divided_rods(ends, sets=engines, size=size)
         )
     out: list[Matched] = []
     for at in range(engines):
         some = None if pistons is None else pistons.items[at]
         others = None if rods is None else rods.items[at]
-        part = _part(batch, pins, some, others)
-        found = matched(
-            engine,
-            part,
-            orders=orders,
-            quantities=quantities,
-            classes=classes,
-            whole=whole,
-            watch=watch,
-        )
+        found = least(_part(batch, pins, some, others))
         out.append(_numbered(found, pins, some, others))
     return Division(pistons, rods, tuple(out))
 

@@ -87,8 +87,10 @@ def _gain(best: Isolation, before: MountAnalysis, after: MountAnalysis) -> Table
 def _mounts(before: MountAnalysis, after: MountAnalysis) -> Table:
     columns = (
         Column(_("mount"), kind="text", key="name", label=True),
-        Column(_("stiffness along its axes"), "N/mm", kind="list", key="stiffness_before"),
-        Column(_("best found"), "N/mm", kind="list", key="stiffness"),
+        Column(
+            _("stiffness along its axes"), "N/mm", kind="list", key="stiffness_before", digits=3
+        ),
+        Column(_("best found"), "N/mm", kind="list", key="stiffness", digits=3),
         Column(_("up, right, along"), "mm", kind="list", key="place_before", optional=1),
         Column(_("best found"), "mm", kind="list", key="place"),
     )
@@ -102,11 +104,11 @@ def _mounts(before: MountAnalysis, after: MountAnalysis) -> Table:
 
 
 def _stiffness(mount: Mount) -> tuple[float, ...]:
-    return tuple(float(f"{each / MM:.3g}") for each in mount.along)
+    return tuple(float(f"{each / MM:.12g}") for each in mount.along)
 
 
 def _place(mount: Mount) -> tuple[float, ...]:
-    return tuple(round(each * MM, 2) + 0.0 for each in (mount.up, mount.right, mount.z))
+    return tuple(float(f"{each * MM:.12g}") + 0.0 for each in (mount.up, mount.right, mount.z))
 
 
 def _modes(before: MountAnalysis, after: MountAnalysis) -> Table:

@@ -17,11 +17,16 @@ from dataclasses import replace
 from math import degrees
 from typing import Any
 
+from crankstar.language.quoting import CONTROL
 from crankstar.tables.conversion import in_units
 from crankstar.tables.table import ROW_UNIT, Column, Document, Ranged, Table, Value
 
 FORMAT = 2
 """Version of the JSON objects."""
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
+"""How text begins that a spreadsheet takes for a formula when it opens CSV."""
+NUMBERS = re.compile(r"[-+.,\d\seE]+")
+"""Text of numbers alone."""
 
 
 def tree(document: Document) -> dict[str, Any]:
@@ -74,7 +79,8 @@ def json_text(tree: Mapping[str, Any]) -> str:
     """A tree as JSON, a row of numbers on one line."""
     text = json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False)
     # A raw line break cannot stand inside a string, so no name is touched.
-    return re.sub(r"\[\n\s+([-+.\de]+(?:,\n\s+[-+.\de]+)*)\n\s+\]", _joined, text) + "\n"
+    text = re.sub(r"\[\n\s+([-+.\de]+(?:,\n\s+[-+.\de]+)*)\n\s+\]", _joined, text) + "\n"
+    return CONTROL.sub(lambda sign: json.dumps(sign.group())[1:-1], text)
 
 
 def _joined(match: re.Match[str]) -> str:
@@ -137,7 +143,7 @@ def _single(column: Column, value: Value) -> list[Any]:
         return list(value) if isinstance(value, tuple) else [value] * len(column.names)
     if isinstance(value, tuple):
         return [("-" if column.kind == "order" else " ").join(_short(item) for item in value)]
-    return [_safe(value) if isinstance(value, str) else value]
+    return [value]
 
 
 def _short(value: Any) -> str:
@@ -146,9 +152,16 @@ def _short(value: Any) -> str:
     return f"{value + 0.0:.10g}" if isinstance(value, float) else str(value)
 
 
-def _safe(text: str) -> str:
-    """Text that a spreadsheet does not take for a formula."""
-    return "'" + text if text[:1] in ("=", "+", "-", "@") else text
+def _written(cell: Any) -> Any:
+    r"""A cell of CSV: text that no spreadsheet takes for a formula and no terminal for a command.
+
+    >>> _written("=1+2"), _written("-120 -240"), _written("A\x1b[31m")
+    ("'=1+2", '-120 -240', 'A?[31m')
+    """
+    if not isinstance(cell, str):
+        return cell
+    text = CONTROL.sub("?", cell)
+    return "'" + text if text[:1] in FORMULA and not NUMBERS.fullmatch(text) else text
 
 
 def stacked(tables: Sequence[Table]) -> Table:
@@ -185,6 +198,5 @@ def csv_text(table: Table) -> str:
     heads, rows = columns(table)
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(heads)
-    writer.writerows(rows)
+    writer.writerows([_written(cell) for cell in row] for row in (heads, *rows))
     return out.getvalue()

@@ -31,6 +31,11 @@ ADDED = {
     ("small_end", "big_end"): N_("both ends of the rods, added"),
 }
 """What is added of the parts that are listed."""
+CLASSED = N_(
+    "Classes: every listed part lies anywhere in its class, so that all parts of an engine are "
+    "within that width; it is counted from the middle of its class."
+)
+"""What is understood by classes."""
 
 
 def matching_document(
@@ -40,12 +45,7 @@ def matching_document(
     parts = (_places_table(batch, [found]), _left_table(found, speed))
     lines = [_said(batch, found), *_spare(found.left_over), *_notes(batch, found)]
     if found.classes:
-        lines.append(
-            _(
-                "Classes: every listed part lies anywhere in its class, so that all parts of an "
-                "engine are within that width; it is counted from the middle of its class."
-            )
-        )
+        lines.append(_(CLASSED))
     return Document(engine.name, (*parts, *remarks(*lines, kind="note")), _facts(found, speed))
 
 
@@ -75,9 +75,15 @@ def division_document(
             )
         )
     lines += _spare(batch.size - len(found.engines) * len(engine.cylinders))
-    parts = (_places_table(batch, found.engines), _engines_table(found.engines, speed))
+    parts = (
+        _places_table(batch, found.engines),
+        _engines_table(found.engines, speed),
+        *_class_table(found.engines),
+    )
     facts = {**_facts(first, speed), "sets": spreads}
     lines += _notes(batch, first)
+    if first.classes:
+        lines.append(_(CLASSED))
     return Document(engine.name, (*parts, *remarks(*lines, kind="note")), facts)
 
 
@@ -203,6 +209,22 @@ def _engines_table(engines: Sequence[Matched], speed: float | None) -> Table:
     )
     notes = _force_notes(engines[0], speed)
     return Table(_("What is left"), columns, rows, notes, key="engines")
+
+
+def _class_table(engines: Sequence[Matched]) -> tuple[Table, ...]:
+    """What classes leave in each of several engines."""
+    columns = (
+        Column(_("engine"), key="engine", label=True),
+        Column(_("width of the classes"), "g", key="width"),
+        Column(_("unbalance left, rms"), "kg*m", key="unbalance", digits=4),
+        Column(_("at most"), "kg*m", key="most", digits=4),
+    )
+    rows = tuple(
+        (at, _grams(each.width), each.rms, each.most)
+        for at, engine in enumerate(engines, 1)
+        for each in engine.classes
+    )
+    return (Table(_("What classes leave"), columns, rows, key="classes"),) if rows else ()
 
 
 def _said(batch: Batch, found: Matched) -> str:

@@ -15,6 +15,7 @@ from typing import Any
 from crankstar.files.sheets import MAIN, Sheet
 from crankstar.files.workbook import add_sheets
 from crankstar.language.messages import _
+from crankstar.language.quoting import CONTROL
 from crankstar.tables.cells import cell, head
 from crankstar.tables.conversion import in_units
 from crankstar.tables.machine import columns, plain_values
@@ -94,7 +95,7 @@ def _plain(value: Any) -> Any:
 
 def _name(title: str, sheets: Sequence[Sheet]) -> str:
     """A name that a sheet may have, and that neither another one nor the engine has."""
-    plain = re.sub(r"[\[\]:*?/\\']", " ", title).strip() or _("table")
+    plain = re.sub(r"[\[\]:*?/\\']", " ", CONTROL.sub(" ", title)).strip() or _("table")
     taken = {sheet.name.lower() for sheet in sheets}
     for number in range(1, 1000):
         name = plain[:LONGEST_NAME] if number == 1 else f"{plain[: LONGEST_NAME - 4]} {number}"

@@ -135,6 +135,18 @@ class Document:
         return (part for part in self.parts if isinstance(part, Remarks))
 
 
+def with_tables(document: Document, machine: Document) -> Document:
+    """A document with every table that programs read, in the place of its own of the same key.
+
+    A spreadsheet has room for all rows where a reader is shown the highest or the nearest.
+    """
+    whole = {table.key: table for table in machine.tables if table.key and table.rows}
+    parts = [
+        whole.pop(part.key, part) if isinstance(part, Table) else part for part in document.parts
+    ]
+    return replace(document, parts=(*parts, *whole.values()))
+
+
 def remarks(*lines: str, **how: Any) -> tuple[Remarks, ...]:
     """The lines that say something as one part, none where none does."""
     said = tuple(line for line in lines if line)

@@ -42,7 +42,7 @@ def rendered(document: Document, *, width: int) -> RenderableType:
 
     parts: list[RenderableType] = []
     if document.title:
-        parts.append(Text(CONTROL.sub("?", document.title), style="bold"))
+        parts.append(Text(_shown(document.title), style="bold"))
     before: Table | Remarks | None = None
     for part in document.parts:
         if isinstance(part, Table) and not (part.title or part.rows or part.notes):
@@ -56,14 +56,21 @@ def rendered(document: Document, *, width: int) -> RenderableType:
     return Group(*parts)
 
 
+def _shown(text: str) -> str:
+    """Text without what a terminal takes for a command."""
+    return CONTROL.sub("?", text)
+
+
 def _remarks(part: Remarks) -> list[RenderableType]:
     from rich.padding import Padding
     from rich.text import Text
 
     style = {"note": "dim", "doubt": "yellow"}.get(part.kind, "")
-    lines: list[RenderableType] = [Text(), Text(part.title, style="bold")] if part.title else []
+    lines: list[RenderableType] = (
+        [Text(), Text(_shown(part.title), style="bold")] if part.title else []
+    )
     for line in part.lines:
-        plain = Text(CONTROL.sub("?", line), style=style)
+        plain = Text(_shown(line), style=style)
         lines.append(Padding(plain, (0, 0, 0, 2)) if part.kind == "list" else plain)
     return lines
 
@@ -74,7 +81,7 @@ def _table(table: Table, width: int) -> list[RenderableType]:
     table = in_units(table.readable)
     parts: list[RenderableType] = [Text()]
     if table.title:
-        parts.append(Text(CONTROL.sub("?", table.title), style="bold"))
+        parts.append(Text(_shown(table.title), style="bold"))
     if table.rows:
         drawn = _drawn(table)
         pieces = _pieces(drawn, width)
@@ -82,7 +89,7 @@ def _table(table: Table, width: int) -> list[RenderableType]:
             parts += [Text()] if place else []
             parts.append(_piece(table, columns, width))
         parts += _left_out(drawn, pieces)
-    return [*parts, *map(Text, table.notes)]
+    return [*parts, *(Text(_shown(note)) for note in table.notes)]
 
 
 def _left_out(columns: list[Drawn], pieces: list[list[Drawn]]) -> list[RenderableType]:
@@ -100,11 +107,11 @@ def _left_out(columns: list[Drawn], pieces: list[list[Drawn]]) -> list[Renderabl
 def _drawn(table: Table) -> list[Drawn]:
     from rich.cells import cell_len
 
-    texts = [[CONTROL.sub("?", text) for text in row] for row in cells(table)]
+    texts = [[_shown(text) for text in row] for row in cells(table)]
     out: list[Drawn] = []
     for place, column in enumerate(table.columns):
         own = [row[place] for row in texts]
-        words, unit = heading(column)
+        words, unit = map(_shown, heading(column))
         longest = max(map(cell_len, own), default=0)
         broken = max((cell_len(word) for text in own for word in text.split()), default=0)
         above = max((cell_len(word) for word in [*words.split(), unit]), default=0)

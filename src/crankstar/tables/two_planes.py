@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from math import degrees
 from typing import NamedTuple
 
@@ -116,17 +115,11 @@ def _held(found: Corrections, share: float) -> str:
     )
 
 
-def rows_of(document: Document) -> Document:
-    """The document with what to add or to drill alone, for a form that holds one table."""
-    wanted = tuple(table for table in document.tables if table.key in ("added", "holes"))
-    return replace(document, parts=wanted)
-
-
 def _vector(value: complex) -> tuple[float, float | None]:
     """Size and direction; nought has none."""
     if not value:
         return 0.0, None
-    return abs(value), round(degrees(float(np.angle(value))) % 360, 1) % 360
+    return abs(value), round(degrees(float(np.angle(value))) % 360, 9) % 360
 
 
 def _measured(unbalance: Complex, at: Sequence[float]) -> Table:
@@ -135,14 +128,15 @@ def _measured(unbalance: Complex, at: Sequence[float]) -> Table:
     columns = (
         Column(_("unbalance"), kind="text", label=True),
         Column("", kind="text", key="name", machine=True),
-        Column(_("size"), "g*mm", key="size_g_mm", fixed=True),
-        Column(_("couple"), "g*mm^2", key="size_g_mm2", fixed=True),
-        Column(_("direction"), "deg", key="direction_deg"),
+        Column(_("size"), "kg*m", key="size"),
+        Column(_("couple"), "g*mm^2", fixed=True),
+        Column("", "kg*m^2", key="couple", machine=True),
+        Column(_("direction"), "deg", key="direction_deg", digits=4),
     )
     (still, where), (twist, turned) = _vector(static), _vector(couple)
     rows: tuple[tuple[Value, ...], ...] = (
-        (_("static"), "static", 1e6 * still, None, where),
-        (_("couple"), "couple", None, MM2 * twist, turned),
+        (_("static"), "static", still, None, None, where),
+        (_("couple"), "couple", None, MM2 * twist, twist, turned),
     )
     said = _(
         "The couple is taken about the middle of the measuring planes. Its heavy spot is in this "
@@ -158,7 +152,7 @@ def _influence(influence: Complex) -> Table:
         Column(_("at bearing"), label=True),
         Column(_("plane")),
         Column(_("vibration per kg m"), digits=4),
-        Column(_("phase"), "deg"),
+        Column(_("phase"), "deg", digits=4),
     )
     rows = tuple(
         (bearing, plane, *_vector(complex(each)))
@@ -176,7 +170,7 @@ def _planes(found: Corrections) -> Table:
     columns = (
         Column(_("plane"), key="plane", label=True),
         Column(_("unbalance"), "kg*m", key="unbalance"),
-        Column(_("heavy spot"), "deg", key="heavy_spot_deg"),
+        Column(_("heavy spot"), "deg", key="heavy_spot_deg", digits=4),
     )
     rows = tuple((at, *_vector(complex(each))) for at, each in enumerate(found.unbalance, 1))
     return Table(_("Unbalance in the correction planes"), columns, rows, key="planes")
@@ -187,7 +181,7 @@ def _added(found: Corrections) -> Table:
     massed = found.radius is not None
     columns = (
         Column(_("plane"), key="plane", label=True),
-        Column(_("add at"), "deg", key="at_deg"),
+        Column(_("add at"), "deg", key="at_deg", digits=4),
         Column(_("unbalance"), "kg*m", key="unbalance"),
         *((Column(_("mass"), "g", key="mass", digits=4),) if massed else ()),
         Column("", "kg*m", key="plane_unbalance", machine=True),
@@ -197,7 +191,7 @@ def _added(found: Corrections) -> Table:
     for plane, weights in enumerate(found.added, 1):
         for each in weights:
             mass = (1000 * each.unbalance / found.radius,) if found.radius is not None else ()
-            at = round(degrees(each.angle) % 360, 1) % 360
+            at = round(degrees(each.angle) % 360, 9) % 360
             whole = _vector(complex(found.unbalance[plane - 1]))
             rows.append((plane, at, each.unbalance, *mass, *whole))
     return Table(_("What to add"), columns, tuple(rows), key="added")
@@ -208,7 +202,7 @@ def _left(found: Corrections, left: Complex) -> Table:
     columns = (
         Column(_("plane"), key="plane", label=True),
         Column(_("unbalance"), "kg*m", key="unbalance"),
-        Column(_("heavy spot"), "deg", key="heavy_spot_deg"),
+        Column(_("heavy spot"), "deg", key="heavy_spot_deg", digits=4),
         Column(_("of that before"), "%", key="share_percent", digits=3),
     )
     rows = tuple(

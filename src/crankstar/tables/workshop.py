@@ -91,12 +91,12 @@ def _holes(corrections: Sequence[Correction], drill: Drill, along: Scale | None)
         columns.append(Column("z", along.unit, key="z"))
     columns += [
         Column(_("unbalance"), "kg*m", key="unbalance"),
-        Column(_("heavy spot"), "deg", key="heavy_spot_deg"),
+        Column(_("heavy spot"), "deg", key="heavy_spot_deg", digits=4),
         Column(_("slugs") if slug else _("holes"), key="count"),
-        Column(_("fit at") if slug else _("drill at"), "deg", kind="list", key="at_deg"),
+        Column(_("fit at") if slug else _("drill at"), "deg", kind="list", key="at_deg", digits=4),
     ]
     if along is not None:
-        columns.append(Column(_("from pin 1"), "deg", kind="list", key="from_pin_1_deg"))
+        columns.append(Column(_("from pin 1"), "deg", kind="list", key="from_pin_1_deg", digits=4))
     columns += [
         Column(_("length of each") if slug else _("depth of each"), "mm", key="depth", digits=4),
         Column(_("to the tip"), "mm", key="tip_depth", digits=4, machine=not drill.cone),
@@ -144,8 +144,8 @@ def _bearings(each: Correction, turned: float) -> tuple[float, ...] | None:
 
 
 def _degrees(angle: float) -> float:
-    """A direction from 0 to 360 deg, to the tenth that a bench can set."""
-    return round(degrees(angle) % 360, 1) % 360
+    """A direction from 0 to 360 deg; readers are shown the tenth that a bench can set."""
+    return round(degrees(angle) % 360, 9) % 360
 
 
 def _notes(drill: Drill, along: Scale | None) -> tuple[str, ...]:
