@@ -146,8 +146,7 @@ def _wheel(engine: Engine, cycle: Cycle, irregularity: float | None) -> Wheel | 
     if irregularity is None:
         return None
     _needing("--irregularity", engine, cycle)
-    exponent = engine.drive.load_exponent if engine.drive is not None else 0.0
-    wheel = flywheel_for(engine, cycle, irregularity=irregularity, exponent=exponent)
+    wheel = flywheel_for(engine, cycle, irregularity=irregularity)
     return Wheel(irregularity, wheel, mean_inertia(mechanism(engine)) + throw_inertia(engine))
 
 

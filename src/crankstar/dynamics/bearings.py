@@ -91,8 +91,8 @@ class BearingLoads:
 
     `load` of `bearings`; `pin` of `pins`: what its rods put on each crank pin, with the rotating
     mass of its throw, which hangs on it; `big_end` of `big_ends`: what one rod puts on its pin,
-    with its slave rods and an equal part of that mass; `guide` of each of `cylinders`: what its piston puts on
-    the wall.
+    with its slave rods and an equal part of that mass; `guide` of each of `cylinders`: what its
+    piston puts on the wall.
 
     >>> from crankstar.files.catalog import load
     >>> loads = bearing_loads(load("v2-90"))

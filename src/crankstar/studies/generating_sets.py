@@ -110,8 +110,7 @@ def generating_set(
     turning = engine.speed if turning is None else turning
     wanted = None
     if irregularity is not None and running is not None and burning is not None:
-        exponent = engine.drive.load_exponent if engine.drive else 0.0
-        wanted = flywheel_for(engine, burning, irregularity=irregularity, exponent=exponent)
+        wanted = flywheel_for(engine, burning, irregularity=irregularity)
     sums, lacking = _sums(engine, turning, engines)
     return GeneratingSet(
         engine=engine,
