@@ -172,7 +172,8 @@ def _energy(change: Real, whole: Real, speed: float) -> Real:
 def flywheel_for(engine: Engine, cycle: Cycle, *, irregularity: float) -> float:
     """The inertia of flywheel and crankshaft for a degree of irregularity, kg m^2.
 
-    With the load of the engine file, as `driven` has it. Zero where the moving parts alone are enough. Twice as even takes about twice the inertia:
+    With the load of the engine file, as `driven` has it. Zero where the moving parts alone are
+    enough. Twice as even takes about twice the inertia:
 
     >>> from crankstar import cycle, load
     >>> five = load("audi-25-tfsi")

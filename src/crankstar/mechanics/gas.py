@@ -9,7 +9,7 @@ torque and mean effective pressure agree to rounding.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from math import inf, pi, radians
 from typing import Any
@@ -41,7 +41,8 @@ class Cycle:
 
     `pressure` [chamber, sample], absolute, at the equal steps of `volumes` from the dead centre at
     which the chamber fires; mean effective pressures over all chambers; `values` are all that went
-    into it, `assumed` the names of those that the file does not give.
+    into it, `assumed` the names of those that the file does not give. Chambers that are `off` burn
+    nothing; of those that are `weaker` the share is given that they lack.
     """
 
     volumes: Volumes
@@ -56,6 +57,7 @@ class Cycle:
     assumed: tuple[str, ...]
     off: tuple[int, ...] = ()
     motored: bool = False
+    weaker: Mapping[int, float] = field(default_factory=dict[int, float])
 
     @property
     def bmep(self) -> float:
@@ -70,6 +72,7 @@ def cycle(
     speed: float | None = None,
     motored: bool = False,
     off: Collection[int] = (),
+    weaker: Mapping[int, float] | None = None,
     imep: float | None = None,
     bmep: float | None = None,
     peak_pressure: float | None = None,
@@ -77,8 +80,10 @@ def cycle(
     """The cycle of an engine at an operating point, by name; without one at `default_point`.
 
     `speed` (rad/s) and a load (one of imep, bmep, peak_pressure, Pa) stand before what the file
-    gives. A `motored` engine burns nothing, and so do the chambers of the cylinders that are `off`:
-    the others burn what they would. Raises GasError.
+    gives. A `motored` engine burns nothing, and so do the chambers of the cylinders that are `off`;
+    those that are `weaker` lack a share of their combustion, by cylinder: the others burn what they
+    would. What does not burn is compressed from the charge pressure of the point, and with a
+    measured pressure from the one that the trace has. Raises GasError.
 
     >>> from crankstar.files.catalog import load
     >>> found = cycle(load("audi-25-tfsi"), imep=12e5)
@@ -86,7 +91,7 @@ def cycle(
     (12.0, 5)
     """
     check_gas(engine)
-    off = chambers_of(engine, off)
+    lost = lost_shares(engine, off, weaker or {}, motored=motored)
     given = {"imep": imep, "bmep": bmep, "peak_pressure": peak_pressure}
     load = {name: value for name, value in given.items() if value is not None}
     values, assumed = resolved(engine, point=point, speed=speed, load=load)
@@ -94,7 +99,8 @@ def cycle(
     values["stroke"] = stroke
     places = volumes_of(engine)
     try:
-        rows = _pressures(engine, places, values, motored=motored, off=off)
+        charges = _charges_of_trace(engine, places, lost, assumed)
+        rows = _pressures(engine, places, values, lost, charges, motored=motored)
     except ArithmeticError:
         raise GasError(
             "with these values the pressure has no end or falls to nothing: give more intake "
@@ -112,30 +118,37 @@ def cycle(
         peak=float(rows.max()),
         speed=turning,
         name=values.pop("point"),
-        values=values,
-        assumed=assumed,
-        off=tuple(sorted(off)),
+        values={**values, **next(iter(charges.values()), {}), "charges": charges},
+        assumed=tuple(each for each in assumed if each not in next(iter(charges.values()), {})),
+        off=tuple(sorted(chambers_of(engine, off))),
         motored=motored,
+        weaker={key: share for key, share in lost.items() if 0 < share < 1},
     )
 
 
 def cycle_or_reason(
-    engine: Engine, *, point: str = "", speed: float | None = None
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    off: Collection[int] = (),
+    weaker: Mapping[int, float] | None = None,
 ) -> tuple[Cycle | None, str]:
     """The cycle at an operating point, or None and why there is none.
 
-    Raises GasError for a point that is named.
+    Raises GasError for a point that is named, and for cylinders that are `off` or `weaker`.
 
     >>> from crankstar.files.catalog import load
     >>> cycle_or_reason(load("i4"))
     (None, 'the engine file has no table [gas]')
     """
-    if engine.gas is None and not point:
+    asked = bool(point or off or weaker)
+    if engine.gas is None and not asked:
         return None, _("the engine file has no table [gas]")
     try:
-        return cycle(engine, point=point, speed=speed), ""
+        return cycle(engine, point=point, speed=speed, off=off, weaker=weaker), ""
     except GasError as error:
-        if point:
+        if asked:
             raise
         return None, str(error)
 
@@ -169,6 +182,28 @@ def chambers_of(engine: Engine, cylinders: Collection[int]) -> set[int]:
     return {known[number] for number in cylinders}
 
 
+def lost_shares(
+    engine: Engine, off: Collection[int], weaker: Mapping[int, float], *, motored: bool = False
+) -> dict[int, float]:
+    """The share of its combustion that each chamber lacks, by number. Raises GasError.
+
+    >>> from crankstar.files.catalog import load
+    >>> lost_shares(load("honda-b18c"), [2], {3: 0.25})
+    {1: 0.0, 2: 1.0, 3: 0.25, 4: 0.0}
+    """
+    lost = dict.fromkeys(engine.chambers, 1.0 if motored else 0.0)
+    for number, share in [*weaker.items(), *dict.fromkeys(off, 1.0).items()]:
+        [chamber] = chambers_of(engine, [number])
+        if not 0 <= share <= 1:
+            raise GasError(
+                "cylinder {number} cannot lack {share} of its combustion; give a share from 0 to 1",
+                number=number,
+                share=f"{share:g}",
+            )
+        lost[chamber] = max(lost[chamber], float(share))
+    return lost
+
+
 def computable(engine: Engine) -> bool:
     """Whether sizes and firing order are known, so that there can be cycles at all."""
     try:
@@ -192,22 +227,61 @@ def _pressures(
     engine: Engine,
     places: Volumes,
     values: Mapping[str, Any],
+    lost: Mapping[int, float],
+    charges: Mapping[int, Mapping[str, float]],
     *,
     motored: bool,
-    off: Collection[int],
 ) -> Real:
     """The pressure [chamber, sample] with the heat that gives the load. Raises GasError."""
-    laws = [_law(engine, places, row, values) for row in range(len(places.swept))]
-    silent = np.array([motored or number in off for number in places.numbers])
+    shares = np.array([lost[number] for number in places.numbers])[:, None]
     kinds = np.array(places.kind)
     if engine.gas is not None and engine.gas.trace is not None:
-        measured = _traced(engine, places)
-        still = np.array([law(0.0) for law in laws])[kinds] if silent.any() else measured
-        return np.where(silent[:, None], still, measured)
+        burning = _traced(engine, places)
+        still = burning.copy()
+        for row, charge in charges.items():
+            still[row] = _law(engine, places, places.kind[row], {**values, **charge})(0.0)
+        return (1 - shares) * burning + shares * still
+    laws = [_law(engine, places, row, values) for row in range(len(places.swept))]
     heat = 0.0 if motored else _heat(laws, places, values)
-    burning = np.array([law(heat) for law in laws])
-    still = np.array([law(0.0) for law in laws]) if silent.any() else burning
-    return np.where(silent[:, None], still[kinds], burning[kinds])
+    burning = np.array([law(heat) for law in laws])[kinds]
+    still = np.array([law(0.0) for law in laws])[kinds] if shares.any() else burning
+    return (1 - shares) * burning + shares * still
+
+
+CHARGE_WINDOW = radians(10.0)
+"""Radians before compression begins over which the charge pressure of a trace is a mean: a mean of
+several samples, so that noise of one does not move all of a compression."""
+
+
+def _charges_of_trace(
+    engine: Engine, places: Volumes, lost: Mapping[int, float], assumed: Collection[str]
+) -> dict[int, dict[str, float]]:
+    """Pressures of charge and exhaust, Pa, of each chamber that lacks combustion, by row.
+
+    Those that the file does not give are read off its own trace: what it draws as compression
+    begins, and the mean of what it pushes the charge out against. None without a trace.
+    """
+    if engine.gas is None or engine.gas.trace is None or not any(lost.values()):
+        return {}
+    measured = _traced(engine, places)
+    own = np.arange(SAMPLES) * (places.cycle / SAMPLES)
+
+    def mean(row: int, start: float, end: float) -> float:
+        angle = np.linspace(start, end, 41)
+        return float(np.interp(angle, own, measured[row], period=places.cycle).mean())
+
+    charges: dict[int, dict[str, float]] = {}
+    for row, number in enumerate(places.numbers):
+        if not lost[number]:
+            continue
+        happens = events(engine, places.above[places.kind[row]])
+        pushed = max(happens.exchange[0], happens.emptied + CHARGE_WINDOW)
+        read = {
+            "intake_pressure": mean(row, happens.closed - CHARGE_WINDOW, happens.closed),
+            "exhaust_pressure": mean(row, happens.emptied, pushed),
+        }
+        charges[row] = {name: value for name, value in read.items() if name in assumed}
+    return charges
 
 
 def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -> Law:
