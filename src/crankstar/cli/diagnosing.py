@@ -61,7 +61,7 @@ def fault(
     output: Output = None,
 ) -> None:
     """Tell what would be felt of a fault."""
-    from crankstar.studies.single_faults import check_faults, known, shaken
+    from crankstar.studies.single_faults import check_faults, known, shaken, state_of
     from crankstar.tables.diagnoses import faults_document
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -81,10 +81,10 @@ def fault(
         )
     check_faults(known(loaded), faults)
     check_orders(loaded, wanted or (), gas=loaded.gas is not None or point is not None)
-    own = _speed(loaded, turning)
+    state = state_of(loaded, point=point or "", speed=turning)
     place = request.reference(at, loaded, option="--at")
     where = None if place is None else (place.up, place.right, place.z)
-    rest: dict[str, Any] = {"speed": own, "point": point or "", "orders": wanted or ()}
+    rest: dict[str, Any] = {**state._asdict(), "orders": wanted or ()}
     with working(_("Computing what changes ...")), words_for(form):
         before, after = (shaken(loaded, some, **rest) for some in ((), faults))
         document = faults_document(before, after, faults, point=where, every=form != "txt")
@@ -107,6 +107,7 @@ def diagnose(
     ] = None,
 ) -> None:
     """Find the likeliest fault by measured vibration."""
+    from crankstar.mechanics.operating_points import operating_state
     from crankstar.studies.diagnosis import diagnosed
     from crankstar.tables.diagnoses import diagnosis_document
 
@@ -114,7 +115,8 @@ def diagnose(
     loaded, turning = together(
         partial(loaded_engine, engine, settings), partial(request.speed, speed)
     )
-    own = turning or loaded.speed
+    state = operating_state(loaded, point=point or "", speed=turning)
+    own = state.speed
     found_lists = together(
         partial(_readings, measured, loaded, own),
         *([partial(_readings, before, loaded, own)] if before is not None else []),
@@ -142,12 +144,6 @@ def _readings(place: str, engine: Engine, speed: float | None) -> Sequence[Readi
     from crankstar.studies.diagnosis import readings_of
 
     return readings_of(read_list(place), engine, speed=speed)
-
-
-def _speed(engine: Engine, asked: float | None) -> float:
-    if asked is None and engine.speed is None:
-        raise RequestError('give the speed, as in --speed "800 rpm"')
-    return asked or engine.speed or 0.0
 
 
 def _cut(text: str | None) -> list[Fault]:

@@ -39,11 +39,13 @@ from crankstar.studies.single_faults import (
     DiagnosisError,
     Fault,
     Shaken,
+    Turning,
     catalogue,
     known,
     limits,
     own_mass,
     shaken,
+    state_of,
 )
 
 Axis = Literal["up", "right", "z"]
@@ -135,6 +137,13 @@ class Diagnosis:
     suspects: tuple[Suspect, ...]
     pair: Suspect | None
     alike: tuple[Suspect, ...]
+    point: str = ""
+
+    @property
+    def states(self) -> list[Turning]:
+        """The operating points ("" between points) and speeds (rad/s) of the readings."""
+        speeds = sorted({each.speed for each in self.readings})
+        return [state_of(self.engine, point=self.point, speed=speed) for speed in speeds]
 
     @property
     def found(self) -> bool:
@@ -267,6 +276,7 @@ def diagnosed(
         tuple(suspects),
         _pair(engine, difference, faults, columns, suspects),
         _alike(suspects),
+        point,
     )
 
 

@@ -22,6 +22,7 @@ from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.phase_sums import exceeded, typical_sum, worst_sum
 
 SIZES = {
@@ -112,8 +113,7 @@ def generating_set(
     running = None if burning is None else driven(engine, burning, flywheel=flywheel)
     if burning is not None and running is None:
         why = _without_running(engine, burning.speed, flywheel)
-    turning = burning.speed if burning is not None else speed
-    turning = engine.speed if turning is None else turning
+    turning = operating_state(engine, point=point, speed=speed).speed
     wanted = None
     if irregularity is not None and running is not None and burning is not None:
         wanted = flywheel_for(engine, burning, irregularity=irregularity)

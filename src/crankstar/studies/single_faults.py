@@ -13,7 +13,7 @@ its mounts, or free without them (`mounted_block`).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, NamedTuple
 
@@ -31,10 +31,12 @@ from crankstar.language.messages import MessageError, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, total
-from crankstar.mechanics.gas import chambers_of, cycle
-from crankstar.mechanics.gas_torque import gas_roll, gas_torque
+from crankstar.mechanics.gas import chambers_of
+from crankstar.mechanics.gas_loads import gas_over_speeds, points_by_speed
+from crankstar.mechanics.gas_torque import gas_roll
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.occurring_orders import check_orders
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.spectra import Complex, Real, Spectrum
 from crankstar.studies.part_weights import with_parts
 
@@ -73,6 +75,7 @@ class Shaken:
     orders: Real
     push: Complex
     torque: Complex
+    point: str = ""
 
     @property
     def mounted(self) -> bool:
@@ -192,13 +195,15 @@ def shaken(
     engine: Engine,
     faults: Sequence[Fault] = (),
     *,
-    speed: float,
+    speed: float | None = None,
     point: str = "",
     orders: Sequence[float] = (),
 ) -> Shaken:
-    """What shakes the block of an engine with faults at a speed (rad/s).
+    """What shakes the block of an engine with faults, at an operating point and speed (rad/s).
 
-    Raises DiagnosisError, and OrderError for an order that the engine cannot have.
+    Both as `operating_state` has them; between the points of the file the load is that between
+    them, as on its mounts. Raises DiagnosisError, and OrderError for an order that the engine
+    cannot have.
 
     >>> from crankstar.files.catalog import load
     >>> six, cut = load("audi-25-tfsi"), [Fault("combustion", 2)]
@@ -207,6 +212,7 @@ def shaken(
     True
     """
     engine = known(engine)
+    point, speed = state_of(engine, point=point, speed=speed)
     check_orders(engine, orders, gas=True)
     built = engine
     _check_shares(engine, faults)
@@ -221,7 +227,26 @@ def shaken(
     torque = speed**2 * spectra.amplitude(spectra.selected(sums.torque, wanted))
     gas = gas_orders(engine, faults, speed=speed, point=point, orders=wanted)
     push[:, 5] += spectra.amplitude(gas_roll(gas, sums.force.sense))
-    return Shaken(engine, speed, wanted, push, torque + spectra.amplitude(gas))
+    return Shaken(engine, speed, wanted, push, torque + spectra.amplitude(gas), point)
+
+
+class Turning(NamedTuple):
+    """A point that is named or meant, "" where the load is between points, and a speed, rad/s."""
+
+    point: str
+    speed: float
+
+
+def state_of(engine: Engine, *, point: str = "", speed: float | None = None) -> Turning:
+    """The operating point and speed at which an engine with a fault shakes.
+
+    Raises DiagnosisError without a speed, and GasError for a point that the engine has not.
+    """
+    state = operating_state(engine, point=point, speed=speed)
+    if state.speed is None:
+        raise DiagnosisError('give the speed, as in --speed "800 rpm"')
+    alone = bool(point) or speed is None or len(points_by_speed(engine)) == 0
+    return Turning(state.point if alone else "", state.speed)
 
 
 def limits(engine: Engine, fault: Fault) -> tuple[float, float]:
@@ -319,8 +344,9 @@ def gas_orders(
     for fault in weak:
         lost[fault.number] += fault.size
     weaker = {number: min(share, 1.0) for number, share in lost.items()}
-    found = gas_torque(cycle(engine, point=point, speed=speed, weaker=weaker)).total
-    return spectra.selected(found, orders)
+    found = gas_over_speeds(engine, [speed], point=point, weaker=weaker)
+    one = replace(found, forward=found.forward[0], backward=found.backward[0])
+    return spectra.selected(one, orders)
 
 
 def catalogue(engine: Engine, *, gas: bool = True) -> list[Fault]:
