@@ -71,7 +71,7 @@ class Shot:
             ).y[0]
 
         # a constant load in the mean comes back from any speed: the mean over time chooses it
-        start = brentq(
+        start: Any = brentq(
             lambda one: 1 / (1 / run(one)[:COUNT]).mean() - self.mean,
             0.5 * self.mean,
             1.5 * self.mean,
