@@ -102,5 +102,5 @@ def test_engines_of_known_masses_are_compared_at_one_speed_unasked() -> None:
 
 def test_engines_without_masses_are_marked_as_each_in_its_own_unit() -> None:
     title = side_by_side([load("i4"), load("i6")], "spectrum").to_dict()["title"]
-    assert "each in its own m, r and a" in title["text"]
+    assert "each in its own m, r and a" in " ".join(title["text"])
     assert "cannot be compared by the lengths drawn" in " ".join(title["subtitle"])

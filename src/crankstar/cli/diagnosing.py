@@ -61,7 +61,8 @@ def fault(
     output: Output = None,
 ) -> None:
     """Tell what would be felt of a fault."""
-    from crankstar.studies.single_faults import check_faults, known, shaken, state_of
+    from crankstar.mechanics.gas_loads import vibrating_state
+    from crankstar.studies.single_faults import check_faults, known, shaken
     from crankstar.tables.diagnoses import faults_document
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -81,7 +82,7 @@ def fault(
         )
     check_faults(known(loaded), faults)
     check_orders(loaded, wanted or (), gas=loaded.gas is not None or point is not None)
-    state = state_of(loaded, point=point or "", speed=turning)
+    state = vibrating_state(loaded, point=point or "", speed=turning)
     place = request.reference(at, loaded, option="--at")
     where = None if place is None else (place.up, place.right, place.z)
     rest: dict[str, Any] = {**state._asdict(), "orders": wanted or ()}

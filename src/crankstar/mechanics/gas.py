@@ -11,17 +11,17 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from math import inf, pi, radians
+from math import inf, pi
 from typing import Any
 
 import numpy as np
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.valves import timing
 from crankstar.engine.volumes import Volumes, volumes
 from crankstar.language.messages import _
 from crankstar.mechanics import heat_release, ideal_cycles, real_gas
 from crankstar.mechanics.friction import friction_pressure
+from crankstar.mechanics.gas_traces import charges_of_trace, events, traced
 from crankstar.mechanics.operating_points import GasError, resolved
 from crankstar.mechanics.roots import root
 from crankstar.spectra import Real
@@ -99,7 +99,7 @@ def cycle(
     values["stroke"] = stroke
     places = volumes_of(engine)
     try:
-        charges = _charges_of_trace(engine, places, lost, assumed)
+        charges = charges_of_trace(engine, places, lost, assumed)
         rows = _pressures(engine, places, values, lost, charges, motored=motored)
     except ArithmeticError:
         raise GasError(
@@ -236,7 +236,7 @@ def _pressures(
     shares = np.array([lost[number] for number in places.numbers])[:, None]
     kinds = np.array(places.kind)
     if engine.gas is not None and engine.gas.trace is not None:
-        burning = _traced(engine, places)
+        burning = traced(engine, places)
         still = burning.copy()
         for row, charge in charges.items():
             still[row] = _law(engine, places, places.kind[row], {**values, **charge})(0.0)
@@ -246,42 +246,6 @@ def _pressures(
     burning = np.array([law(heat) for law in laws])[kinds]
     still = np.array([law(0.0) for law in laws])[kinds] if shares.any() else burning
     return (1 - shares) * burning + shares * still
-
-
-CHARGE_WINDOW = radians(10.0)
-"""Radians before compression begins over which the charge pressure of a trace is a mean: a mean of
-several samples, so that noise of one does not move all of a compression."""
-
-
-def _charges_of_trace(
-    engine: Engine, places: Volumes, lost: Mapping[int, float], assumed: Collection[str]
-) -> dict[int, dict[str, float]]:
-    """Pressures of charge and exhaust, Pa, of each chamber that lacks combustion, by row.
-
-    Those that the file does not give are read off its own trace: what it draws as compression
-    begins, and the mean of what it pushes the charge out against. None without a trace.
-    """
-    if engine.gas is None or engine.gas.trace is None or not any(lost.values()):
-        return {}
-    measured = _traced(engine, places)
-    own = np.arange(SAMPLES) * (places.cycle / SAMPLES)
-
-    def mean(row: int, start: float, end: float) -> float:
-        angle = np.linspace(start, end, 41)
-        return float(np.interp(angle, own, measured[row], period=places.cycle).mean())
-
-    charges: dict[int, dict[str, float]] = {}
-    for row, number in enumerate(places.numbers):
-        if not lost[number]:
-            continue
-        happens = events(engine, places.above[places.kind[row]])
-        pushed = max(happens.exchange[0], happens.emptied + CHARGE_WINDOW)
-        read = {
-            "intake_pressure": mean(row, happens.closed - CHARGE_WINDOW, happens.closed),
-            "exhaust_pressure": mean(row, happens.emptied, pushed),
-        }
-        charges[row] = {name: value for name, value in read.items() if name in assumed}
-    return charges
 
 
 def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -> Law:
@@ -358,39 +322,6 @@ def ideal_cycle(values: Mapping[str, Any]) -> ideal_cycles.Ideal:
     return cycle
 
 
-LEAST_BLOW_DOWN = radians(20.0)
-LEAST_EXCHANGE = radians(20.0)
-"""Radians: the pressure takes so long at least from that of the cylinder to the exhaust's, and on
-to that of the intake."""
-
-
-def events(engine: Engine, above: Real) -> heat_release.Events:
-    """When compression begins and the exhaust opens, by the valves of the file or assumed ones."""
-    times = timing(engine.valves, cycle=engine.cycle)
-    turn = 2 * pi
-    per_turn = above.size // 2 if engine.cycle == "four-stroke" else above.size
-    bottom = float(np.argmax(above[:per_turn])) * turn / per_turn
-    opened = bottom - times.exhaust_opens
-    if engine.cycle == "four-stroke":
-        emptied = max(bottom, opened + LEAST_BLOW_DOWN)
-        middle = turn + (times.exhaust_closes - times.intake_opens) / 2
-        half = max(times.exhaust_closes + times.intake_opens, LEAST_EXCHANGE) / 2
-        return heat_release.Events(
-            closed=bottom + times.intake_closes - turn,
-            opened=opened,
-            emptied=emptied,
-            exchange=(middle - half, middle + half),
-        )
-    closed = bottom + max(times.exhaust_closes, times.intake_closes)
-    emptied = max(bottom, opened + LEAST_BLOW_DOWN)
-    return heat_release.Events(
-        closed=closed - turn,
-        opened=opened,
-        emptied=emptied,
-        exchange=(emptied, max(closed, emptied + LEAST_EXCHANGE)),
-    )
-
-
 def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
     """The heat per swept volume (Pa) that gives the load. Raises GasError."""
     kinds = np.bincount(places.kind)
@@ -446,24 +377,3 @@ def _friction(values: Mapping[str, Any]) -> float:
     if given is not None:
         return given
     return friction_pressure(values["friction"], speed=values["speed"], stroke=values["stroke"])
-
-
-def _traced(engine: Engine, places: Volumes) -> Real:
-    """The measured pressure of every chamber at the samples, by a periodic cubic spline."""
-    from scipy.interpolate import CubicSpline
-
-    assert engine.gas is not None  # noqa: S101  # asked before
-    assert engine.gas.trace is not None  # noqa: S101
-    trace = engine.gas.trace
-    angle = np.array([*trace.angle, trace.angle[0] + places.cycle])
-    step = np.arange(SAMPLES) * places.cycle / SAMPLES
-    rows = [
-        CubicSpline(angle, [*pressure, pressure[0]], bc_type="periodic")(
-            angle[0] + (step - angle[0]) % places.cycle
-        )
-        for pressure in trace.pressure
-    ]
-    if len(rows) == 1:
-        return np.array(rows * len(places.numbers))
-    by_number = dict(zip(trace.chambers or places.numbers, rows, strict=True))
-    return np.array([by_number[number] for number in places.numbers])

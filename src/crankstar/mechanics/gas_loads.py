@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -169,6 +169,25 @@ def gas_over_speeds(
         forward=(1 - share) * ahead[after - 1] + share * ahead[after],
         backward=(1 - share) * behind[after - 1] + share * behind[after],
     )
+
+
+class Turning(NamedTuple):
+    """A point that is named or meant, "" where the load is between points, and a speed, rad/s."""
+
+    point: str
+    speed: float
+
+
+def vibrating_state(engine: Engine, *, point: str = "", speed: float | None = None) -> Turning:
+    """The operating point and speed at which an engine on its mounts vibrates.
+
+    Raises GasError without a speed, and for a point that the engine has not.
+    """
+    state = operating_state(engine, point=point, speed=speed)
+    if state.speed is None:
+        raise GasError('give the speed, as in --speed "800 rpm"')
+    alone = bool(point) or speed is None or len(points_by_speed(engine)) == 0
+    return Turning(state.point if alone else "", state.speed)
 
 
 _WAYS = ("forward", "backward")

@@ -33,19 +33,18 @@ from crankstar.files.columns import Columns
 from crankstar.files.lists import Listed, Row
 from crankstar.files.vibrations import vibration_of
 from crankstar.language.messages import _
+from crankstar.mechanics.gas_loads import Turning, vibrating_state
 from crankstar.mechanics.occurring_orders import OrderError, check_orders
 from crankstar.spectra import Complex
 from crankstar.studies.single_faults import (
     DiagnosisError,
     Fault,
     Shaken,
-    Turning,
     catalogue,
     known,
     limits,
     own_mass,
     shaken,
-    state_of,
 )
 
 Axis = Literal["up", "right", "z"]
@@ -143,7 +142,7 @@ class Diagnosis:
     def states(self) -> list[Turning]:
         """The operating points ("" between points) and speeds (rad/s) of the readings."""
         speeds = sorted({each.speed for each in self.readings})
-        return [state_of(self.engine, point=self.point, speed=speed) for speed in speeds]
+        return [vibrating_state(self.engine, point=self.point, speed=speed) for speed in speeds]
 
     @property
     def found(self) -> bool:

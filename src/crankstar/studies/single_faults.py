@@ -32,11 +32,10 @@ from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, total
 from crankstar.mechanics.gas import chambers_of
-from crankstar.mechanics.gas_loads import gas_over_speeds, points_by_speed
+from crankstar.mechanics.gas_loads import gas_over_speeds, vibrating_state
 from crankstar.mechanics.gas_torque import gas_roll
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.occurring_orders import check_orders
-from crankstar.mechanics.operating_points import operating_state
 from crankstar.spectra import Complex, Real, Spectrum
 from crankstar.studies.part_weights import with_parts
 
@@ -212,7 +211,7 @@ def shaken(
     True
     """
     engine = known(engine)
-    point, speed = state_of(engine, point=point, speed=speed)
+    point, speed = vibrating_state(engine, point=point, speed=speed)
     check_orders(engine, orders, gas=True)
     built = engine
     _check_shares(engine, faults)
@@ -228,25 +227,6 @@ def shaken(
     gas = gas_orders(engine, faults, speed=speed, point=point, orders=wanted)
     push[:, 5] += spectra.amplitude(gas_roll(gas, sums.force.sense))
     return Shaken(engine, speed, wanted, push, torque + spectra.amplitude(gas), point)
-
-
-class Turning(NamedTuple):
-    """A point that is named or meant, "" where the load is between points, and a speed, rad/s."""
-
-    point: str
-    speed: float
-
-
-def state_of(engine: Engine, *, point: str = "", speed: float | None = None) -> Turning:
-    """The operating point and speed at which an engine with a fault shakes.
-
-    Raises DiagnosisError without a speed, and GasError for a point that the engine has not.
-    """
-    state = operating_state(engine, point=point, speed=speed)
-    if state.speed is None:
-        raise DiagnosisError('give the speed, as in --speed "800 rpm"')
-    alone = bool(point) or speed is None or len(points_by_speed(engine)) == 0
-    return Turning(state.point if alone else "", state.speed)
 
 
 def limits(engine: Engine, fault: Fault) -> tuple[float, float]:
