@@ -17,6 +17,7 @@ from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import over_cycle
 from crankstar.mechanics.side_thrust import side_thrust
 
+CASES = Path(__file__).parents[1] / "cases"
 FILE = """
 name = "In-line four"
 firing_order = [1, 3, 4, 2]
@@ -110,11 +111,56 @@ def test_without_a_cycle_analyze_says_nothing_of_gas(run: Run, tmp_path: Path) -
     assert "gas_orders" not in answer(run, "analyze", str(place))
 
 
-def test_the_roll_on_the_same_mounts_has_no_gas(run: Run, four: str) -> None:
+def test_the_roll_on_the_same_mounts_has_all_that_alternates(run: Run, four: str) -> None:
     idle, full = (answer(run, "torque", four, "--point", name) for name in ("idle", "full"))
     assert abs(amplitudes(full, what="roll")[4.0]) > 2 * abs(amplitudes(idle, what="roll")[4.0])
-    for told in (idle, full):  # rods of two point masses turn no body
-        assert all(abs(c) < 1e-9 for c in amplitudes(told, what="roll_on_same_mounts").values())
+    for told in (idle, full):
+        assert amplitudes(told, what="roll_on_same_mounts") == amplitudes(told, what="roll")
+
+
+def test_genset_and_torque_print_one_roll_of_a_generating_set(run: Run) -> None:
+    place = str(CASES / "genset-four.toml")
+    told, found = (answer(run, verb, place) for verb in ("torque", "genset"))
+    roll = {order: abs(each) for order, each in amplitudes(told, what="roll").items()}
+    assert [roll[order] for order in (2.0, 4.0, 6.0)] == pytest.approx(
+        [207.69, 293.13, 127.99], rel=1e-4
+    )
+    sums = {each["order"]: each["one"] for each in found["sums"] if each["quantity"] == "roll"}
+    assert sums == pytest.approx({order: roll[order] for order in sums}, rel=1e-9)
+    assert min(sums) == 2.0
+
+
+@pytest.mark.parametrize("fault", [("--off", "3"), ("--weaker", "3=10%")])
+def test_a_weak_cylinder_shakes_a_generating_set_in_half_orders(
+    run: Run, fault: tuple[str, str]
+) -> None:
+    place = str(CASES / "genset-four.toml")
+    told, found = (answer(run, verb, place, *fault) for verb in ("torque", "genset"))
+    roll = amplitudes(told, what="roll")
+    sums = {each["order"]: each["one"] for each in found["sums"] if each["quantity"] == "roll"}
+    assert min(sums) == 0.5
+    assert sums[0.5] == pytest.approx(abs(roll[0.5]), rel=1e-9)
+
+
+def test_a_weak_cylinder_is_a_share_of_a_misfire(run: Run) -> None:
+    place = str(CASES / "genset-four.toml")
+    none, weak, off = (
+        amplitudes(answer(run, "torque", place, *words), what="gas")
+        for words in ((), ("--weaker", "3=25%"), ("--off", "3"))
+    )
+    for order in (0.5, 1.0, 2.0, 3.5):
+        assert weak[order] == pytest.approx(0.75 * none[order] + 0.25 * off[order], abs=1e-9)
+
+
+def test_a_dead_cylinder_draws_the_charge_of_the_measured_trace(run: Run) -> None:
+    place = str(CASES / "v6-idle-trace.toml")
+    told = answer(run, "torque", place, "--speed", "700 rpm", "--off", "3")
+    gas = amplitudes(told, what="gas")
+    found = [abs(gas[order]) for order in (0.5, 1.0, 1.5, 2.0, 2.5)]
+    assert found == pytest.approx([19.96, 17.68, 14.50, 11.20, 8.63], rel=5e-4)
+    assert abs(amplitudes(told, what="total")[3.0]) == pytest.approx(67.34, rel=1e-4)
+    assert told["peak_pressure"] == pytest.approx(12.0e5, rel=1e-3)
+    assert told["imep"] == pytest.approx(1.581e5, rel=1e-3)
 
 
 @pytest.mark.release

@@ -134,9 +134,10 @@ def test_the_sums_are_at_the_speed_that_they_name(run: Run, tmp_path: Path) -> N
     out = json.loads(run("genset", str(path), "--json").out)
     assert out["speed_rpm"] == pytest.approx(52)
     fast = json.loads(run("genset", written(tmp_path), "--json").out)
-    assert [row["one"] * 4 for row in out["sums"]] == pytest.approx(
-        [row["one"] for row in fast["sums"]]
+    slow, full = (  # gas does not grow with the speed: forces and couples of inertia do
+        [row["one"] for row in each["sums"] if row["quantity"] != "roll"] for each in (out, fast)
     )
+    assert [one * 4 for one in slow] == pytest.approx(full)
     assert "On the foundation at 52 rpm" in run("genset", str(path)).out
     assert "3 engines on one foundation at 52 rpm" in run("genset", str(path), "--engines", "3").out
 

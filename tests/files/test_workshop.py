@@ -362,3 +362,27 @@ def test_an_unbalance_without_a_direction_is_corrected_at_the_heavy_spot(run: Ru
 def test_a_speed_in_json_is_the_one_that_was_typed(run: Run) -> None:
     out = run("grade", "--mass", "18 kg", "--speed", "5500 rpm", "--json").out
     assert json.loads(out)["speed_rpm"] == 5500
+
+
+def test_a_mass_without_a_radius_beside_one_with_a_radius_is_refused(run: Run) -> None:
+    drill = ("drill", "--diameter", "12 mm", "--at-radius", "80 mm", "--unbalance")
+    refused = run(*drill, "38 g at 4 in at 20 deg, 38 g at 200 deg")
+    assert refused.code == 2
+    assert "38 g at 200 deg" in refused.err
+    both = run(*drill, "38 g at 4 in at 20 deg, 38 g at 4 in at 200 deg", "--json")
+    assert both.code == 0
+
+
+def test_the_radius_of_a_mass_alone_is_printed(run: Run) -> None:
+    drill = ("drill", "--diameter", "12 mm", "--at-radius", "80 mm", "--unbalance")
+    assert "counts at 80 mm" in run(*drill, "10 g at 200 deg").out
+    assert "counts at 80 mm" not in run(*drill, "850 g*mm at 200 deg").out
+
+
+def test_a_grade_says_in_which_planes_two_unbalances_are(run: Run) -> None:
+    rotor = ("grade", "--mass", "20 kg", "--speed", "6000 rpm", "--unbalance")
+    two, one = run(*rotor, "60 g*mm, 90 g*mm").out, run(*rotor, "150 g*mm").out
+    assert "planes of the bearings" in two
+    assert "planes of the bearings" not in one
+    facts = [json.loads(run(*rotor, text, "--json").out) for text in ("60 g*mm, 90 g*mm", "1 g*mm")]
+    assert [each["planes"] for each in facts] == ["bearings", "whole"]

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import re
+from math import pi
 from typing import Any
 
 import pytest
 
+from crankstar.charts.registry import common_speed, side_by_side
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load
@@ -64,3 +66,43 @@ def test_engines_counted_in_different_units_keep_their_own_scales() -> None:
     key = "over-turn:quantity=couple"
     assert chart(known, key, beside=relative) == chart(known, key)
     assert chart(relative, key, beside=known) == chart(relative, key)
+
+
+def bars(made: dict[str, Any]) -> list[float]:
+    """The greatest force of each engine in a spectrum of several, N, first order."""
+    found: list[float] = []
+
+    def walk(part: Any) -> None:
+        if isinstance(part, list):
+            for each in part:
+                walk(each)
+        elif isinstance(part, dict):
+            rows = part.get("data", {}).get("values", [])
+            title = part.get("encoding", {}).get("y", {}).get("title")
+            if part.get("mark", {}) and rows and title == ["force", "(N)"] and "from" in rows[0]:
+                found.append(max(row["to"] for row in rows if row["order"] == "1"))
+            for each in part.values():
+                walk(each)
+
+    walk(made)
+    return found
+
+
+def test_engines_of_known_masses_are_compared_at_one_speed_unasked() -> None:
+    sizes = {"cylinder.stroke": "100 mm", "layout.bore_pitch": "100 mm"}
+    small, great = (
+        load("single", changes={**sizes, "cylinder.reciprocating_mass": mass})
+        for mass in ("0.4 kg", "1.2 kg")
+    )
+    made = side_by_side([small, great], "spectrum").to_dict()
+    w = 1000 * pi / 30  # neither file has a speed
+    assert bars(made) == pytest.approx([0.4 * 0.05 * w**2, 1.2 * 0.05 * w**2])
+    fast = great.model_copy(update={"speed": 3 * w})
+    assert common_speed([small, fast]) == pytest.approx(3 * w)
+    assert common_speed([small.model_copy(update={"speed": 2 * w}), fast]) == pytest.approx(2 * w)
+
+
+def test_engines_without_masses_are_marked_as_each_in_its_own_unit() -> None:
+    title = side_by_side([load("i4"), load("i6")], "spectrum").to_dict()["title"]
+    assert "each in its own m, r and a" in " ".join(title["text"])
+    assert "cannot be compared by the lengths drawn" in " ".join(title["subtitle"])

@@ -302,7 +302,7 @@ NO_TERMS = {
     *("theta_deg", "mean", "least", "forward", "backward"),
     *("{quantity} forward", "{quantity} backward"),
     *("crank angle", "after firing", "other side", "pa", "even speed", "uneven speed"),
-    *("imep {pressure}", "driveline takes the torque", "load on the same mounts"),
+    "imep {pressure}",
     *("forces that the uneven speed changes", "torque of gas and inertia", "exhaust pulses"),
     *("torque by order, gas at {pressure}", "rolling moment on the block"),
     *("diameter", "inertia", "masses", "response", "at speed", "where", "from", "to", "heat"),

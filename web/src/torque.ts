@@ -14,8 +14,6 @@ export interface Setting {
   readonly gas: Gas
   /** Numbers of the cylinders that do not burn. */
   readonly off: readonly number[]
-  /** Whether the driveline takes the torque, or all of it stays on the mounts of the engine. */
-  readonly driveline: boolean
 }
 
 /** The gas torque of a chamber over the crank angle. */
@@ -53,7 +51,6 @@ export function settingOf(choices: Choices): Setting {
     load: choices['torque.load'] ?? '',
     gas: gas ?? 'burning',
     off: offOf(choices['torque.off'] ?? ''),
-    driveline: choices['torque.mount'] !== 'together',
   }
 }
 
@@ -105,7 +102,7 @@ const times = (wave: Coefficients, factor: number): Coefficients =>
 /** The torque of an engine as chosen; of one whose gas cannot be computed that of its parts. */
 export function torquesOf(exhibit: Exhibit, setting: Setting): Torques {
   const { torque } = exhibit
-  return torque ? withGas(exhibit, torque, setting) : ofParts(exhibit, setting)
+  return torque ? withGas(exhibit, torque, setting) : ofParts(exhibit)
 }
 
 /** The load that is shown of an engine. */
@@ -137,7 +134,7 @@ function withGas(exhibit: Exhibit, torque: Torque, setting: Setting): Torques {
     gas,
     inertia,
     together: together(parts, orders.length),
-    roll: setting.driveline ? together([axis, ...reaction], orders.length) : axis,
+    roll: together([axis, ...reaction], orders.length),
     mean: chambers.reduce((sum, { mean }) => sum + mean, 0),
     unit: exhibit.torque_unit.label,
     factor: exhibit.torque_unit.factor,
@@ -158,11 +155,9 @@ function chambersOf(torque: Torque, load: Load, setting: Setting): ChamberTorque
   })
 }
 
-function ofParts(exhibit: Exhibit, setting: Setting): Torques {
-  const { orders, total, units, sense } = exhibit
+function ofParts(exhibit: Exhibit): Torques {
+  const { orders, total, units } = exhibit
   const inertia = signalOf(total.torque)
-  const roll = signalOf(total.roll)
-  const axis = together([roll, times(inertia, sense)], orders.length)
   return {
     orders,
     turns: exhibit.cycle_deg / 360,
@@ -171,7 +166,7 @@ function ofParts(exhibit: Exhibit, setting: Setting): Torques {
     gas: null,
     inertia,
     together: inertia,
-    roll: setting.driveline ? roll : axis,
+    roll: signalOf(total.roll),
     mean: 0,
     unit: units.roll,
     factor: units.roll_factor,
@@ -271,11 +266,10 @@ export function withGasRoll(exhibit: Exhibit, setting: Setting): Exhibit {
   ]
   const added = orders.map((order): Pair => {
     const index = torques.orders.findIndex((each) => sameOrder(each, order))
-    // minus the torque, in the sense of rotation, where the driveline takes it
-    const share = setting.driveline ? -exhibit.sense : 0
+    // minus the torque, in the sense of rotation, wherever the load stands
+    const share = -exhibit.sense
     return [share * (torques.gas?.[2 * index] ?? 0), share * (torques.gas?.[2 * index + 1] ?? 0)]
   })
-  const { sense } = exhibit
   const longer = (signal: readonly Pair[]): Pair[] => orders.map((_, at) => signal[at] ?? [0, 0])
   const vectors = ({ forward, backward }: Vectors): Vectors => ({
     forward: longer(forward),
@@ -287,10 +281,7 @@ export function withGasRoll(exhibit: Exhibit, setting: Setting): Exhibit {
     torque: longer(torque),
     roll: longer(roll).map(([real, imaginary], at): Pair => {
       const [more = 0, other = 0] = added[at] ?? []
-      // where the load stands on the same mounts, the inertia torque comes back too
-      const back = setting.driveline ? 0 : sense
-      const [own = 0, turned = 0] = torque[at] ?? []
-      return [real + more + back * own, imaginary + other + back * turned]
+      return [real + more, imaginary + other]
     }),
   })
   const { whirl } = exhibit

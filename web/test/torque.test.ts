@@ -72,7 +72,7 @@ const torque = (changes: Partial<Torque> = {}): Torque => ({
 })
 
 const twin = (changes: Partial<Torque> = {}): Exhibit => exhibit({ torque: torque(changes) })
-const BOTH: Setting = { load: '', gas: 'burning', off: [], driveline: true }
+const BOTH: Setting = { load: '', gas: 'burning', off: [] }
 
 test('a wave that begins later is the same wave, later', () => {
   const wave = Float64Array.from(WAVE.flat())
@@ -119,8 +119,6 @@ test('the block takes the reaction of gas and inertia, or the moment about the a
     const driven = torquesOf(engine, BOTH)
     expect(driven.roll[2 * 3]).toBeCloseTo(-sense * 2, 12)
     expect(driven.roll[2 * 3 + 1]).toBeCloseTo(-sense * 2, 12)
-    const alone = torquesOf(engine, { ...BOTH, driveline: false })
-    expect([...alone.roll]).toEqual([0, 0, 1, 0, 0, 0, 0, 0])
   }
 })
 
@@ -133,8 +131,6 @@ test('an engine without gas has the torque of its moving parts, in its own unit'
   expect(own.gas).toBeNull()
   expect([...own.together]).toEqual([2, 0])
   expect([...own.roll]).toEqual([1, 0])
-  // roll = axis + torque where it turns against the clock
-  expect([...torquesOf(plain, { ...BOTH, driveline: false }).roll]).toEqual([-1, 0])
 })
 
 test('a curve begins and ends with the cycle, and its mean is that of the gas', () => {
@@ -177,9 +173,8 @@ test('the gas is in the rolling moment of the stage, and in nothing else', () =>
 test('what is chosen goes into links and comes back', () => {
   expect(offText([10, 2])).toBe('2-10')
   expect(offOf('2-10-x-2')).toEqual([2, 10])
-  expect(
-    settingOf({ 'torque.gas': 'still', 'torque.off': '3', 'torque.mount': 'together' }),
-  ).toEqual({ load: '', gas: 'still', off: [3], driveline: false })
+  const chosen = settingOf({ 'torque.gas': 'still', 'torque.off': '3' })
+  expect(chosen).toEqual({ load: '', gas: 'still', off: [3] })
   expect(settingOf({ 'torque.gas': '<b>' })).toEqual(BOTH)
 })
 

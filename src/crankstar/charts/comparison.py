@@ -42,6 +42,9 @@ def compared(
     ]
     if speed is None:
         title = _("{title}, each in its own m, r and a", title=title)
+        lines.append(
+            _("Engines whose m, r, a or speed differ cannot be compared by the lengths drawn.")
+        )
     rows = [columns[i : i + 2] for i in range(0, len(columns), 2)]
     lines = [*speed_lines(engines, speed), *lines]
     return figure(rows, title=title, subtitle=lines, theta=theta, turns=turns)

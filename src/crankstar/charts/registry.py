@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
+from math import pi
 from types import ModuleType
 from typing import Any, get_args
 
@@ -13,6 +14,9 @@ from crankstar.charts.drawing import ChartError
 from crankstar.charts.grammar import Chart
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
+
+USUAL_SPEED = 1000 * pi / 30
+"""rad/s: of engines that are compared, where no file gives a speed."""
 
 
 @dataclass(frozen=True)
@@ -210,7 +214,8 @@ def side_by_side(engines: Sequence[Engine], kind: str, **options: Any) -> Chart:
     """Several engines in one figure on common axes, two in a row, each under its name.
 
     `kind` is one of hodograph, over-turn, spectrum, vector-star and polygon; `options` are those of
-    this figure. Raises ChartError, also where the engines are not counted in the same unit.
+    this figure. Without a `speed` they are at `common_speed`. Raises ChartError, also where the
+    engines are not counted in the same unit.
     """
     kinds = {name: figure for name, figure in CHARTS.items() if figure.compares}
     if kind not in kinds:
@@ -221,4 +226,22 @@ def side_by_side(engines: Sequence[Engine], kind: str, **options: Any) -> Chart:
                 charts=", ".join(kinds),
             )
         )
+    if "speed" in kinds[kind].options and options.get("speed") is None:
+        options["speed"] = common_speed(engines)
     return kinds[kind].draw(engines, **options)
+
+
+def common_speed(engines: Sequence[Engine]) -> float | None:
+    """The one speed (rad/s) at which engines are compared in N: the least that their files give.
+
+    At USUAL_SPEED where none has one: the ratio of inertia forces is that of any speed. None where
+    a mass or length is not known, so that each is in its own m r w^2.
+
+    >>> from crankstar.files.catalog import load
+    >>> common_speed([load("i4"), load("i6")]) is None
+    True
+    """
+    if any(engine.relative for engine in engines):
+        return None
+    known = [engine.speed for engine in engines if engine.speed is not None]
+    return min(known, default=USUAL_SPEED)

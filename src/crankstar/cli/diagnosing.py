@@ -30,7 +30,7 @@ from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
 from crankstar.options.forms import PICTURES, TABLES, form_of
-from crankstar.options.gas import gas_orders
+from crankstar.options.gas import gas_orders, share, weaker_cylinders
 from crankstar.options.refusals import RequestError, refusal
 
 if TYPE_CHECKING:
@@ -39,8 +39,6 @@ if TYPE_CHECKING:
     from crankstar.studies.single_faults import Fault
 
 MEASURED = "CSV file (or .xlsx): columns order, up, right, z, direction, amplitude, phase."
-LEAST_SHARE = 0.001
-"""Of a combustion or a weight: less would not be felt."""
 HEAVIER = {"piston": "piston", "big_end": "big_end", "big-end": "big_end", "rod": "big_end"}
 """The parts that may be heavier by their names."""
 
@@ -63,6 +61,7 @@ def fault(
     output: Output = None,
 ) -> None:
     """Tell what would be felt of a fault."""
+    from crankstar.mechanics.gas_loads import vibrating_state
     from crankstar.studies.single_faults import check_faults, known, shaken
     from crankstar.tables.diagnoses import faults_document
 
@@ -83,10 +82,10 @@ def fault(
         )
     check_faults(known(loaded), faults)
     check_orders(loaded, wanted or (), gas=loaded.gas is not None or point is not None)
-    own = _speed(loaded, turning)
+    state = vibrating_state(loaded, point=point or "", speed=turning)
     place = request.reference(at, loaded, option="--at")
     where = None if place is None else (place.up, place.right, place.z)
-    rest: dict[str, Any] = {"speed": own, "point": point or "", "orders": wanted or ()}
+    rest: dict[str, Any] = {**state._asdict(), "orders": wanted or ()}
     with working(_("Computing what changes ...")), words_for(form):
         before, after = (shaken(loaded, some, **rest) for some in ((), faults))
         document = faults_document(before, after, faults, point=where, every=form != "txt")
@@ -109,6 +108,7 @@ def diagnose(
     ] = None,
 ) -> None:
     """Find the likeliest fault by measured vibration."""
+    from crankstar.mechanics.operating_points import operating_state
     from crankstar.studies.diagnosis import diagnosed
     from crankstar.tables.diagnoses import diagnosis_document
 
@@ -116,7 +116,8 @@ def diagnose(
     loaded, turning = together(
         partial(loaded_engine, engine, settings), partial(request.speed, speed)
     )
-    own = turning or loaded.speed
+    state = operating_state(loaded, point=point or "", speed=turning)
+    own = state.speed
     found_lists = together(
         partial(_readings, measured, loaded, own),
         *([partial(_readings, before, loaded, own)] if before is not None else []),
@@ -146,12 +147,6 @@ def _readings(place: str, engine: Engine, speed: float | None) -> Sequence[Readi
     return readings_of(read_list(place), engine, speed=speed)
 
 
-def _speed(engine: Engine, asked: float | None) -> float:
-    if asked is None and engine.speed is None:
-        raise RequestError('give the speed, as in --speed "800 rpm"')
-    return asked or engine.speed or 0.0
-
-
 def _cut(text: str | None) -> list[Fault]:
     from crankstar.studies.single_faults import Fault
 
@@ -166,26 +161,7 @@ def _cut(text: str | None) -> list[Fault]:
 def _weaker(texts: Sequence[str] | None) -> list[Fault]:
     from crankstar.studies.single_faults import Fault
 
-    found: list[Fault] = []
-    for text in texts or ():
-        name, _equals, value = (part.strip() for part in text.partition("="))
-        if not name.isdecimal() or len(name) > 4 or not value:
-            raise refusal("--weaker", text, "give a cylinder and what it lacks, as in 3=20%")
-        found.append(Fault("combustion", int(name), _share("--weaker", text, value)))
-    return found
-
-
-def _share(option: str, text: str, value: str) -> float:
-    match = re.fullmatch(r"(\d+(?:\.\d*)?|\.\d+)\s*(%?)", value)
-    share = -1.0 if match is None else float(match[1]) / (100 if match[2] else 1)
-    if not LEAST_SHARE <= share <= 1:
-        raise refusal(
-            option,
-            text,
-            "give a share from {least} to 1, such as 0.2 or 20%",
-            least=f"{LEAST_SHARE:g}",
-        )
-    return share
+    return [Fault("combustion", number, lost) for number, lost in weaker_cylinders(texts)]
 
 
 def _heavier(texts: Sequence[str] | None) -> list[Fault]:
@@ -215,6 +191,6 @@ def _lost(texts: Sequence[str] | None) -> list[Fault]:
         match = re.fullmatch(r"\s*(?:(.+)\.)?(\d{1,4})\s*(?:=\s*(.+))?", text)
         if match is None:
             raise refusal("--lost-weight", text, "give the number of a weight, as in 2 or 2=30%")
-        share = 1.0 if match[3] is None else _share("--lost-weight", text, match[3].strip())
-        found.append(Fault("weight", int(match[2]), share, match[1] or ""))
+        lost = 1.0 if match[3] is None else share("--lost-weight", text, match[3].strip())
+        found.append(Fault("weight", int(match[2]), lost, match[1] or ""))
     return found

@@ -22,7 +22,7 @@ from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
-from crankstar.options.gas import degree_of_irregularity
+from crankstar.options.gas import degree_of_irregularity, weaker_cylinders
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
@@ -40,6 +40,8 @@ def genset(
     engines: Annotated[int | None, option("--engines", "Default: 1.")] = None,
     flywheel: Annotated[str | None, option("--flywheel")] = None,
     irregularity: Annotated[str | None, option("--irregularity")] = None,
+    off: Annotated[str | None, option("--off")] = None,
+    weaker: Annotated[list[str] | None, option("--weaker")] = None,
     point: Annotated[str | None, option("--point")] = None,
     speed: Speed = None,
     settings: Settings = None,
@@ -59,10 +61,12 @@ def genset(
     )
     from crankstar.tables.ranges import ranged
 
-    form, (loaded, spread), turning, pairs, count, wheel, even = together(
+    form, (loaded, spread), turning, silent, weak, pairs, count, wheel, even = together(
         partial(form_of, output, TABLES, json=json, csv=csv),
         partial(loaded_values, engine, settings, estimate=estimate),
         partial(request.speed, speed),
+        partial(request.cylinders_off, off),
+        partial(weaker_cylinders, weaker),
         partial(request.within, "--pole-pairs", pole_pairs, most=MOST_PAIRS),
         partial(request.within, "--engines", engines, most=MOST),
         partial(inertia, flywheel),
@@ -84,6 +88,8 @@ def genset(
             pole_pairs=pairs,
             engines=count or 1,
             irregularity=even,
+            off=silent,
+            weaker=dict(weak),
         )
         if lacking := missing_running(found):
             request.refuse_unused(of_running, why=lacking)

@@ -45,7 +45,9 @@ def plot(
     *,
     beside: Annotated[
         list[str] | None,
-        option("--beside", "On the same axes, without --speed in m r w^2; repeatable."),
+        option(
+            "--beside", "On the same axes, at one speed, or in m r w^2 without sizes; repeatable."
+        ),
     ] = None,
     orders: Annotated[str | None, option("--orders", "A chart of one order takes one.")] = None,
     quantity: Annotated[

@@ -24,7 +24,12 @@ from crankstar.files import units
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
-from crankstar.options.gas import degree_of_irregularity, gas_orders, mean_pressures
+from crankstar.options.gas import (
+    degree_of_irregularity,
+    gas_orders,
+    mean_pressures,
+    weaker_cylinders,
+)
 from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
@@ -49,6 +54,7 @@ def torque(
     peak_pressure: Annotated[str | None, option("--peak-pressure")] = None,
     motored: Annotated[bool, option("--motored")] = False,
     off: Annotated[str | None, option("--off")] = None,
+    weaker: Annotated[list[str] | None, option("--weaker")] = None,
     flywheel: Annotated[str | None, option("--flywheel")] = None,
     irregularity: Annotated[str | None, option("--irregularity")] = None,
     tangential: Annotated[str | None, option("--tangential")] = None,
@@ -69,18 +75,19 @@ def torque(
     loads = {"--imep": imep, "--bmep": bmep, "--peak-pressure": peak_pressure}
     given = [name for name, text in loads.items() if text is not None]
     if motored:
-        request.refuse_unused(loads, beside="--motored")
+        request.refuse_unused({**loads, "--weaker": weaker}, beside="--motored")
     if len(given) > 1:
         raise RequestError(
             "{one} and {other} both say how much a cycle does; give one",
             one=given[0],
             other=given[1],
         )
-    (loaded, spread), turning, pressures, silent, inertia, even, levels = together(
+    (loaded, spread), turning, pressures, silent, weak, inertia, even, levels = together(
         partial(loaded_values, engine, settings, estimate=estimate),
         partial(request.speed, speed),
         lambda: {name: _positive(name, loads[name] or "", PRESSURE) for name in given},
         partial(request.cylinders_off, off),
+        partial(weaker_cylinders, weaker),
         lambda: None if flywheel is None else _positive("--flywheel", flywheel, INERTIA),
         partial(degree_of_irregularity, irregularity),
         partial(mean_pressures, tangential),
@@ -97,6 +104,7 @@ def torque(
             speed=turning,
             motored=motored,
             off=silent,
+            weaker=dict(weak),
             **{names[name]: value for name, value in pressures.items()},
         )
         return torque_document(
@@ -146,8 +154,7 @@ def _wheel(engine: Engine, cycle: Cycle, irregularity: float | None) -> Wheel | 
     if irregularity is None:
         return None
     _needing("--irregularity", engine, cycle)
-    exponent = engine.drive.load_exponent if engine.drive is not None else 0.0
-    wheel = flywheel_for(engine, cycle, irregularity=irregularity, exponent=exponent)
+    wheel = flywheel_for(engine, cycle, irregularity=irregularity)
     return Wheel(irregularity, wheel, mean_inertia(mechanism(engine)) + throw_inertia(engine))
 
 

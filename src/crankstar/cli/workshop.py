@@ -26,6 +26,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
+from crankstar.language.numbers import number
 from crankstar.options import remedies, workshop
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
@@ -132,7 +133,14 @@ def _measured_holes(text: str, made: Drill) -> Document:
         Correction(str(place), None, spot.unbalance, spot.angle, holes(spot.unbalance, made))
         for place, spot in enumerate(spots, 1)
     ]
-    return drilling_document(_("Correction of a measured unbalance"), corrections, made)
+    lines: list[str] = []
+    if any(spot.at_usual_radius for spot in spots):
+        radius = number(1000 * made.radius)
+        lines.append(
+            _("A mass without a radius counts at {radius} mm, that of --at-radius.", radius=radius)
+        )
+    title = _("Correction of a measured unbalance")
+    return drilling_document(title, corrections, made, lines=lines)
 
 
 def _engine_holes(engine: Engine, made: Drill, factor: float, weights: str) -> Document:

@@ -35,6 +35,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.dynamics.beams import continuous_shares, cut_shares
+from crankstar.engine import motion
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
 from crankstar.engine.records import Shaft
@@ -89,9 +90,9 @@ class BearingLoads:
     """Spectra [part, order] in `unit`, order 0 (steady) first, each of the parts beside it.
 
     `load` of `bearings`; `pin` of `pins`: what its rods put on each crank pin, with the rotating
-    mass of its throw, which hangs on it; `big_end` of `big_ends`: what one rod alone puts on its
-    pin, with an equal part of that mass; `guide` of each of `cylinders`: what its piston puts on
-    the wall.
+    mass of its throw, which hangs on it; `big_end` of `big_ends`: what one rod puts on its pin,
+    with its slave rods and an equal part of that mass; `guide` of each of `cylinders`: what its
+    piston puts on the wall.
 
     >>> from crankstar.files.catalog import load
     >>> loads = bearing_loads(load("v2-90"))
@@ -185,7 +186,7 @@ def bearing_loads(
             on_pins.append(_shared(np.ones((1, len(rods) + 1)), own))
             held = [row for row in rods if engine.cylinders[row].articulated is None]
             big_ends += [BigEnd(shaft.name, number, engine.cylinders[row].number) for row in held]
-            of_rods.append(_shared(_of_big_ends(len(held)), _stacked([loads.pin[held], own[-1:]])))
+            of_rods.append(_shared(_of_big_ends(machine.links.master, rods, held), own))
     return BearingLoads(
         tuple(bearings),
         spectra.scaled(_stacked(parts), scale.force),
@@ -250,9 +251,15 @@ def bending_moment(
     return Bending(name, tuple(z.tolist()), moment, units.couple, known)
 
 
-def _of_big_ends(count: int) -> Real:
-    """Shares [rod, force] of rods in their own loads, and in what hangs on the pin they share."""
-    return np.hstack([np.eye(count), np.full((count, 1), 1 / max(count, 1))])
+def _of_big_ends(masters: tuple[int, ...], rods: Sequence[int], held: Sequence[int]) -> Real:
+    """Shares [rod on its pin, force]: its own load, those of its slave rods, what hangs on the pin.
+
+    What hangs on a pin is the last force, after those of all its `rods`; its rods share it equally.
+    """
+    carried = [motion.chain(masters, row) for row in rods]
+    own = np.array([[row in chain for chain in carried] for row in held], float)
+    own = own.reshape(len(held), len(rods))
+    return np.hstack([own, np.full((len(held), 1), 1 / max(len(held), 1))])
 
 
 def all_pin_loads(

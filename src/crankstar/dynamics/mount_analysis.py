@@ -23,6 +23,7 @@ from crankstar.dynamics.mount_response import MountResponse, mount_response
 from crankstar.dynamics.mounted_block import MountedBlock, mounted_block, settled
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.occurring_orders import check_orders
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.spectra import Real
 
 STEPS = 151
@@ -71,10 +72,10 @@ def mounts(
 ) -> MountAnalysis:
     """How an engine shakes on its mounts.
 
-    `point` names an operating point, `speed` is one of which more is told, `speeds` are those of
-    the range (rad/s), `at` is a point of the block (up, right, z), else the first of its file, else
-    its centre of mass. Raises
-    MountError without mounts, OrderError for an order that does not occur, and GasError for an
+    `point` names an operating point, `speed` is one of which more is listed, else that of the
+    point; `speeds` are those of the range (rad/s), `at` is a point of the block (up, right, z),
+    else the first of its file, else its centre of mass. Raises MountError without mounts,
+    OrderError for an order that does not occur, and GasError for an
     operating point that the engine has not.
 
     >>> from crankstar.files.catalog import load
@@ -92,6 +93,8 @@ def mounts(
     """
     block = mounted_block(engine)
     check_orders(engine, orders or (), gas=engine.gas is not None)
+    if point and speed is None and not len(speeds):
+        speed = operating_state(engine, point=point).speed
     wanted, assumed = _range(engine, speed, speeds)
     sag, loads = settled(block)
 

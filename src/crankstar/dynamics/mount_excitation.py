@@ -3,8 +3,8 @@
     Q(theta) = sum Re((gas_k + w^2 inertia_k) exp(i k theta))       N, N m, about the centre of mass
 
 of the freedoms (up, right, z, yaw, pitch, roll): the inertia force has no part along z; M_H is on
-yaw, M_V on pitch; the rolling moment is that of inertia, which a flywheel or a driveline on its own
-ground takes the torque of, and of gas, minus its torque in the sense of rotation. The mean torque,
+yaw, M_V on pitch; the rolling moment is that of inertia and of gas, minus the torque in the sense
+of rotation, which the rotor takes (`gas_torque`), wherever the load stands. The mean torque,
 which leans the block on its mounts and does not shake it, is left out; so is what the driveline
 itself does.
 """
@@ -22,7 +22,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, rolling_moment, total
 from crankstar.mechanics.gas_loads import gas_over_speeds
-from crankstar.mechanics.gas_torque import HIGHEST
+from crankstar.mechanics.gas_torque import HIGHEST, gas_roll
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Complex, Real, Spectrum
@@ -81,8 +81,8 @@ def mount_excitation(
         wanted = spectra.distinct(np.concatenate([own, found.orders]))
     gas = np.zeros((speeds.size, wanted.size, SIX), complex)
     if found is not None:
-        torque = spectra.amplitude(spectra.selected(found, wanted))
-        gas[..., 5] = -sums.force.sense * torque
+        roll = gas_roll(spectra.selected(found, wanted), sums.force.sense)
+        gas[..., 5] = spectra.amplitude(roll)
     return MountExcitation(speeds, wanted, on_freedoms(sums, wanted), gas, why)
 
 

@@ -31,7 +31,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.occurring_orders import check_orders
-from crankstar.mechanics.operating_points import GasError
+from crankstar.mechanics.operating_points import GasError, operating_state
 from crankstar.spectra import Real
 
 STEPS = 151
@@ -115,8 +115,9 @@ def torsion(
 ) -> TorsionAnalysis:
     """The torsional vibration of an engine with a table [torsion], or of a drive line.
 
-    `speed` is one of which more is told, `speeds` are those of the range (rad/s); critical speeds
-    are those of `orders`, and of so many `modes`; the response has all orders. Raises TorsionError,
+    `speed` is one of which more is listed, else that of the point; `speeds` are those of the range
+    (rad/s); critical speeds are those of `orders`, and of so many `modes`; the response has all
+    orders. Raises TorsionError,
     OrderError for an order that does not occur in an engine, and GasError for an operating point
     that it has not.
 
@@ -135,6 +136,8 @@ def torsion(
     found, why = _cycle(source, point, None)
     if found is None or found.speed is None:
         found, why = _cycle(source, point, speed)
+    if point and speed is None and not len(speeds):
+        speed = operating_state(source, point=point).speed
     wanted, assumed = _range(source, speed, speeds)
     limit = None if source.torsion is None else source.torsion.shear_limit
     if not len(wanted):

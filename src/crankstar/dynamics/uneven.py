@@ -169,12 +169,11 @@ def _energy(change: Real, whole: Real, speed: float) -> Real:
     return root(slow, low=low, high=high) + change
 
 
-def flywheel_for(
-    engine: Engine, cycle: Cycle, *, irregularity: float, exponent: float = 0.0
-) -> float:
+def flywheel_for(engine: Engine, cycle: Cycle, *, irregularity: float) -> float:
     """The inertia of flywheel and crankshaft for a degree of irregularity, kg m^2.
 
-    Nought where the moving parts alone are enough. Twice as even takes about twice the inertia:
+    With the load of the engine file, as `driven` has it. Zero where the moving parts alone are
+    enough. Twice as even takes about twice the inertia:
 
     >>> from crankstar import cycle, load
     >>> five = load("audi-25-tfsi")
@@ -186,14 +185,14 @@ def flywheel_for(
 
     def over(flywheel: float) -> float:
         try:
-            found = running(engine, cycle, flywheel=flywheel, exponent=exponent)
+            found = _driving(engine, cycle, flywheel)
         except UnevenError:
             return 10.0
         return found.irregularity - irregularity
 
     if over(0.0) <= 0:
         return 0.0
-    first = running(engine, cycle, flywheel=1e9, exponent=exponent)
+    first = _driving(engine, cycle, 1e9)
     high = 4 * first.fluctuation / (irregularity * (cycle.speed or 1.0) ** 2)
     while over(high) > 0:
         high *= 2
@@ -211,13 +210,17 @@ def driven(engine: Engine, cycle: Cycle, *, flywheel: float | None = None) -> Ru
     >>> driven(five, idle) is None, driven(five, idle, flywheel=0.3).mean_speed == idle.speed
     (True, True)
     """
-    drive = engine.drive or Drive()
-    own = drive.inertia if flywheel is None else flywheel
+    own = (engine.drive or Drive()).inertia if flywheel is None else flywheel
     if own is None or cycle.speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
         return None
-    return running(
-        engine, cycle, flywheel=own, exponent=drive.load_exponent, course=load_course(engine)
-    )
+    return _driving(engine, cycle, own)
+
+
+def _driving(engine: Engine, cycle: Cycle, flywheel: float) -> Running:
+    """Steady running with that flywheel and the load of the engine file."""
+    exponent = (engine.drive or Drive()).load_exponent
+    course = load_course(engine)
+    return running(engine, cycle, flywheel=flywheel, exponent=exponent, course=course)
 
 
 def load_course(engine: Engine) -> Real | None:

@@ -9,19 +9,19 @@ torque and mean effective pressure agree to rounding.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
-from math import inf, pi, radians
+from math import inf, pi
 from typing import Any
 
 import numpy as np
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.valves import timing
 from crankstar.engine.volumes import Volumes, volumes
 from crankstar.language.messages import _
 from crankstar.mechanics import heat_release, ideal_cycles, real_gas
 from crankstar.mechanics.friction import friction_pressure
+from crankstar.mechanics.gas_traces import charges_of_trace, events, traced
 from crankstar.mechanics.operating_points import GasError, resolved
 from crankstar.mechanics.roots import root
 from crankstar.spectra import Real
@@ -41,7 +41,8 @@ class Cycle:
 
     `pressure` [chamber, sample], absolute, at the equal steps of `volumes` from the dead centre at
     which the chamber fires; mean effective pressures over all chambers; `values` are all that went
-    into it, `assumed` the names of those that the file does not give.
+    into it, `assumed` the names of those that the file does not give. Chambers that are `off` burn
+    nothing; of those that are `weaker` the share is given that they lack.
     """
 
     volumes: Volumes
@@ -56,6 +57,7 @@ class Cycle:
     assumed: tuple[str, ...]
     off: tuple[int, ...] = ()
     motored: bool = False
+    weaker: Mapping[int, float] = field(default_factory=dict[int, float])
 
     @property
     def bmep(self) -> float:
@@ -70,6 +72,7 @@ def cycle(
     speed: float | None = None,
     motored: bool = False,
     off: Collection[int] = (),
+    weaker: Mapping[int, float] | None = None,
     imep: float | None = None,
     bmep: float | None = None,
     peak_pressure: float | None = None,
@@ -77,8 +80,10 @@ def cycle(
     """The cycle of an engine at an operating point, by name; without one at `default_point`.
 
     `speed` (rad/s) and a load (one of imep, bmep, peak_pressure, Pa) stand before what the file
-    gives. A `motored` engine burns nothing, and so do the chambers of the cylinders that are `off`:
-    the others burn what they would. Raises GasError.
+    gives. A `motored` engine burns nothing, and so do the chambers of the cylinders that are `off`;
+    those that are `weaker` lack a share of their combustion, by cylinder: the others burn what they
+    would. What does not burn is compressed from the charge pressure of the point, and with a
+    measured pressure from the one that the trace has. Raises GasError.
 
     >>> from crankstar.files.catalog import load
     >>> found = cycle(load("audi-25-tfsi"), imep=12e5)
@@ -86,7 +91,7 @@ def cycle(
     (12.0, 5)
     """
     check_gas(engine)
-    off = chambers_of(engine, off)
+    lost = lost_shares(engine, off, weaker or {}, motored=motored)
     given = {"imep": imep, "bmep": bmep, "peak_pressure": peak_pressure}
     load = {name: value for name, value in given.items() if value is not None}
     values, assumed = resolved(engine, point=point, speed=speed, load=load)
@@ -94,7 +99,8 @@ def cycle(
     values["stroke"] = stroke
     places = volumes_of(engine)
     try:
-        rows = _pressures(engine, places, values, motored=motored, off=off)
+        charges = charges_of_trace(engine, places, lost, assumed)
+        rows = _pressures(engine, places, values, lost, charges, motored=motored)
     except ArithmeticError:
         raise GasError(
             "with these values the pressure has no end or falls to nothing: give more intake "
@@ -112,30 +118,37 @@ def cycle(
         peak=float(rows.max()),
         speed=turning,
         name=values.pop("point"),
-        values=values,
-        assumed=assumed,
-        off=tuple(sorted(off)),
+        values={**values, **next(iter(charges.values()), {}), "charges": charges},
+        assumed=tuple(each for each in assumed if each not in next(iter(charges.values()), {})),
+        off=tuple(sorted(chambers_of(engine, off))),
         motored=motored,
+        weaker={key: share for key, share in lost.items() if 0 < share < 1},
     )
 
 
 def cycle_or_reason(
-    engine: Engine, *, point: str = "", speed: float | None = None
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    off: Collection[int] = (),
+    weaker: Mapping[int, float] | None = None,
 ) -> tuple[Cycle | None, str]:
     """The cycle at an operating point, or None and why there is none.
 
-    Raises GasError for a point that is named.
+    Raises GasError for a point that is named, and for cylinders that are `off` or `weaker`.
 
     >>> from crankstar.files.catalog import load
     >>> cycle_or_reason(load("i4"))
     (None, 'the engine file has no table [gas]')
     """
-    if engine.gas is None and not point:
+    asked = bool(point or off or weaker)
+    if engine.gas is None and not asked:
         return None, _("the engine file has no table [gas]")
     try:
-        return cycle(engine, point=point, speed=speed), ""
+        return cycle(engine, point=point, speed=speed, off=off, weaker=weaker), ""
     except GasError as error:
-        if point:
+        if asked:
             raise
         return None, str(error)
 
@@ -169,6 +182,28 @@ def chambers_of(engine: Engine, cylinders: Collection[int]) -> set[int]:
     return {known[number] for number in cylinders}
 
 
+def lost_shares(
+    engine: Engine, off: Collection[int], weaker: Mapping[int, float], *, motored: bool = False
+) -> dict[int, float]:
+    """The share of its combustion that each chamber lacks, by number. Raises GasError.
+
+    >>> from crankstar.files.catalog import load
+    >>> lost_shares(load("honda-b18c"), [2], {3: 0.25})
+    {1: 0.0, 2: 1.0, 3: 0.25, 4: 0.0}
+    """
+    lost = dict.fromkeys(engine.chambers, 1.0 if motored else 0.0)
+    for number, share in [*weaker.items(), *dict.fromkeys(off, 1.0).items()]:
+        [chamber] = chambers_of(engine, [number])
+        if not 0 <= share <= 1:
+            raise GasError(
+                "cylinder {number} cannot lack {share} of its combustion; give a share from 0 to 1",
+                number=number,
+                share=f"{share:g}",
+            )
+        lost[chamber] = max(lost[chamber], float(share))
+    return lost
+
+
 def computable(engine: Engine) -> bool:
     """Whether sizes and firing order are known, so that there can be cycles at all."""
     try:
@@ -192,22 +227,25 @@ def _pressures(
     engine: Engine,
     places: Volumes,
     values: Mapping[str, Any],
+    lost: Mapping[int, float],
+    charges: Mapping[int, Mapping[str, float]],
     *,
     motored: bool,
-    off: Collection[int],
 ) -> Real:
     """The pressure [chamber, sample] with the heat that gives the load. Raises GasError."""
-    laws = [_law(engine, places, row, values) for row in range(len(places.swept))]
-    silent = np.array([motored or number in off for number in places.numbers])
+    shares = np.array([lost[number] for number in places.numbers])[:, None]
     kinds = np.array(places.kind)
     if engine.gas is not None and engine.gas.trace is not None:
-        measured = _traced(engine, places)
-        still = np.array([law(0.0) for law in laws])[kinds] if silent.any() else measured
-        return np.where(silent[:, None], still, measured)
+        burning = traced(engine, places)
+        still = burning.copy()
+        for row, charge in charges.items():
+            still[row] = _law(engine, places, places.kind[row], {**values, **charge})(0.0)
+        return (1 - shares) * burning + shares * still
+    laws = [_law(engine, places, row, values) for row in range(len(places.swept))]
     heat = 0.0 if motored else _heat(laws, places, values)
-    burning = np.array([law(heat) for law in laws])
-    still = np.array([law(0.0) for law in laws]) if silent.any() else burning
-    return np.where(silent[:, None], still[kinds], burning[kinds])
+    burning = np.array([law(heat) for law in laws])[kinds]
+    still = np.array([law(0.0) for law in laws])[kinds] if shares.any() else burning
+    return (1 - shares) * burning + shares * still
 
 
 def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -> Law:
@@ -284,39 +322,6 @@ def ideal_cycle(values: Mapping[str, Any]) -> ideal_cycles.Ideal:
     return cycle
 
 
-LEAST_BLOW_DOWN = radians(20.0)
-LEAST_EXCHANGE = radians(20.0)
-"""Radians: the pressure takes so long at least from that of the cylinder to the exhaust's, and on
-to that of the intake."""
-
-
-def events(engine: Engine, above: Real) -> heat_release.Events:
-    """When compression begins and the exhaust opens, by the valves of the file or assumed ones."""
-    times = timing(engine.valves, cycle=engine.cycle)
-    turn = 2 * pi
-    per_turn = above.size // 2 if engine.cycle == "four-stroke" else above.size
-    bottom = float(np.argmax(above[:per_turn])) * turn / per_turn
-    opened = bottom - times.exhaust_opens
-    if engine.cycle == "four-stroke":
-        emptied = max(bottom, opened + LEAST_BLOW_DOWN)
-        middle = turn + (times.exhaust_closes - times.intake_opens) / 2
-        half = max(times.exhaust_closes + times.intake_opens, LEAST_EXCHANGE) / 2
-        return heat_release.Events(
-            closed=bottom + times.intake_closes - turn,
-            opened=opened,
-            emptied=emptied,
-            exchange=(middle - half, middle + half),
-        )
-    closed = bottom + max(times.exhaust_closes, times.intake_closes)
-    emptied = max(bottom, opened + LEAST_BLOW_DOWN)
-    return heat_release.Events(
-        closed=closed - turn,
-        opened=opened,
-        emptied=emptied,
-        exchange=(emptied, max(closed, emptied + LEAST_EXCHANGE)),
-    )
-
-
 def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
     """The heat per swept volume (Pa) that gives the load. Raises GasError."""
     kinds = np.bincount(places.kind)
@@ -372,24 +377,3 @@ def _friction(values: Mapping[str, Any]) -> float:
     if given is not None:
         return given
     return friction_pressure(values["friction"], speed=values["speed"], stroke=values["stroke"])
-
-
-def _traced(engine: Engine, places: Volumes) -> Real:
-    """The measured pressure of every chamber at the samples, by a periodic cubic spline."""
-    from scipy.interpolate import CubicSpline
-
-    assert engine.gas is not None  # noqa: S101  # asked before
-    assert engine.gas.trace is not None  # noqa: S101
-    trace = engine.gas.trace
-    angle = np.array([*trace.angle, trace.angle[0] + places.cycle])
-    step = np.arange(SAMPLES) * places.cycle / SAMPLES
-    rows = [
-        CubicSpline(angle, [*pressure, pressure[0]], bc_type="periodic")(
-            angle[0] + (step - angle[0]) % places.cycle
-        )
-        for pressure in trace.pressure
-    ]
-    if len(rows) == 1:
-        return np.array(rows * len(places.numbers))
-    by_number = dict(zip(trace.chambers or places.numbers, rows, strict=True))
-    return np.array([by_number[number] for number in places.numbers])

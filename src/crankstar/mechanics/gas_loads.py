@@ -17,9 +17,9 @@ of the engine.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -27,7 +27,7 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque
-from crankstar.mechanics.operating_points import GasError, resolved
+from crankstar.mechanics.operating_points import GasError, operating_state, resolved
 from crankstar.spectra import Complex, Real, Spectrum
 
 
@@ -117,34 +117,48 @@ def _stacked(loads: Real, cycles: Sequence[Cycle]) -> LoadedTorques:
 def points_by_speed(engine: Engine) -> dict[float, str]:
     """The operating points between which gas is interpolated, by speed; none unless two or more.
 
+    The load of the table [gas] itself is one, by the name "", where it has one.
+
     >>> from crankstar.files.catalog import load
     >>> points_by_speed(load("honda-b18c"))
     {}
     """
-    points = () if engine.gas is None else engine.gas.points
-    known = {each.speed: each.name for each in points if each.speed is not None}
+    if engine.gas is None:
+        return {}
+    known = {each.speed: each.name for each in engine.gas.points if each.speed is not None}
+    own = operating_state(engine)
+    if not own.point and own.speed is not None:
+        known[own.speed] = ""
     return known if len(known) > 1 else {}
 
 
-def gas_over_speeds(engine: Engine, speeds: Sequence[float] | Real, *, point: str = "") -> Spectrum:
+def gas_over_speeds(
+    engine: Engine,
+    speeds: Sequence[float] | Real,
+    *,
+    point: str = "",
+    weaker: Mapping[int, float] | None = None,
+) -> Spectrum:
     """The gas torque of the engine at each speed (rad/s), N m [speed, order]. Raises GasError.
 
-    Of a named operating point at all speeds alike. Without one: between the operating points of
-    the file that have speeds the torque is interpolated, and kept beyond the first and the last;
-    the load of the file itself where there are no two of them.
+    Cylinders are `weaker` as in `cycle`. Of a named operating point at all speeds alike. Without
+    one: between the operating points of the file that have speeds the torque is interpolated, and
+    kept beyond the first and the last; the load of the file itself where there are no two of them.
     """
     wanted = np.atleast_1d(np.asarray(speeds, float))
     by_speed = {} if point else points_by_speed(engine)
     known = sorted(by_speed)
     if not known:
-        one = gas_torque(cycle(engine, point=point, speed=float(wanted[-1]))).total
+        one = gas_torque(cycle(engine, point=point, speed=float(wanted[-1]), weaker=weaker)).total
         shape = (wanted.size, one.orders.size)
         return replace(
             one,
             forward=np.broadcast_to(one.forward, shape),
             backward=np.broadcast_to(one.backward, shape),
         )
-    spectra_known = [gas_torque(cycle(engine, point=by_speed[at])).total for at in known]
+    spectra_known = [
+        gas_torque(cycle(engine, point=by_speed[at], weaker=weaker)).total for at in known
+    ]
     first = spectra_known[0]
     after = np.clip(np.searchsorted(known, wanted), 1, len(known) - 1)
     low, high = np.array(known)[after - 1], np.array(known)[after]
@@ -155,6 +169,25 @@ def gas_over_speeds(engine: Engine, speeds: Sequence[float] | Real, *, point: st
         forward=(1 - share) * ahead[after - 1] + share * ahead[after],
         backward=(1 - share) * behind[after - 1] + share * behind[after],
     )
+
+
+class Turning(NamedTuple):
+    """A point that is named or meant, "" where the load is between points, and a speed, rad/s."""
+
+    point: str
+    speed: float
+
+
+def vibrating_state(engine: Engine, *, point: str = "", speed: float | None = None) -> Turning:
+    """The operating point and speed at which an engine on its mounts vibrates.
+
+    Raises GasError without a speed, and for a point that the engine has not.
+    """
+    state = operating_state(engine, point=point, speed=speed)
+    if state.speed is None:
+        raise GasError('give the speed, as in --speed "800 rpm"')
+    alone = bool(point) or speed is None or len(points_by_speed(engine)) == 0
+    return Turning(state.point if alone else "", state.speed)
 
 
 _WAYS = ("forward", "backward")

@@ -25,8 +25,8 @@ from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.kinetic import samples_over
 from crankstar.mechanics.mechanism import mechanism
-from crankstar.mechanics.pin_loads import Held, PinLoads
-from crankstar.mechanics.side_thrust import gas_held, gas_push
+from crankstar.mechanics.pin_loads import PinLoads
+from crankstar.mechanics.side_thrust import gas_guides, gas_push
 from crankstar.spectra import Complex, Real, Spectrum
 
 HIGHEST = 48.0
@@ -37,6 +37,8 @@ SAMPLES = 1440
 
 def gas_pin_loads(engine: Engine, cycle: Cycle) -> PinLoads:
     """Guide forces and pin loads of gas alone [cylinder, order], N; order 0 is steady.
+
+    The pin load of a slave rod is what it adds to the pin of its master, as in `pin_loads`.
 
     A piston that fires pushes its pin down, where the cylinder stands up:
 
@@ -49,15 +51,20 @@ def gas_pin_loads(engine: Engine, cycle: Cycle) -> PinLoads:
     """
     theta = samples_over(engine, SAMPLES)
     turned = np.exp(1j * np.asarray(mechanism(engine).bearing))[:, None]
-    loads: Held = gas_held(engine, cycle, theta)
-    return PinLoads(_spectrum(engine, loads.guide * turned), _spectrum(engine, loads.pin * turned))
+    guide = gas_guides(engine, cycle, theta) * turned
+    pin = -gas_push(engine, cycle, theta) * _axes(engine) - guide
+    return PinLoads(_spectrum(engine, guide), _spectrum(engine, pin))
 
 
 def head_forces(engine: Engine, cycle: Cycle) -> Spectrum:
     """What gas pushes each cylinder head with, outward [cylinder, order], N."""
     theta = samples_over(engine, SAMPLES)
-    axis = np.exp(1j * np.array([cylinder.bearing for cylinder in engine.cylinders]))
-    return _spectrum(engine, gas_push(engine, cycle, theta) * axis[:, None])
+    return _spectrum(engine, gas_push(engine, cycle, theta) * _axes(engine))
+
+
+def _axes(engine: Engine) -> Complex:
+    """The unit vector of each cylinder's axis, outward [cylinder, 1]."""
+    return np.exp(1j * np.array([cylinder.bearing for cylinder in engine.cylinders]))[:, None]
 
 
 def with_gas(loads: PinLoads, gas: PinLoads, *, speed: float) -> PinLoads:

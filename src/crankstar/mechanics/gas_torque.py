@@ -11,9 +11,11 @@ halves for a four-stroke engine. V' repeats with every turn, so that p_0, which 
 whole orders only, and nothing to the mean.
 
 Head and pistons are pushed apart with equal forces, so that gas makes no force on the block: what
-remains is a moment about the crank axis. Where the driveline carries the torque away, the block
-feels the reaction, minus the torque in the sense of rotation; where the whole drive hangs on the
-same mounts, it feels none of it.
+remains is a moment about the crank axis, minus the torque in the sense of rotation. That holds
+wherever the load stands: with a torque of the load that is steady, the rotor takes the alternating
+torque, J dw/dt = T - T_L, and the block its reaction, -J dw/dt, all of it. Only the mean depends on
+the load. One on its own ground leaves its reaction, -T_L, on the block; one on the same frame, as
+the stator of a generating set, takes it back.
 """
 
 from __future__ import annotations
@@ -156,26 +158,17 @@ def _delayed(samples: Real, phase: Real, count: int) -> Real:
     )
 
 
-def with_gas(sums: Totals, gas: Spectrum) -> Totals:
-    """The sums of an engine with its gas torque added to the torque of its moving parts.
+def gas_roll(gas: Spectrum, sense: int) -> Spectrum:
+    """The alternating moment of gas on the block, N m: minus its torque in the sense of rotation.
 
-    Gas turns no body, so `axis_moment` stays; force and couple stay, for gas has neither.
+    Of an engine that drives a propeller and of a generating set alike.
     """
-    return sums._replace(torque=added(sums.torque, gas))
+    return spectra.scaled(gas, -sense)
 
 
 def roll_with_gas(sums: Totals, gas: Spectrum) -> Spectrum:
-    """The rolling moment on the block, N m, where the driveline carries the torque away."""
-    return rolling_moment(_common(with_gas(sums, gas)))
-
-
-def _common(sums: Totals) -> Totals:
-    """The same with `axis_moment` and `torque` over the same orders."""
-    return sums._replace(axis_moment=added(sums.axis_moment, _none(sums.torque)))
-
-
-def _none(spectrum: Spectrum) -> Spectrum:
-    return spectra.scaled(spectrum, 0.0)
+    """The alternating rolling moment on the block, N m, of moving parts and gas."""
+    return added(rolling_moment(sums), gas_roll(gas, sums.force.sense))
 
 
 def added(one: Spectrum, other: Spectrum) -> Spectrum:

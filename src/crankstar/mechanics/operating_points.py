@@ -1,10 +1,23 @@
-"""The values of an operating point: those of the engine file, and assumed ones without."""
+"""The operating point and speed that are meant, and the values of a cycle there.
+
+One rule for every command and function (`operating_state`):
+
+* the **point** is the one that is named; else that of the file whose speed is the one that is
+  asked for; else `default_point`;
+* the **speed** is the one that is asked for; else that of the point, of the table [gas], of the
+  engine.
+
+So a command at a point is the same command at the speed and load of that point, and without one
+gas and speed are those of one point, never of two. Along a range of speeds the load goes from point
+to point (`gas_loads.gas_over_speeds`). The values are those of the engine file, and assumed ones
+without.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from math import radians
-from typing import Any
+from typing import Any, NamedTuple
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS, Gas, Ignition, Load, Process
@@ -71,26 +84,12 @@ def resolved(
 ) -> tuple[dict[str, Any], tuple[str, ...]]:
     """All values of a cycle in SI units, and the names of the assumed ones. Raises GasError.
 
-    `values["point"]` is the name of the operating point: `default_point` where none is asked for.
+    Point and speed are those of `operating_state`; `values["point"]` is the name of the point.
     """
     gas = engine.gas or Gas()
     layers: list[dict[str, Any]] = [_given(gas)]
-    point = point or default_point(gas)
-    if point:
-        known = {each.name: each for each in gas.points}
-        if not known:
-            raise GasError(
-                "the engine has no operating point {point}: its file has no [[gas.point]]; leave "
-                "it out",
-                point=point,
-            )
-        if point not in known:
-            raise GasError(
-                "the engine has no operating point {point}; it has: {points}",
-                point=point,
-                points=", ".join(known),
-            )
-        layers.append(_given(known[point]))
+    point, turning = operating_state(engine, point=point, speed=speed)
+    layers += [_given(each) for each in gas.points if each.name == point]
     layers.append({name: value for name, value in (load or {}).items() if value is not None})
     if gas.trace is not None and any(name in layer for layer in layers for name in LOADS):
         raise GasError("a measured pressure has a load of its own: ask for no other")
@@ -102,10 +101,8 @@ def resolved(
         if any(name in layer for name in fixed):
             given = {name: value for name, value in given.items() if name not in fixed}
         given |= layer
-    if speed is not None:
-        given["speed"] = speed
-    elif "speed" not in given and engine.speed is not None:
-        given["speed"] = engine.speed
+    if turning is not None:
+        given["speed"] = turning
     assumed = _assumed(engine, process, fires, given)
     if gas.trace is not None or any(name in given for name in LOADS[:2]):
         assumed.pop("imep", None)
@@ -118,6 +115,57 @@ def resolved(
     names = tuple(name for name in assumed if name not in given and _used(name, process, given))
     chosen = {"process": process, "ignition": fires, "point": point}
     return {**assumed, **given, **chosen}, names
+
+
+class OperatingState(NamedTuple):
+    """An operating point by its name, "" for the load of the table [gas], and its speed, rad/s."""
+
+    point: str
+    speed: float | None
+
+
+def operating_state(
+    engine: Engine, *, point: str = "", speed: float | None = None
+) -> OperatingState:
+    """The operating point and speed that are meant: the rule of every command.
+
+    Raises GasError for a point that the engine has not.
+
+    >>> from crankstar.files.catalog import load
+    >>> five = load("audi-25-tfsi")
+    >>> [operating_state(five, point=point).point for point in ("", "idle")]
+    ['full', 'idle']
+    >>> idle = operating_state(five, point="idle").speed
+    >>> operating_state(five, speed=idle).point, operating_state(five, speed=300.0)
+    ('idle', OperatingState(point='full', speed=300.0))
+    """
+    gas = engine.gas or Gas()
+    known = {each.name: each for each in gas.points}
+    if point and not known:
+        raise GasError(
+            "the engine has no operating point {point}: its file has no [[gas.point]]; leave it "
+            "out",
+            point=point,
+        )
+    if point and point not in known:
+        raise GasError(
+            "the engine has no operating point {point}; it has: {points}",
+            point=point,
+            points=", ".join(known),
+        )
+    if not point and speed is not None:
+        of_speed = [name for name, own in known.items() if _same(own.speed, speed)]
+        own_load = not default_point(gas) and _same(gas.speed or engine.speed, speed)
+        point = of_speed[0] if of_speed and not own_load else ""
+    point = point or default_point(gas)
+    own = known[point].speed if point else None
+    chain = (speed, own, gas.speed, engine.speed)
+    return OperatingState(point, next((each for each in chain if each is not None), None))
+
+
+def _same(one: float | None, other: float) -> bool:
+    """Whether a speed is one that was asked for, as text in rpm is read."""
+    return one is not None and abs(one - other) <= 1e-9 * abs(other)
 
 
 def default_point(gas: Gas) -> str:

@@ -115,21 +115,14 @@ def guide_samples(machine: Mechanism, moved: motion.Rods) -> Complex:
         big_end=-np.asarray(machine.big_end_mass)[..., None] * moved.big_end.second,
         spin=-np.asarray(machine.rod_inertia)[..., None] * _turning(moved.direction),
     )
-    return held(machine, moved, inertia).guide
+    return guides(machine, moved, inertia)
 
 
-class Held(NamedTuple):
-    """Samples [..., cylinder, sample] in the frame of the group: guide force, and load of the pin.
+def guides(machine: Mechanism, moved: motion.Rods, forces: Applied) -> Complex:
+    """Guide forces [..., cylinder, sample] of parts on which these forces act, outermost rod first.
 
-    `pin` is what the rod of a cylinder hands on, to its crank pin or the rod of its master.
+    In N, in the frame of the group.
     """
-
-    guide: Complex
-    pin: Complex
-
-
-def held(machine: Mechanism, moved: motion.Rods, forces: Applied) -> Held:
-    """Guide forces and pin loads of parts on which these forces act, from the outermost rod in."""
     links = machine.links
     axis = np.exp(1j * np.asarray(links.bearing))[..., None]
     rod = moved.direction.place * np.asarray(links.rod_length)[..., None]
@@ -155,7 +148,7 @@ def held(machine: Mechanism, moved: motion.Rods, forces: Applied) -> Held:
             arm = moved.big_end.place[..., index, :] - moved.big_end.place[..., master, :]
             moment[..., master, :] += np.imag(np.conj(arm) * pin[..., index, :])
             pin[..., master, :] += pin[..., index, :]
-    return Held(guide, pin)
+    return guide
 
 
 def _turning(direction: motion.Path) -> Complex:

@@ -24,7 +24,7 @@ from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.kinetic import samples_over
 from crankstar.mechanics.mechanism import mechanism
-from crankstar.mechanics.pin_loads import Applied, Held, held, pin_loads
+from crankstar.mechanics.pin_loads import Applied, guides, pin_loads
 from crankstar.spectra import Complex, Real
 
 SAMPLES = 720
@@ -92,7 +92,7 @@ def pressure_at(cycle: Cycle, theta: Real) -> Real:
 def _of_gas(engine: Engine, cycle: Cycle, theta: Real) -> Real:
     links, _place, _lag, ratio = pistons(engine)
     along = np.exp(1j * np.asarray(links.bearing))[:, None]
-    return _to_thrust_side(gas_held(engine, cycle, theta).guide / along, ratio)
+    return _to_thrust_side(gas_guides(engine, cycle, theta) / along, ratio)
 
 
 def gas_push(engine: Engine, cycle: Cycle, theta: Real) -> Real:
@@ -107,13 +107,13 @@ def gas_push(engine: Engine, cycle: Cycle, theta: Real) -> Real:
     return push
 
 
-def gas_held(engine: Engine, cycle: Cycle, theta: Real) -> Held:
-    """Guide forces and pin loads of gas alone at crank angles, each in the frame of its group."""
+def gas_guides(engine: Engine, cycle: Cycle, theta: Real) -> Complex:
+    """Guide forces of gas alone at crank angles, N [cylinder, angle], in the frame of its group."""
     push = gas_push(engine, cycle, theta)
     along = np.exp(1j * np.asarray(pistons(engine).links.bearing))[:, None]
     none = np.zeros_like(push)
     applied = Applied(-push * along, none, none, none)
-    return held(mechanism(engine), rods_over(engine, theta), applied)
+    return guides(mechanism(engine), rods_over(engine, theta), applied)
 
 
 def rods_over(engine: Engine, theta: Real) -> motion.Rods:

@@ -1,7 +1,9 @@
-"""What is asked of the gas: a degree of irregularity, mean effective pressures."""
+"""What is asked of the gas: irregularity, mean effective pressures, weak cylinders."""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
 from fractions import Fraction
 
 from crankstar.engine.quantities import PRESSURE
@@ -11,6 +13,8 @@ from crankstar.options.values import refusal
 
 MOST_LOADS = 12
 """Columns of a table of harmonics."""
+LEAST_SHARE = 0.001
+"""Of a combustion or a weight: less would not be felt."""
 LEAST_IRREGULARITY, GREATEST_IRREGULARITY = 1e-4, 1.0
 
 
@@ -61,3 +65,32 @@ def mean_pressures(text: str | None) -> tuple[float, ...]:
             raise request.not_positive("--tangential", part, PRESSURE)
         out.append(value)
     return tuple(out)
+
+
+def share(option: str, text: str, value: str) -> float:
+    """A share of a combustion or a weight, from LEAST_SHARE to 1. Raises RequestError."""
+    match = re.fullmatch(r"(\d+(?:\.\d*)?|\.\d+)\s*(%?)", value)
+    found = -1.0 if match is None else float(match[1]) / (100 if match[2] else 1)
+    if not LEAST_SHARE <= found <= 1:
+        raise refusal(
+            option,
+            text,
+            "give a share from {least} to 1, such as 0.2 or 20%",
+            least=f"{LEAST_SHARE:g}",
+        )
+    return found
+
+
+def weaker_cylinders(texts: Sequence[str] | None) -> list[tuple[int, float]]:
+    """Cylinders and the share of their combustion that they lack. Raises RequestError.
+
+    >>> weaker_cylinders(["3=20%"])
+    [(3, 0.2)]
+    """
+    found: list[tuple[int, float]] = []
+    for text in texts or ():
+        name, _equals, value = (part.strip() for part in text.partition("="))
+        if not name.isdecimal() or len(name) > 4 or not value:
+            raise refusal("--weaker", text, "give a cylinder and what it lacks, as in 3=20%")
+        found.append((int(name), share("--weaker", text, value)))
+    return found

@@ -38,6 +38,7 @@ class Measured(NamedTuple):
 
     unbalance: float
     angle: float | None
+    at_usual_radius: bool = False
 
 
 def size(option: str, text: str, quantity: Quantity) -> float:
@@ -93,7 +94,8 @@ def _slug(text: str) -> float:
 def measured(text: str, *, radius: float | None = None, most: int = 24) -> list[Measured]:
     """Unbalances plane by plane, each with the direction of the heavy spot where it is given.
 
-    A mass without a radius is one at `radius`. Raises RequestError.
+    A mass without a radius is one at `radius`, unless another has a radius of its own. Raises
+    RequestError.
 
     >>> first, second = measured("850 g*mm at 20 deg, 10 g at 200 deg", radius=0.08)
     >>> round(first.unbalance * 1e6), round(second.unbalance * 1e6), round(second.angle, 4)
@@ -110,12 +112,26 @@ def measured(text: str, *, radius: float | None = None, most: int = 24) -> list[
             most=most,
             example=_('as in "850 g*mm at 20 deg, 38 g at 4 in at 200 deg"'),
         )
+    parted = [_parted(part) for part in parts]
+    bare = [radius is not None and _reads(amount, MASS) for amount, _direction in parted]
+    if any(bare) and any(_has_radius(amount) for amount, _direction in parted):
+        raise refusal(
+            "--unbalance",
+            parts[bare.index(True)],
+            "another reading has its radius and this one has none; give each its radius, {example}",
+            example=_('as in "38 g at 4 in at 200 deg"'),
+        )
     out: list[Measured] = []
-    for part in parts:
-        amount, direction = _parted(part)
+    for (amount, direction), usual in zip(parted, bare, strict=True):
         where = radians(request.degrees("--unbalance", direction)[0]) if direction else None
-        out.append(Measured(_amount(amount, radius), where))
+        out.append(Measured(_amount(amount, radius), where, usual))
     return out
+
+
+def _has_radius(text: str) -> bool:
+    """Whether an amount is a mass at a radius of its own."""
+    mass, *radius = re.split(r"\s+at\s+|\s*@\s*", text)
+    return bool(radius) and _reads(mass, MASS)
 
 
 def _parted(text: str) -> tuple[str, str]:

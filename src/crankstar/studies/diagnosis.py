@@ -33,6 +33,7 @@ from crankstar.files.columns import Columns
 from crankstar.files.lists import Listed, Row
 from crankstar.files.vibrations import vibration_of
 from crankstar.language.messages import _
+from crankstar.mechanics.gas_loads import Turning, vibrating_state
 from crankstar.mechanics.occurring_orders import OrderError, check_orders
 from crankstar.spectra import Complex
 from crankstar.studies.single_faults import (
@@ -135,6 +136,13 @@ class Diagnosis:
     suspects: tuple[Suspect, ...]
     pair: Suspect | None
     alike: tuple[Suspect, ...]
+    point: str = ""
+
+    @property
+    def states(self) -> list[Turning]:
+        """The operating points ("" between points) and speeds (rad/s) of the readings."""
+        speeds = sorted({each.speed for each in self.readings})
+        return [vibrating_state(self.engine, point=self.point, speed=speed) for speed in speeds]
 
     @property
     def found(self) -> bool:
@@ -267,6 +275,7 @@ def diagnosed(
         tuple(suspects),
         _pair(engine, difference, faults, columns, suspects),
         _alike(suspects),
+        point,
     )
 
 

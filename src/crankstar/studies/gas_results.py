@@ -17,7 +17,7 @@ from crankstar.dynamics.uneven import UnevenError, driven
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import Cycle, cycle
-from crankstar.mechanics.gas_torque import added, gas_torque, roll_with_gas
+from crankstar.mechanics.gas_torque import added, gas_roll, gas_torque, roll_with_gas
 from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.variants import SweepError
@@ -56,11 +56,11 @@ def torque_of(engine: Engine, found: Cycle) -> Spectrum:
 
 
 def roll_of(engine: Engine, found: Cycle) -> Spectrum:
-    """The rolling moment where the driveline takes the torque, N m."""
+    """The alternating rolling moment on the block, N m."""
     gas = gas_torque(found).total
     result = balance(engine, speed=found.speed)
     if found.speed is None or result.speed is None:
-        return spectra.scaled(gas, -engine.sense)
+        return gas_roll(gas, engine.sense)
     return roll_with_gas(total(result), gas)
 
 

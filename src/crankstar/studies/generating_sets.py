@@ -1,12 +1,14 @@
 """A generating set: how evenly it runs, and what several of them do to one foundation.
 
-The generator stands on the frame of its engine, so that the gas torque stays inside: what reaches
-the foundation are the inertia force, the external moments, and the moment about the crank axis.
+The generator stands on the frame of its engine. Its torque is steady, so that the rotor takes the
+alternating torque and the frame its reaction (`gas_torque`): what reaches the foundation are the
+inertia force, the external moments, and the rolling moment of gas and inertia, half orders of a
+weak cylinder included. The mean torque alone stays inside.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,8 +19,10 @@ from crankstar.dynamics.uneven import Running, driven, flywheel_for
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.balance import balance, total
-from crankstar.mechanics.excitation import Totals
+from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
+from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.phase_sums import exceeded, typical_sum, worst_sum
 
 SIZES = {
@@ -33,14 +37,14 @@ HIGHEST = 12.0
 """The highest order that is told."""
 SHARES = (0.05, 0.01)
 """Of the time, in which a sum is exceeded."""
-QUANTITIES = ("force_vertical", "force_horizontal", "pitch", "yaw", "axis_moment")
+QUANTITIES = ("force_vertical", "force_horizontal", "pitch", "yaw", "roll")
 
 
 @dataclass(frozen=True)
 class OrderSum:
     """An order of a quantity: of one engine, and of all with unknown phases, N or N m.
 
-    `exceeded` in the shares SHARES of the time.
+    `exceeded` in the shares SHARES of the time; the rolling moment is that of gas and inertia.
     """
 
     quantity: str
@@ -88,12 +92,15 @@ def generating_set(
     pole_pairs: int | None = None,
     engines: int = 1,
     irregularity: float | None = None,
+    off: Collection[int] = (),
+    weaker: Mapping[int, float] | None = None,
 ) -> GeneratingSet:
     """A set at an operating point and speed (rad/s), and so many of them on one foundation.
 
     `flywheel` is the inertia of crankshaft, flywheel, coupling and rotor, kg m^2, else that of the
-    file; `irregularity` a degree of irregularity for which it is sized. Raises GasError for a point
-    that the engine has not, UnevenError where it would stop within a cycle.
+    file; `irregularity` a degree of irregularity for which it is sized. Cylinders are `off` or
+    `weaker` as in `cycle`. Raises GasError for a point that the engine has not, or without gas for
+    such cylinders, UnevenError where it would stop within a cycle.
 
     >>> from crankstar.files.catalog import load
     >>> changes = {"cylinder.reciprocating_mass": "0.6 kg"}
@@ -102,17 +109,15 @@ def generating_set(
     >>> round(found.frequency, 2), found.sums[0].worst == 4 * found.sums[0].one
     (50.0, True)
     """
-    burning, why = cycle_or_reason(engine, point=point, speed=speed)
+    burning, why = cycle_or_reason(engine, point=point, speed=speed, off=off, weaker=weaker)
     running = None if burning is None else driven(engine, burning, flywheel=flywheel)
     if burning is not None and running is None:
         why = _without_running(engine, burning.speed, flywheel)
-    turning = burning.speed if burning is not None else speed
-    turning = engine.speed if turning is None else turning
+    turning = operating_state(engine, point=point, speed=speed).speed
     wanted = None
     if irregularity is not None and running is not None and burning is not None:
-        exponent = engine.drive.load_exponent if engine.drive else 0.0
-        wanted = flywheel_for(engine, burning, irregularity=irregularity, exponent=exponent)
-    sums, lacking = _sums(engine, turning, engines)
+        wanted = flywheel_for(engine, burning, irregularity=irregularity)
+    sums, lacking = _sums(engine, turning, engines, burning)
     return GeneratingSet(
         engine=engine,
         cycle=burning,
@@ -128,7 +133,9 @@ def generating_set(
     )
 
 
-def _sums(engine: Engine, speed: float | None, engines: int) -> tuple[tuple[OrderSum, ...], str]:
+def _sums(
+    engine: Engine, speed: float | None, engines: int, burning: Cycle | None
+) -> tuple[tuple[OrderSum, ...], str]:
     """The orders of force and moment of one engine and of all."""
     result = balance(engine, speed=speed)
     if result.speed is None or result.units.couple != "N*m":
@@ -139,13 +146,26 @@ def _sums(engine: Engine, speed: float | None, engines: int) -> tuple[tuple[Orde
     alike = tuple(exceeded([1.0] * engines, share) for share in SHARES)
     out: list[OrderSum] = []
     for name in QUANTITIES:
-        values, most = _amplitudes(whole, name), float(_amplitudes(parts, name).max(initial=0.0))
-        for order, one in zip(whole.force.orders.tolist(), values.tolist(), strict=True):
+        if name == "roll":
+            roll = _roll(whole, burning)
+            orders, values = roll.orders, np.abs(spectra.amplitude(roll))
+            most = float(values.max(initial=0.0))
+        else:
+            orders, values = whole.force.orders, _amplitudes(whole, name)
+            most = float(_amplitudes(parts, name).max(initial=0.0))
+        for order, one in zip(orders.tolist(), values.tolist(), strict=True):
             if one > NOTED * most and order <= HIGHEST:
                 every = [one] * engines
                 beyond = tuple(one * each for each in alike)
                 out.append(OrderSum(name, order, one, worst_sum(every), typical_sum(every), beyond))
     return tuple(out), ""
+
+
+def _roll(sums: Totals, burning: Cycle | None) -> spectra.Spectrum:
+    """The rolling moment on the frame, of inertia alone where the gas is not known."""
+    if burning is None:
+        return rolling_moment(sums)
+    return roll_with_gas(sums, gas_torque(burning).total)
 
 
 def _without_running(engine: Engine, speed: float | None, flywheel: float | None) -> str:
@@ -169,6 +189,5 @@ def _amplitudes(sums: Totals, name: str) -> np.ndarray:
         "force_horizontal": lambda: spectra.horizontal(sums.force),
         "pitch": lambda: spectra.vertical(sums.couple),
         "yaw": lambda: spectra.horizontal(sums.couple),
-        "axis_moment": lambda: spectra.amplitude(sums.axis_moment),
     }
     return np.abs(found[name]())

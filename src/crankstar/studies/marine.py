@@ -22,6 +22,7 @@ from crankstar.mechanics.external_moments import ExternalMoments, Wanted, extern
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.mechanics.occurring_orders import check_orders
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.remedy.compensators import Compensator, compensators, with_compensators
 from crankstar.remedy.end_weights import with_end_weights
 from crankstar.spectra import Real
@@ -123,8 +124,7 @@ def marine(
     if orders is not None and not isinstance(orders, str):
         check_orders(engine, orders, gas=engine.gas is not None)
     found, why = cycle_or_reason(engine, point=point, speed=speed)
-    turning = found.speed if found is not None else speed
-    turning = engine.speed if turning is None else turning
+    turning = operating_state(engine, point=point, speed=speed).speed
     over = np.unique(np.asarray(speeds, float))
     if turning is None and over.size:
         turning = float(over[-1])

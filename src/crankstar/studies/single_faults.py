@@ -13,7 +13,7 @@ its mounts, or free without them (`mounted_block`).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, NamedTuple
 
@@ -31,11 +31,12 @@ from crankstar.language.messages import MessageError, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, total
-from crankstar.mechanics.gas import chambers_of, cycle
-from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.mechanics.gas import chambers_of
+from crankstar.mechanics.gas_loads import gas_over_speeds, vibrating_state
+from crankstar.mechanics.gas_torque import gas_roll
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.occurring_orders import check_orders
-from crankstar.spectra import Complex, Real
+from crankstar.spectra import Complex, Real, Spectrum
 from crankstar.studies.part_weights import with_parts
 
 Kind = Literal["piston", "big_end", "weight", "combustion"]
@@ -73,6 +74,7 @@ class Shaken:
     orders: Real
     push: Complex
     torque: Complex
+    point: str = ""
 
     @property
     def mounted(self) -> bool:
@@ -192,13 +194,15 @@ def shaken(
     engine: Engine,
     faults: Sequence[Fault] = (),
     *,
-    speed: float,
+    speed: float | None = None,
     point: str = "",
     orders: Sequence[float] = (),
 ) -> Shaken:
-    """What shakes the block of an engine with faults at a speed (rad/s).
+    """What shakes the block of an engine with faults, at an operating point and speed (rad/s).
 
-    Raises DiagnosisError, and OrderError for an order that the engine cannot have.
+    Both as `operating_state` has them; between the points of the file the load is that between
+    them, as on its mounts. Raises DiagnosisError, and OrderError for an order that the engine
+    cannot have.
 
     >>> from crankstar.files.catalog import load
     >>> six, cut = load("audi-25-tfsi"), [Fault("combustion", 2)]
@@ -207,6 +211,7 @@ def shaken(
     True
     """
     engine = known(engine)
+    point, speed = vibrating_state(engine, point=point, speed=speed)
     check_orders(engine, orders, gas=True)
     built = engine
     _check_shares(engine, faults)
@@ -220,8 +225,8 @@ def shaken(
     push = speed**2 * on_freedoms(sums, wanted)
     torque = speed**2 * spectra.amplitude(spectra.selected(sums.torque, wanted))
     gas = gas_orders(engine, faults, speed=speed, point=point, orders=wanted)
-    push[:, 5] -= sums.force.sense * gas
-    return Shaken(engine, speed, wanted, push, torque + gas)
+    push[:, 5] += spectra.amplitude(gas_roll(gas, sums.force.sense))
+    return Shaken(engine, speed, wanted, push, torque + spectra.amplitude(gas), point)
 
 
 def limits(engine: Engine, fault: Fault) -> tuple[float, float]:
@@ -302,8 +307,11 @@ def _check_shares(engine: Engine, faults: Sequence[Fault]) -> None:
 
 def gas_orders(
     engine: Engine, faults: Sequence[Fault], *, speed: float, point: str, orders: Real
-) -> Complex:
-    """The gas torque of the engine, N m [order]; none without [gas]. Raises DiagnosisError."""
+) -> Spectrum:
+    """The gas torque of the engine in these orders, N m; none without [gas].
+
+    Raises DiagnosisError.
+    """
     weak = [fault for fault in faults if fault.kind == "combustion"]
     if engine.gas is None and not point:
         if weak:
@@ -311,16 +319,14 @@ def gas_orders(
                 "a cylinder that does not fire cannot be told without the gas of the others; add "
                 "[gas] to the engine file"
             )
-        return np.zeros(orders.size, complex)
-
-    def torque(off: tuple[int, ...]) -> Complex:
-        found = gas_torque(cycle(engine, point=point, speed=speed, off=off)).total
-        return spectra.amplitude(spectra.selected(found, orders))
-
-    firing = torque(())
-    return firing + np.sum(
-        [fault.size * (torque((fault.number,)) - firing) for fault in weak], axis=0
-    )
+        return spectra.real_signal(orders, np.zeros(orders.size, complex))
+    lost = dict.fromkeys((fault.number for fault in weak), 0.0)
+    for fault in weak:
+        lost[fault.number] += fault.size
+    weaker = {number: min(share, 1.0) for number, share in lost.items()}
+    found = gas_over_speeds(engine, [speed], point=point, weaker=weaker)
+    one = replace(found, forward=found.forward[0], backward=found.backward[0])
+    return spectra.selected(one, orders)
 
 
 def catalogue(engine: Engine, *, gas: bool = True) -> list[Fault]:

@@ -46,6 +46,7 @@
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |
 | `roll_cures` | the rolling moment that is left, and what would remove it |
+| `gas_words` | operating points, and what does not burn, in words |
 | `torque_orders` | gas and inertia torque and the roll of the block by order |
 | `torque_parts` | side thrust, uneven forces and handbook harmonics |
 | `meshes` | gears between crankshafts: what each mesh passes on |

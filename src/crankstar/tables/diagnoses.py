@@ -15,6 +15,7 @@ from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Complex, Real
 from crankstar.studies.diagnosis import AXES, FEW, Diagnosis, Suspect
 from crankstar.studies.single_faults import Fault, Shaken, fault_text, limits
+from crankstar.tables.gas_words import load_words
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
@@ -40,7 +41,10 @@ def faults_document(
     engine = before.engine
     names = [fault_text(fault, engine) for fault in faults]
     table, fresh = _changes(before, after, point, every=every)
-    lines = [_("With: {faults}.", faults=", ".join(names))]
+    lines = [
+        load_words(engine, before.point, before.speed),
+        _("With: {faults}.", faults=", ".join(names)),
+    ]
     if fresh:
         lines.append(
             _(
@@ -51,15 +55,13 @@ def faults_document(
     notes = [
         _velocity_of(before, point),
         _(
-            "Amplitudes at {rpm} rpm; force and couple are the greatest of the turning vector, "
-            "about the centre of mass; roll and torque with gas.",
-            rpm=number(before.speed * RPM),
+            "Force and couple are the greatest of the turning vector, about the centre of mass; "
+            "roll and torque include the gas."
         )
         if engine.gas is not None
         else _(
-            "Amplitudes at {rpm} rpm; force and couple are the greatest of the turning vector, "
-            "about the centre of mass; without gas, which the file does not have.",
-            rpm=number(before.speed * RPM),
+            "Force and couple are the greatest of the turning vector, about the centre of mass; "
+            "roll and torque are without gas."
         ),
         _("The point moves as the block on its mounts does.")
         if before.mounted
@@ -68,6 +70,7 @@ def faults_document(
     facts: dict[str, Any] = {
         "format": 1,
         "speed_rpm": float(f"{before.speed * RPM:.12g}"),
+        "operating_point": before.point or None,
         "mounted": before.mounted,
         "point_mm": [round(1e3 * float(each), 6) for each in _place(before, point)],
         "faults": [_plain(fault) for fault in faults],
@@ -167,7 +170,8 @@ def _changes(
 def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Document:
     """The suspects, what the likeliest leaves unexplained reading by reading."""
     verdict = _verdict(found)
-    parts: list[Table | Remarks] = [*remarks(*verdict)]
+    states = [load_words(found.engine, *state) for state in found.states]
+    parts: list[Table | Remarks] = [*remarks(*verdict, *states)]
     if (suspects_of(found) or (every and found.suspects)) and not found.healthy:
         parts += [_suspects(found, every=every), _readings(found)]
     notes = [
@@ -196,6 +200,8 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
         )
     facts = {
         "format": 1,
+        "speeds_rpm": [float(f"{speed * RPM:.12g}") for _point, speed in found.states],
+        "operating_points": [point or None for point, _speed in found.states],
         "difference_share": found.share,
         "explained": found.found and not found.healthy,
         "healthy": found.healthy,

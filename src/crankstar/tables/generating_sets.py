@@ -10,6 +10,7 @@ from crankstar.dynamics.uneven import Running
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.studies.generating_sets import SHARES, GeneratingSet
+from crankstar.tables.gas_words import burning_words, weaker_facts
 from crankstar.tables.headings import heading
 from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 
@@ -19,7 +20,7 @@ NAMES = {
     "force_horizontal": N_("force, horizontal"),
     "pitch": N_("M_V, vertical"),
     "yaw": N_("M_H, horizontal"),
-    "axis_moment": N_("moment about the crank axis"),
+    "roll": N_("rolling moment"),
 }
 
 
@@ -45,6 +46,9 @@ def _facts(found: GeneratingSet) -> dict[str, Any]:
         "format": 1,
         "engine": found.engine.name,
         "engines": found.engines,
+        "point": None if found.cycle is None else found.cycle.name or None,
+        "off": [] if found.cycle is None else list(found.cycle.off),
+        "weaker": weaker_facts(found.cycle),
         "pole_pairs": pairs,
         "frequency_hz": found.frequency,
         "speed_rpm": None if found.speed is None else found.speed * RPM,
@@ -86,7 +90,10 @@ def _running_table(found: GeneratingSet, running: Running, angle: GeneratorAngle
         Column(_("value"), ROW_UNIT, key="value"),
         Column(_("unit"), kind="unit", key="unit"),
     )
-    return Table(_("Uneven running"), columns, tuple(rows), key="running")
+    title = _("Uneven running")
+    if found.cycle is not None:
+        title = burning_words(title, found.cycle)
+    return Table(title, columns, tuple(rows), key="running")
 
 
 def _sum_table(found: GeneratingSet) -> Table:
@@ -129,6 +136,8 @@ def _sum_table(found: GeneratingSet) -> Table:
         title = _("{count} engines on one foundation at {rpm} rpm", count=found.engines, rpm=rpm)
         if found.engines == 1:
             title = _("On the foundation at {rpm} rpm", rpm=rpm)
+    if found.cycle is not None:
+        title = burning_words(title, found.cycle)
     return Table(title, tuple(columns), rows, key="sums")
 
 
@@ -145,8 +154,9 @@ def _notes(found: GeneratingSet) -> list[str]:
     if found.sums:
         lines.append(
             _(
-                "The generator stands on the frame of the engine, so that gas torque stays inside. "
-                "Moments are about the middle of the cylinders."
+                "The generator stands on the frame of the engine: the mean torque stays inside, "
+                "and the frame rolls by the reaction to all that alternates. Moments are about the "
+                "middle of the cylinders."
             )
         )
     if found.sums and found.engines > 1:
@@ -176,6 +186,8 @@ def missing_sums(found: GeneratingSet) -> str:
 def _doubts(found: GeneratingSet) -> list[str]:
     """What is missing."""
     lines = [missing_running(found), missing_sums(found)]
+    if found.sums and found.cycle is None:
+        lines.append(_("The rolling moment is that of inertia alone: the gas is not known."))
     if not found.sums and not found.without_sums:
         lines.append(_("Nothing reaches the foundation: forces and moments are balanced."))
     return lines

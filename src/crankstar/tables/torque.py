@@ -13,7 +13,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, numbers_text
+from crankstar.language.numbers import number
 from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.doubts import point_doubts
@@ -22,6 +22,7 @@ from crankstar.mechanics.gas_loads import LoadedTorques
 from crankstar.mechanics.gas_torque import GasTorque, gas_torque
 from crankstar.spectra import Real
 from crankstar.tables.conditions import unverified_gas
+from crankstar.tables.gas_words import burning_words, weaker_facts
 from crankstar.tables.headings import heading
 from crankstar.tables.meshes import mesh_table
 from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value, remarks
@@ -100,6 +101,7 @@ def torque_document(
         "irregularity": None if running is None else running.irregularity,
         "flywheel": None if wheel is None else {**wheel._asdict(), "unit": "kg*m^2"},
         "off": list(cycle.off),
+        "weaker": weaker_facts(cycle),
         "ignition": cycle.values["ignition"],
         "assumed": list(cycle.assumed),
         "doubts": [fault.sentence for fault in point_doubts(engine, cycle)],
@@ -182,7 +184,7 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
     """Mean effective pressures, torque and power of the operating point."""
     mean, lost = float(found.mean.sum()), friction_torque(cycle)
     name = _("indicated mean effective pressure")
-    if cycle.off:
+    if cycle.off or cycle.weaker:
         name = _("indicated mean effective pressure, mean of all cylinders")
     rows: list[tuple[Value, ...]] = [
         (name, cycle.imep, "Pa"),
@@ -201,10 +203,7 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
     if cycle.name:
         named = one_line(cycle.name, longest=60)
         title = _("{title}, operating point {point}", title=title, point=named)
-    if cycle.off:
-        off = numbers_text(cycle.off)
-        title = _("{title}, without combustion in {numbers}", title=title, numbers=off)
-    return _pairs(title, rows)
+    return _pairs(burning_words(title, cycle), rows)
 
 
 def running_table(running: Running) -> Table:
@@ -262,11 +261,20 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
     lines: list[str] = []
     if engine.gas is not None and engine.gas.trace is not None:
         lines.append(_("Pressure as measured."))
+        if cycle.values["charges"]:
+            lines.append(
+                _(
+                    "Cylinders that do not burn all compress a charge of {charge} and push it out "
+                    "against {exhaust}, as the measured pressure has them.",
+                    charge=quantity_text(cycle.values["intake_pressure"], "Pa"),
+                    exhaust=quantity_text(cycle.values["exhaust_pressure"], "Pa"),
+                )
+            )
     else:
         process = _(PROCESSES[cycle.values["process"]])
         lines.append(_("Pressure: {process}.", process=process))
     assumed = [_valued(name, cycle.values[name]) for name in cycle.assumed if name in VALUES]
-    if assumed and (engine.gas is None or engine.gas.trace is None or cycle.motored or cycle.off):
+    if assumed and (engine.gas is None or engine.gas.trace is None or cycle.values["charges"]):
         lines.append(
             _(
                 "Assumed, since the file does not say: {values}. The table [gas] gives them.",
@@ -308,9 +316,9 @@ def _provisos(waves: Orders) -> list[str]:
         )
     lines.append(
         _(
-            "A driveline takes the torque where its far end stands on other ground: propeller, "
-            "wheels. A generator on the engine's own frame does not. Gas makes no force and no "
-            "couple."
+            "The block rolls by the reaction to all of the alternating torque, wherever the load "
+            "stands. Only the mean torque stays inside where the load, such as a generator, stands "
+            "on the same frame. Gas makes no force and no couple."
         )
     )
     return lines

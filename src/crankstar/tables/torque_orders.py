@@ -15,7 +15,7 @@ from crankstar.language.messages import _
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import Cycle, cycle
-from crankstar.mechanics.gas_torque import GasTorque, added, gas_torque, roll_with_gas
+from crankstar.mechanics.gas_torque import GasTorque, added, gas_roll, gas_torque, roll_with_gas
 from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Complex, Spectrum
 from crankstar.tables.table import Column, Table, Value
@@ -27,8 +27,7 @@ NOTED = 0.01
 class Orders(NamedTuple):
     """Amplitudes by order, N m, `Re(c exp(i k theta))`; inertia is None without known masses.
 
-    `roll` is the rolling moment on the block where the driveline carries the torque away, `mounted`
-    where the load stands on the same mounts.
+    `roll` is the alternating rolling moment on the block, wherever the load stands.
     """
 
     orders: list[float]
@@ -36,7 +35,6 @@ class Orders(NamedTuple):
     inertia: Complex | None
     total: Complex
     roll: Complex
-    mounted: Complex
 
 
 def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
@@ -45,7 +43,8 @@ def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
     result = balance(engine, speed=cycle.speed)
     if cycle.speed is None or result.speed is None:
         wave = spectra.amplitude(gas)
-        return Orders(gas.orders.tolist(), wave, None, wave, -engine.sense * wave, 0 * wave)
+        roll = spectra.amplitude(gas_roll(gas, engine.sense))
+        return Orders(gas.orders.tolist(), wave, None, wave, roll)
     sums = total(result)
     whole = added(sums.torque, gas)
     roll = added(roll_with_gas(sums, gas), spectra.scaled(whole, 0.0))
@@ -53,9 +52,7 @@ def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
     def at(spectrum: Spectrum) -> Complex:
         return spectra.amplitude(spectra.selected(spectrum, roll.orders))
 
-    return Orders(
-        roll.orders.tolist(), at(gas), at(sums.torque), at(whole), at(roll), at(sums.axis_moment)
-    )
+    return Orders(roll.orders.tolist(), at(gas), at(sums.torque), at(whole), at(roll))
 
 
 def orders_of_note(waves: Orders, *, machine: bool) -> tuple[float, ...]:
@@ -79,7 +76,7 @@ def order_table(waves: Orders, shown: Sequence[float], *, machine: bool) -> Tabl
         series.append(("inertia", _("inertia torque"), waves.inertia))
     series.append(("total", _("together"), waves.total))
     if machine:
-        series += [("roll", "", waves.roll), ("roll_on_same_mounts", "", waves.mounted)]
+        series += [("roll", "", waves.roll), ("roll_on_same_mounts", "", waves.roll)]
     columns += [Column(title, "N*m", kind=kind, key=key) for key, title, _wave in series]
     rows = _rows(waves, shown, [wave for _key, _title, wave in series])
     return Table(_("Torque by order"), tuple(columns), rows, key="orders")
@@ -97,13 +94,9 @@ def _rows(
 
 
 def roll_table(waves: Orders, shown: Sequence[float]) -> Table:
-    """The rolling moment on the block with a driveline that carries the torque, and without."""
-    columns = (
-        Column(_("order"), label=True),
-        Column(_("driveline takes the torque"), "N*m", kind="wave"),
-        Column(_("load on the same mounts"), "N*m", kind="wave"),
-    )
-    rows = _rows(waves, shown, [waves.roll, waves.mounted])
+    """The rolling moment on the block, order by order."""
+    columns = (Column(_("order"), label=True), Column(_("rolling moment"), "N*m", kind="wave"))
+    rows = _rows(waves, shown, [waves.roll])
     return Table(_("Rolling moment on the block"), columns, rows)
 
 

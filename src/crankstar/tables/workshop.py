@@ -224,6 +224,15 @@ def grade_document(
         parts.insert(0, _measured(rotor, measured, grade_met(worth) if grade is None else grade))
         facts["grade_measured"] = worth
         lines.append(_verdict(worth, grade))
+        facts["planes"] = "bearings" if len(measured) > 1 else "whole"
+        if len(measured) > 1:
+            lines.append(
+                _(
+                    "The two residual unbalances count as those in the planes of the bearings. "
+                    "Readings in other planes, such as counterweights, have to be converted to "
+                    "these first."
+                )
+            )
     return Document(title, (*remarks(*lines), *parts), facts)
 
 

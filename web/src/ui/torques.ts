@@ -14,8 +14,6 @@ import { extentOf, type Series } from './Curves'
 import { useApp, useChoice } from './context'
 
 export const useGas = () => useChoice<Gas>('torque.gas', ['burning', 'still', 'none'])
-export const useMount = () =>
-  useChoice<'driveline' | 'together'>('torque.mount', ['driveline', 'together'])
 export const useDrawn = () =>
   useChoice<'faint' | 'apart' | 'none'>('torque.cylinders', ['faint', 'apart', 'none'])
 

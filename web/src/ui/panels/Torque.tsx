@@ -19,7 +19,6 @@ import {
   useDrawn,
   useGas,
   useLoad,
-  useMount,
   useOff,
   useSetting,
 } from '../torques'
@@ -44,7 +43,6 @@ function TorquePanel() {
 function Choices({ exhibits }: { exhibits: readonly Exhibit[] }) {
   const [gas, chooseGas] = useGas()
   const [drawn, chooseDrawn] = useDrawn()
-  const [mount, chooseMount] = useMount()
   const isThere = exhibits.some((exhibit) => exhibit.torque)
   return (
     <>
@@ -61,15 +59,6 @@ function Choices({ exhibits }: { exhibits: readonly Exhibit[] }) {
             chosen={chooseGas}
           />
         )}
-        <Choice
-          label={t('The torque goes')}
-          value={mount}
-          choices={[
-            { value: 'driveline', label: t('into a driveline') },
-            { value: 'together', label: t('into a load on the same mounts') },
-          ]}
-          chosen={chooseMount}
-        />
         {isThere && gas !== 'none' && (
           <Choice
             label={t('Curve of each cylinder')}
@@ -157,11 +146,7 @@ function OfEngine() {
       {drawn === 'apart' && <Apart torques={torques} />}
       <TorqueByOrder torques={torques} />
       <Curves
-        label={
-          setting.driveline
-            ? t('Rolling moment on the block, clockwise, without its mean')
-            : t('Rolling moment on the block, clockwise')
-        }
+        label={t('Rolling moment on the block, clockwise, without its mean')}
         series={shown.rolls}
         extent={shown.rolled}
         {...common}
