@@ -74,7 +74,7 @@ def _pulses(engine: Engine, cycle: Cycle) -> Real:
     out = np.zeros_like(cycle.pressure)
     opening = timing(engine.valves, cycle=engine.cycle)
     for row, kind in enumerate(places.kind):
-        happens = events(engine, places.above[kind])
+        happens = events(engine, float(places.bottom[kind]))
         bottom = happens.opened + opening.exhaust_opens
         closed = (2 * np.pi if engine.cycle == "four-stroke" else bottom) + opening.exhaust_closes
         span = closed - happens.opened
