@@ -81,6 +81,8 @@ def pistons(engine: Assembly) -> Pistons:
     return Pistons(links, place, lag, ratio, _crowns(engine, links, place, lag, ratio))
 
 
+ON_AXIS = 1e-9
+"""Radians: two cylinders that point the same way."""
 FACING = 24
 """Crank angles at which the travel of two pistons is compared."""
 
@@ -94,21 +96,22 @@ def _crowns(
 ) -> np.ndarray:
     """-1 of the second of two pistons on one axis that move against each other, 1 of all others.
 
-    In a common chamber they compress if they face each other, and hardly if they stand side by
-    side.
+    On one crankshaft and in a common chamber they compress if they face each other, and hardly if
+    they stand side by side.
     """
     out = np.ones(len(engine.cylinders))
     theta = np.arange(FACING) * (2 * np.pi / FACING)
     for members in engine.chambers.values():
-        if len(members) < 2:
-            continue
-        first, *others = (place[cylinder.number] for cylinder in members)
-        for other in others:
-            along = np.cos(links.bearing[first] - links.bearing[other])
+        first = place[members[0].number]
+        for member in members[1:]:
+            other = place[member.number]
+            apart = np.exp(1j * (links.bearing[first] - links.bearing[other])) - 1
+            if abs(apart) > ON_AXIS or member.shaft != members[0].shaft:
+                continue
             one, two = (
                 outward(links, [n], theta, lag, ratio, np.ones(lag.size))[0] for n in (first, other)
             )
-            if along > 0 and float((one - one.mean()) @ (two - two.mean())) < 0:
+            if float((one - one.mean()) @ (two - two.mean())) < 0:
                 out[other] = -1.0
     return out
 
