@@ -10,13 +10,16 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import openpyxl
 import pytest
 from tests.commands import Run
 from tests.marine import marine_engine
 
 import crankstar
+from crankstar import load
 from crankstar.files import toml
+from crankstar.mechanics.external_moments import external_moments
 from crankstar.studies.marine import marine
 
 
@@ -360,3 +363,42 @@ def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
     assert "no-such-engine" in unknown
     assert "--compensate" not in unknown  # whose units are those of the engine
     assert "--rated-power" in unknown
+
+
+def test_moments_over_the_speeds_are_computed_whatever_orders_are_asked_for(run: Run) -> None:
+    """Not asked for is not zero: M_4V goes with the square of the speed like the others."""
+    own = ("--set", "cylinder.reciprocating_mass=9 t", "--set", "layout.bore_pitch=1.6 m")
+    speeds = ("--speeds", "60..105 rpm by 15")
+
+    def rows(*more: str) -> list[dict[str, float]]:
+        return json.loads(run("marine", "man-s90mc-c", *own, *speeds, *more, "--json").out)[
+            "speeds"
+        ]
+
+    whole, some = rows(), rows("--orders", "1,2")
+    assert min(row["m4v"] for row in some) > 0
+    for one, other in zip(some, whole, strict=True):
+        assert one == pytest.approx(other)
+    more = rows("--orders", "6")
+    assert more[-1]["m6v"] > 0
+    assert more[-1]["m4v"] == pytest.approx(whole[-1]["m4v"])
+
+
+def test_a_moment_that_is_not_computed_is_no_number() -> None:
+    engine = load("man-s90mc-c")
+    found = external_moments(engine, orders=[1.0, 2.0])
+    assert np.isnan(found.moment(4))
+    assert found.moment(2) == pytest.approx(external_moments(engine).moment(2))
+    assert external_moments(engine).moment(3) == 0  # computed, and none
+
+
+def test_a_moment_about_the_node_is_computed_in_every_row() -> None:
+    """Of an order that is told about the middle, and is small beside a force at a far node."""
+    uneven = [{"number": 1, "reciprocating_mass": "1.2 kg"}]
+    heavy = load("i4", changes={"cylinder.reciprocating_mass": "1 kg", "cylinders": uneven})
+    found = marine(heavy, node=-40.0)
+    assert found.at_node is not None
+    about = external_moments(heavy, about=-40.0, orders=found.after.orders.tolist())
+    for order in found.after.orders.tolist():
+        assert found.at_node[1].moment(order) == pytest.approx(about.moment(order))
+        assert not np.isnan(found.before.moment(order))

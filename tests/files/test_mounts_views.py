@@ -55,7 +55,8 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     )
     velocity = 1e3 * peak(over.velocity(point), orders=over.orders)
     assert [row["velocity_peak"] for row in out["speeds"]] == pytest.approx(velocity)
-    assert [row["speed_rpm"] for row in out["speeds"]] == pytest.approx(np.linspace(600, 6000, 10))
+    assert [row["speed_rpm"] for row in out["speeds"]] == pytest.approx(over.speeds * 30 / np.pi)
+    assert found.asked * 30 / np.pi == pytest.approx(np.linspace(600, 6000, 10))
     assert out["speeds"][0]["transmissibility"] == pytest.approx(over.transmissibility[0])
     assert [row["name"] for row in out["axes"]] == ["torque_roll", "elastic"]
 
@@ -93,11 +94,18 @@ def test_at_one_speed_the_orders_make_the_whole(run: Run, tmp_path: Path) -> Non
     assert [row["name"] for row in out["mounts_at_speed"]] == ["left", "right", "rear"]
 
 
-def test_the_csv_has_a_row_for_each_speed(run: Run, tmp_path: Path) -> None:
-    out = run("mounts", written(tmp_path), "--speeds", SPEEDS, "--csv").out
+def test_the_csv_has_a_row_for_each_speed_and_for_each_peak(run: Run, tmp_path: Path) -> None:
+    place = written(tmp_path)
+    out = run("mounts", place, "--speeds", SPEEDS, "--csv").out
     rows = csv_rows(out, "speeds")
-    assert len(rows) == 10
-    assert float(rows[0]["speed_rpm [rpm]"]) == pytest.approx(600)
+    speeds = np.array([float(row["speed_rpm [rpm]"]) for row in rows])
+    assert np.abs(np.subtract.outer(np.linspace(600, 6000, 10), speeds)).min(axis=1).max() < 1e-6
+    fine = crankstar.mounts(crankstar.load(place), speeds=np.linspace(20, 200, 1801) * np.pi)
+    assert fine.over is not None
+    velocity = 1e3 * rms(fine.over.velocity(fine.point))
+    assert max(float(row["velocity_rms [mm/s]"]) for row in rows) == pytest.approx(
+        velocity.max(), rel=1e-6
+    )
 
 
 def cells(text: str, title: str) -> list[list[str]]:
@@ -113,13 +121,14 @@ def test_the_worst_mounts_are_named_by_force_and_by_transmissibility(
     monkeypatch.setenv("COLUMNS", "170")
     hard = [{**each, "stiffness": "2 kN/mm"} for each in THREE[:1]] + THREE[1:]
     place = written(tmp_path, mounts=hard)
-    found = crankstar.mounts(crankstar.load(place), speeds=np.linspace(20, 200, 10) * np.pi).over
+    whole = crankstar.mounts(crankstar.load(place), speeds=np.linspace(20, 200, 10) * np.pi)
+    found = whole.over
     assert found is not None
     names = [each.name for each in found.block.mounts]
     force = np.column_stack([rms(found.mount_force[:, :, at]) for at in range(3)])
     rows = cells(run("mounts", place, "--speeds", SPEEDS).out, "Vibration over the speeds")
     differ = 0
-    for at, row in enumerate(rows[:10]):
+    for at, row in zip(np.searchsorted(found.speeds, whole.asked), rows[:10], strict=True):
         through = found.transmissibility[at]
         assert [row[-3], row[-1]] == [names[force[at].argmax()], names[through.argmax()]]
         assert float(row[-2]) == pytest.approx(through.max(), rel=1e-2)

@@ -17,6 +17,7 @@ from crankstar.engine import motion
 from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.dead_centres import bottom_dead_centres, dead_centres
+from crankstar.engine.dead_centres import pistons as moving_pistons
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import inline, tandem
 from crankstar.engine.records import Shaft
@@ -94,6 +95,7 @@ def test_the_strokes_of_a_cylinder_follow_each_other_and_fill_the_cycle(engine: 
 @given(running())
 def test_a_power_stroke_runs_from_the_least_volume_to_the_greatest(engine: Engine) -> None:
     links, found = motion.linkage(engine), working_cycle(engine)
+    crowns = moving_pistons(engine).crown
     place = {cylinder.number: index for index, cylinder in enumerate(engine.cylinders)}
     for number_, pistons in engine.chambers.items():
         one = found.chamber(number_)
@@ -109,6 +111,7 @@ def test_a_power_stroke_runs_from_the_least_volume_to_the_greatest(engine: Engin
             )
             path = motion.rods(motion.parted(links, chain), psi).piston.place[-1]
             area = 1.0 if piston.bore is None else piston.bore**2
+            area *= float(crowns[place[piston.number]])
             inward -= area * (path * np.exp(-1j * links.bearing[place[piston.number]])).real
         assert inward[0] <= inward.min() + 1e-9 * np.ptp(inward)
         bottom = one.fires_deg + one.strokes[0].window.length_deg

@@ -194,7 +194,7 @@ def test_the_pressure_over_the_crank_angle_does_the_work_of_the_cycle(name: str)
     theta = np.arange(7200) * (2 * pi / 7200)
     travel = np.cos(theta) + np.sqrt(16 - np.sin(theta) ** 2)
     above = (travel[0] - travel) / 2
-    found = pressure(worked.ideal, worked.heat, above, four_stroke=False)
+    found = pressure(worked.ideal, worked.heat, above, bottom=3600, four_stroke=False)
     volume = np.append(above, above[0])
     # on the closed curve: the last piece is combustion at top dead centre, at constant volume
     work = np.sum((found + np.roll(found, -1)) / 2 * np.diff(volume))

@@ -23,7 +23,7 @@ from crankstar.charts.gas_curves import ROOM
 from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, own, span
 from crankstar.charts.sums import checked_quantity
 from crankstar.charts.torsion_words import NO_SPEED, RPM, load_lines, named_lines, refused, rpm_text
-from crankstar.dynamics.torsion_analysis import TorsionAnalysis, resolved, torsion
+from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
 from crankstar.dynamics.torsion_criticals import stresses
 from crankstar.dynamics.torsion_response import Response
 from crankstar.dynamics.torsion_system import TorsionError
@@ -93,8 +93,7 @@ def torsion_response_chart(
     asked = None if orders is None else [checked_order(order) for order in orders]
     title = _(TITLES[wanted])
     try:
-        rough = torsion(engine, point=point or "", speeds=[*(speeds or ())])
-        found = resolved(engine, rough)
+        found = torsion(engine, point=point or "", speeds=[*(speeds or ())])
     except TorsionError as error:
         return refused(engine, title=title, reason=str(error))
     own_response = found.response

@@ -37,7 +37,8 @@ from crankstar import spectra
 from crankstar.dynamics import crank_fillets
 from crankstar.dynamics.bearings import all_pin_loads
 from crankstar.dynamics.crank_stiffness import polar
-from crankstar.dynamics.torsion_analysis import TorsionAnalysis, resolved
+from crankstar.dynamics.torsion_analysis import TorsionAnalysis, peaked
+from crankstar.dynamics.torsion_response import Response
 from crankstar.engine.engine import Engine
 from crankstar.engine.fillets import fillet_ratios
 from crankstar.engine.main_bearings import main_bearings, pin_groups
@@ -187,14 +188,7 @@ def concentrations(
 
 def alternating_torque(engine: Engine, found: TorsionAnalysis) -> Torsional:
     """The greatest alternating torque of the crankshaft over all speeds that are not barred."""
-    whole = resolved(engine, found)
-    response, chain = whole.response, whole.chain
-    if response is None:
-        raise _without_gas()
-    barred = np.zeros(len(whole.speeds), bool)
-    for each in found.barred:
-        barred |= (whole.speeds >= each.low) & (whole.speeds <= each.high)
-    allowed = np.flatnonzero(~barred) if not barred.all() else np.arange(len(whole.speeds))
+    chain = found.chain
     throws = {*chain.throws}
     sections = [
         index
@@ -205,10 +199,21 @@ def alternating_torque(engine: Engine, found: TorsionAnalysis) -> Torsional:
         raise FatigueError("fatigue needs a crankshaft that twists: all masses are rigidly coupled")
     turns = 1 if engine.cycle == "two-stroke" else 2
     theta = np.arange(SAMPLES * turns) * (2 * pi / SAMPLES)
-    ranges = np.array([np.ptp(response.course(n, theta), axis=1)[allowed] / 2 for n in sections])
-    row, column = np.unravel_index(int(np.argmax(ranges)), ranges.shape)
-    speed = float(whole.speeds[allowed[column]])
-    return Torsional(float(ranges[row, column]), sections[int(row)], speed)
+
+    def ranges(response: Response) -> Real:
+        return np.column_stack([np.ptp(response.course(n, theta), axis=1) / 2 for n in sections])
+
+    whole = peaked(engine, found, curves=ranges)
+    if whole.response is None:
+        raise _without_gas()
+    barred = np.zeros(len(whole.speeds), bool)
+    for each in found.barred:
+        barred |= (whole.speeds > each.low) & (whole.speeds < each.high)
+    allowed = np.flatnonzero(~barred) if not barred.all() else np.arange(len(whole.speeds))
+    values = ranges(whole.response)[allowed]
+    row, column = np.unravel_index(int(np.argmax(values)), values.shape)
+    speed = float(whole.speeds[allowed[row]])
+    return Torsional(float(values[row, column]), sections[int(column)], speed)
 
 
 def radial_forces(engine: Engine, cycle: Cycle) -> Real:

@@ -7,11 +7,11 @@ for, else from the lowest to the highest that the file knows, else about the one
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from crankstar.dynamics.mount_excitation import mount_excitation
+from crankstar.dynamics.mount_excitation import MountExcitation, mount_excitation
 from crankstar.dynamics.mount_modes import (
     Axis,
     MountMode,
@@ -19,9 +19,11 @@ from crankstar.dynamics.mount_modes import (
     mount_modes,
     torque_roll_axis,
 )
-from crankstar.dynamics.mount_response import MountResponse, mount_response
+from crankstar.dynamics.mount_response import MountResponse, joined, mount_response, rms
 from crankstar.dynamics.mounted_block import MountedBlock, mounted_block, settled
 from crankstar.engine.engine import Engine
+from crankstar.mechanics.gas_loads import points_by_speed
+from crankstar.mechanics.maxima import refined
 from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.spectra import Real
@@ -37,8 +39,9 @@ class MountAnalysis:
     """What stands on mounts, how it would vibrate freely, and how it does.
 
     `sag` is how it sits down under its weight [freedom], `loads` what each mount bears along its
-    axes (N). `over` is the response over the range of speeds, `at` that at the one that is asked
-    for; None where no speed is known. `point` is the point of the block of which motion is told.
+    axes (N). `over` is the response over the range of speeds, the `asked` ones with its critical
+    speeds, half-power points and maxima, `at` that at the one that is asked for; None where no
+    speed is known. `point` is the point of the block of which motion is told.
 
     >>> from crankstar.files.catalog import load
     >>> places = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
@@ -59,6 +62,7 @@ class MountAnalysis:
     over: MountResponse | None = None
     at: MountResponse | None = None
     range_assumed: bool = False
+    asked: Real = field(default_factory=lambda: np.array([]))
 
 
 def mounts(
@@ -98,21 +102,67 @@ def mounts(
     wanted, assumed = _range(engine, speed, speeds)
     sag, loads = settled(block)
 
-    def shaken(turning: Real) -> MountResponse:
-        push = mount_excitation(block, engine, speeds=turning, point=point, orders=orders)
-        return mount_response(block, push)
+    def push(turning: Real) -> MountExcitation:
+        return mount_excitation(block, engine, speeds=turning, point=point, orders=orders)
 
+    modes = mount_modes(block)
+    told = _told(engine, block) if at is None else (at[0], at[1], at[2])
+    over = None
+    if wanted.size:
+        grid = wanted
+        if grid.size > 1 and not point:
+            grid = _inside(wanted, [*points_by_speed(engine)])
+        over = _peaked(block, modes, push(grid), told)
     return MountAnalysis(
         block=block,
-        modes=mount_modes(block),
+        modes=modes,
         torque_roll=torque_roll_axis(block),
         elastic=elastic_axis(block),
         sag=sag,
         loads=loads,
-        point=_told(engine, block) if at is None else (at[0], at[1], at[2]),
-        over=shaken(wanted) if wanted.size else None,
-        at=None if speed is None else shaken(np.array([speed])),
+        point=told,
+        over=over,
+        at=None if speed is None else mount_response(block, push(np.array([speed]))),
         range_assumed=assumed,
+        asked=wanted,
+    )
+
+
+def _inside(grid: Real, more: Sequence[float] | Real) -> Real:
+    """A grid of speeds with those of some more that are between its ends."""
+    added = np.asarray(more, float)
+    return np.union1d(grid, added[(grid[0] < added) & (added < grid[-1])])
+
+
+def _peaked(
+    block: MountedBlock,
+    modes: Sequence[MountMode],
+    push: MountExcitation,
+    point: tuple[float, float, float],
+) -> MountResponse:
+    """The response with the critical speeds, half-power points and maxima of the range in it.
+
+    The maxima of the motion of the point, of what reaches the ground and of each force in a mount.
+    Mounts without damping have none at their resonance.
+    """
+    damped = [each for each in modes if each.damping > 0]
+    if push.speeds.size == 1 or not push.orders.size or len(damped) < len(modes):
+        return mount_response(block, push)
+    at = np.array([each.speed * (1 + n * each.damping) for each in modes for n in (-1, 0, 1)])
+    grid = _inside(push.speeds, np.divide.outer(at, push.orders).ravel())
+
+    def curves(found: MountResponse) -> Real:
+        ground, motion = found.ground_force, found.displacement(point)
+        each = found.mount_force[:, :, : block.of_block]
+        told = [ground[..., :3], ground[..., 3:], motion, found.velocity(point)]
+        return np.column_stack([*map(rms, told), *map(rms, np.moveaxis(each, 2, 0))])
+
+    return refined(
+        grid,
+        mount_response(block, push.between(grid)),
+        at=lambda speeds: mount_response(block, push.between(speeds)),
+        joined=joined,
+        curves=curves,
     )
 
 

@@ -12,7 +12,7 @@ itself does.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -45,6 +45,20 @@ class MountExcitation:
     def push(self) -> Complex:
         """The whole on the six freedoms, N and N m [speed, order, 6]."""
         return self.gas + self.speeds[:, None, None] ** 2 * self.inertia
+
+    def between(self, speeds: Real) -> MountExcitation:
+        """The same at other speeds, where gas goes straight from each speed to the next.
+
+        >>> gas = np.array([0j, 2.0])[:, None, None] * np.ones((1, 1, 6))
+        >>> own = MountExcitation(np.array([1.0, 3.0]), np.ones(1), np.zeros((1, 6)), gas)
+        >>> own.between(np.array([1.5])).gas[0, 0, :2].real.tolist()
+        [0.5, 0.5]
+        """
+        after = np.clip(np.searchsorted(self.speeds, speeds), 1, self.speeds.size - 1)
+        low, high = self.speeds[after - 1], self.speeds[after]
+        share = ((speeds - low) / (high - low))[:, None, None]
+        gas = (1 - share) * self.gas[after - 1] + share * self.gas[after]
+        return replace(self, speeds=speeds, gas=gas)
 
 
 def mount_excitation(

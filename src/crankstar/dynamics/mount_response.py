@@ -15,7 +15,7 @@ had no inertia; of one mass on one spring it is the usual ratio of force passed 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -157,6 +157,16 @@ def mount_response(block: MountedBlock, excitation: MountExcitation) -> MountRes
                 "or a loss factor"
             ) from None
     return MountResponse(block, excitation, motion.reshape(push.shape))
+
+
+def joined(first: MountResponse, second: MountResponse) -> MountResponse:
+    """Two responses of one block, to the same inertia, as one by ascending speed."""
+    own, other = first.excitation, second.excitation
+    speeds = np.concatenate([own.speeds, other.speeds])
+    order = np.argsort(speeds, kind="stable")
+    gas = np.concatenate([own.gas, other.gas])[order]
+    motion = np.concatenate([first.motion, second.motion])[order]
+    return MountResponse(first.block, replace(own, speeds=speeds[order], gas=gas), motion)
 
 
 def rms(amplitudes: Complex) -> Real:

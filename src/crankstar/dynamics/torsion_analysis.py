@@ -7,7 +7,7 @@ cylinders has modes only, and critical speeds of the orders that are asked for.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -19,17 +19,19 @@ from crankstar.dynamics.torsion_criticals import (
     Critical,
     barred,
     criticals,
+    half_power_speeds,
     of_note,
     stresses,
 )
 from crankstar.dynamics.torsion_excitation import Excitation, excitation, firing_phases
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
-from crankstar.dynamics.torsion_response import Response, response
+from crankstar.dynamics.torsion_response import Response, joined, response
 from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.dynamics.torsion_variable import variable_response
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.maxima import refined
 from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.mechanics.operating_points import GasError, operating_state
 from crankstar.spectra import Real
@@ -41,6 +43,8 @@ SLOWEST, FASTEST = 0.25, 1.1
 SAME_ORDER = 1e-9
 GREATEST_UNKNOWNS = 4000
 """Of the model with the inertia of each angle: beyond, its matrix is too large."""
+MEETING = 2
+"""Speeds from which on there is a range in which the greatest can be looked for."""
 HIGHEST_CRITICAL = 24.0
 """The highest order of critical speeds where none is asked for."""
 
@@ -49,7 +53,8 @@ HIGHEST_CRITICAL = 24.0
 class TorsionAnalysis:
     """What twists, how it would vibrate freely, and how it does.
 
-    `speeds` (rad/s, ascending) are those of `response`, empty where none is known; `at` is the same
+    `speeds` (rad/s, ascending) are those of `response`, empty where none is known: those of a range
+    with its critical speeds, half-power points and maxima among them. `at` is the same
     at the one speed that is asked for, `exact` that with the inertia of each crank angle.
     `without_gas` says why there is no gas.
 
@@ -124,9 +129,9 @@ def torsion(
     >>> from crankstar.files.catalog import load
     >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
     >>> own = {"inertia": "0.02 kg*m^2", "stiffness": "0.6 MN*m/rad", "disc": [disc]}
-    >>> found = torsion(load("audi-25-tfsi", changes={"torsion": own}), speeds=[100, 700])
+    >>> found = torsion(load("audi-25-tfsi", changes={"torsion": own}), speeds=[100])
     >>> found.chain.names[-1], found.response.turns.shape, found.without_gas
-    ('flywheel', (2, 48, 6), '')
+    ('flywheel', (1, 48, 6), '')
     """
     chain = torsion_chain(source)
     free = torsion_modes(chain)
@@ -148,8 +153,7 @@ def torsion(
         own = excitation(chain, source, _cycle(source, point, speed)[0])
     driven = found is not None or push.inertia is not None
     meeting = orders or [float(k) for k in push.orders if k <= HIGHEST_CRITICAL]
-    whole = response(chain, push, speeds=wanted) if driven else None
-    return TorsionAnalysis(
+    rough = TorsionAnalysis(
         chain=chain,
         modes=free,
         speeds=wanted,
@@ -162,7 +166,7 @@ def torsion(
             phases=firing_phases(source),
             excitation=push if driven else None,
         ),
-        response=whole,
+        response=None,
         at=response(chain, own, speeds=np.array([speed])) if driven and speed else None,
         cycle=found,
         limit=limit,
@@ -170,26 +174,70 @@ def torsion(
         range_assumed=assumed,
         exact=_exact(source, chain, own, speed) if driven and speed else None,
     )
+    if not driven:
+        return rough
+    speeds = _with_criticals(source, rough, push)
+    return peaked(
+        source, replace(rough, speeds=speeds, response=response(chain, push, speeds=speeds))
+    )
 
 
-def resolved(engine: Engine, found: TorsionAnalysis) -> TorsionAnalysis:
-    """The same in all orders over speeds that have the critical ones in them, where the peaks are.
+def _with_criticals(engine: Engine, found: TorsionAnalysis, push: Excitation) -> Real:
+    """The speeds with the critical ones of all orders and modes, and half-power points of note."""
+    chain, low, high = found.chain, found.speeds[0], found.speeds[-1]
+    if not chain.damped or not low < high:  # without damping there is no bound there
+        return found.speeds
+    every = criticals(
+        chain,
+        orders=[float(k) for k in push.orders if k <= HIGHEST_CRITICAL],
+        low=float(low),
+        high=float(high),
+        phases=firing_phases(engine),
+        excitation=push,
+    )
+    noted = [speed for each in of_note(every) for speed in half_power_speeds(chain, each)]
+    more = np.array([*(each.speed for each in every), *noted])
+    return np.union1d(found.speeds, more[(low < more) & (more < high)])
+
+
+def peaked(
+    engine: Engine, found: TorsionAnalysis, *, curves: Callable[[Response], Real] | None = None
+) -> TorsionAnalysis:
+    """The same with the speeds at which the vibration is greatest, and those that the limit bars.
+
+    `curves` are values of a response [speed, curve] of which the maxima are wanted, else the
+    torques over the cycle, the turn of the free end and the whole heat.
 
     >>> from crankstar.files.catalog import load
     >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
     >>> own = {"inertia": "0.02 kg*m^2", "stiffness": "0.6 MN*m/rad", "disc": [disc]}
     >>> five = load("audi-25-tfsi", changes={"torsion": own})
-    >>> rough = torsion(five, speeds=[100, 700])
-    >>> fine = resolved(five, rough)
-    >>> {each.speed for each in rough.criticals} <= {*fine.speeds.tolist()}
+    >>> rough, fine = (torsion(five, speeds=np.linspace(100, 700, n)).response for n in (2, 151))
+    >>> bool(np.allclose(rough.peak.max(axis=0), fine.peak.max(axis=0), rtol=1e-6))
     True
     """
-    more = [each.speed for each in found.criticals]
-    if not more or found.response is None or not found.chain.damped:  # without bound there
+    chain, whole = found.chain, found.response
+    if whole is None or not chain.damped or found.speeds.size < MEETING:
         return found
-    speeds = np.union1d(found.speeds, more)
-    whole = response(found.chain, excitation(found.chain, engine, found.cycle), speeds=speeds)
-    return replace(found, speeds=speeds, response=whole)
+    push = excitation(chain, engine, found.cycle)
+
+    def told(own: Response) -> Real:
+        heat = own.heat.sum(axis=-1) + own.absolute_heat.sum(axis=-1)
+        return np.column_stack([own.peak, own.peak_turn(found.free_end), heat])
+
+    limits = None
+    if found.limit is not None and curves is None:
+        modulus = [each.modulus or np.nan for each in chain.sections]
+        limits = np.array([*(found.limit * np.array(modulus)), np.nan, np.nan])
+    whole = refined(
+        found.speeds,
+        whole,
+        at=lambda speeds: response(chain, push, speeds=speeds),
+        joined=joined,
+        curves=curves or told,
+        limits=limits,
+    )
+    return replace(found, speeds=whole.speeds, response=whole)
 
 
 def _exact(engine: Engine, chain: TorsionChain, push: Excitation, speed: float) -> Response | None:

@@ -132,6 +132,32 @@ def modal_inertia(chain: TorsionChain, mode: Mode, order: float = 0.0) -> float:
     return float(chain.inertias([order])[0] @ turns**2)
 
 
+def half_power_speeds(chain: TorsionChain, found: Critical) -> tuple[float, float]:
+    """The crank speeds beside a critical one at which the mode has half the power, rad/s.
+
+    W (1 -+ eta/2), with eta = a'(H + w C)a / a'Ka the loss factor of the mode at its frequency w.
+
+    >>> from crankstar.dynamics.torsion_chain import torsion_chain
+    >>> from crankstar.engine.torsion import Chain, Disc
+    >>> pair = [
+    ...     Disc(name="a", inertia=2),
+    ...     Disc(name="b", inertia=2, to="a", stiffness=4, loss_factor=0.02),
+    ... ]
+    >>> chain = torsion_chain(Chain(name="pair", discs=pair))
+    >>> one = criticals(chain, orders=[1], low=0, high=3)[0]
+    >>> tuple(round(speed, 6) for speed in half_power_speeds(chain, one))
+    (1.98, 2.02)
+    """
+    modes = torsion_modes(chain, order=found.order if chain.pendulums else 0.0)
+    mode = next(each for each in modes if each.number == found.mode)
+    first = [chain.freedom.index(freedom) for freedom in range(chain.freedoms)]
+    turns = mode.shape[first] / chain.ratio[first]
+    _inertia, stiffness, damping = chain.matrices()
+    lossy = np.imag(chain.complex_stiffness()) + mode.speed * damping
+    half = float(turns @ lossy @ turns) / float(turns @ stiffness @ turns) / 2
+    return found.speed * max(1 - half, 0.0), found.speed * (1 + half)
+
+
 def stresses(found: Response) -> tuple[Real, Real]:
     """Greatest shear stress over the cycle and the sum of all orders' amplitudes [speed, section].
 

@@ -18,7 +18,7 @@ c |w theta|^2/2 against what stands still.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -91,6 +91,20 @@ class Response:
         """The power that the torques put in, W [speed]."""
         rate = 1j * self.vibration[..., None] * self.turns
         return np.real(self.driving * np.conj(rate)).sum(axis=(1, 2)) / 2
+
+
+def joined(first: Response, second: Response) -> Response:
+    """Two responses of one chain as one, by ascending speed; peaks that are known stay known."""
+    speeds = np.concatenate([first.speeds, second.speeds])
+    order = np.argsort(speeds, kind="stable")
+
+    def both(name: str) -> Real | Complex:
+        return np.concatenate([getattr(first, name), getattr(second, name)])[order]
+
+    fields = {name: both(name) for name in ("turns", "twist", "torque", "driving")}
+    out = replace(first, speeds=speeds[order], **fields)
+    vars(out)["peak"] = both("peak")
+    return out
 
 
 def _signal(orders: Real, amplitude: Complex) -> spectra.Spectrum:

@@ -103,6 +103,7 @@ def assembled(
     if faults:
         raise EngineError(faults)
     middle = (min(place.z for place in places) + max(place.z for place in places)) / 2
+    placed = [_overridden(basis, replace(place, z=place.z - middle)) for place in places]
     sizes = {place.number: _sizes(basis, place) for place in places}
     unknown = _relative(
         basis,
@@ -112,9 +113,7 @@ def assembled(
     cylinders: list[Cylinder] = []
     turning: list[Shaft] = []
     for index, shaft in enumerate(shafts):
-        pins = _pins(
-            [replace(place, z=place.z - middle) for place in places if place.shaft == index]
-        )
+        pins = _pins([place for place in placed if place.shaft == index])
         throws = _throws(basis, pins, sizes, shaft)
         turning.append(
             Shaft(
@@ -159,6 +158,14 @@ def _timed(engine: Engine) -> Engine:
     )
 
     return turned_on(engine, ahead)
+
+
+def _overridden(basis: Basis, place: Place) -> Place:
+    """A place where its override says that it is; the throw goes with its cylinders."""
+    own = next((other for other in basis.cylinders if other.number == place.number), None)
+    keys = ("bearing", "z", "bank")
+    given = {key: getattr(own, key) for key in keys if getattr(own, key, None) is not None}
+    return replace(place, **given)
 
 
 def _misplaced(basis: Basis, places: list[Place]) -> Iterator[Fault]:
@@ -326,7 +333,7 @@ def _weights(
 def _cylinder(
     basis: Basis, place: Place, size: _Known, seat: tuple[str, int], *, alone: bool
 ) -> Cylinder:
-    """A cylinder in its place, or where its override says that it stands.
+    """A cylinder in its place.
 
     `seat`: its shaft and throw. `alone`: its big end is not in the mass of that throw.
     """
@@ -349,6 +356,6 @@ def _cylinder(
         "chamber": place.chamber,
         "bank": place.bank,
     }
-    keys = ("bearing", "z", "bank", "articulated")
-    given = {key: getattr(own, key) for key in keys if getattr(own, key, None) is not None}
-    return Cylinder(**(values | given))
+    if own is not None and own.articulated is not None:
+        values["articulated"] = own.articulated
+    return Cylinder(**values)

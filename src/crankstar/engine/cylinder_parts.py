@@ -48,6 +48,7 @@ class Rod(Record):
     """A connecting rod as a rigid body.
 
     Its mass, the distance of its centre of mass from the big end, its inertia about that centre.
+    Without an inertia mass and centre imply two masses at its ends.
 
     >>> Rod(mass=0.6, centre=0.04, inertia=0.002).mass
     0.6
@@ -64,7 +65,12 @@ class Rod(Record):
             "give them"
         )
     )
-    inertia: Inertia = Field(default=0.0, description="moment of inertia about the centre of mass")
+    inertia: Inertia | None = Field(
+        default=None,
+        description=(
+            "moment of inertia about the centre of mass; that of two masses at its ends if left out"
+        ),
+    )
 
     def shares(self, rod_length: float) -> tuple[float, float]:
         """Its mass divided between crank pin and piston pin as its centre of mass divides it.
@@ -74,6 +80,18 @@ class Rod(Record):
         """
         share = self.centre / rod_length
         return self.mass * (1 - share), self.mass * share
+
+    def turning_inertia(self, rod_length: float) -> float:
+        """Its moment of inertia about its centre of mass, kg m^2: as given, else m c (l - c).
+
+        That of its mass divided between its ends; none where the centre is not between them.
+
+        >>> round(Rod(mass=0.6, centre=0.05).turning_inertia(0.15), 6)
+        0.003
+        """
+        if self.inertia is not None:
+            return self.inertia
+        return max(0.0, self.mass * self.centre * (rod_length - self.centre))
 
 
 class Articulation(Record):

@@ -2,7 +2,8 @@
 
 A chamber is at top dead centre where its volume is least: for one piston where the piston is
 farthest out, for two that share a chamber where the sum of bore area times outward travel is
-greatest.
+greatest. Of two on one axis that move against each other, the second faces the first: its crown is
+turned to the crankshaft, and it counts inward.
 """
 
 from __future__ import annotations
@@ -52,13 +53,15 @@ class Pistons(NamedTuple):
     """The pistons of an engine: their rods, and the places of cylinders by number in the arrays.
 
     `lag` [cylinder] is the angle of the crank from the axis of its group at theta = 0, radians,
-    `ratio` [cylinder] its clockwise turns per turn of the reference shaft.
+    `ratio` [cylinder] its clockwise turns per turn of the reference shaft; `crown` [cylinder] is 1
+    where the crown of the piston is turned outward, -1 where it faces another one below.
     """
 
     links: motion.Linkage
     place: dict[int, int]
     lag: np.ndarray
     ratio: np.ndarray
+    crown: np.ndarray
 
 
 def pistons(engine: Assembly) -> Pistons:
@@ -75,13 +78,49 @@ def pistons(engine: Assembly) -> Pistons:
     ratio = np.array(
         [float(engine.shaft(c.shaft).speed_ratio) * engine.sense for c in engine.cylinders]
     )
-    return Pistons(links, place, lag, ratio)
+    return Pistons(links, place, lag, ratio, _crowns(engine, links, place, lag, ratio))
+
+
+ON_AXIS = 1e-9
+"""Radians: two cylinders that point the same way."""
+FACING = 24
+"""Crank angles at which the travel of two pistons is compared."""
+
+
+def _crowns(
+    engine: Assembly,
+    links: motion.Linkage,
+    place: dict[int, int],
+    lag: np.ndarray,
+    ratio: np.ndarray,
+) -> np.ndarray:
+    """-1 of the second of two pistons on one axis that move against each other, 1 of all others.
+
+    On one crankshaft and in a common chamber they compress if they face each other, and hardly if
+    they stand side by side.
+    """
+    out = np.ones(len(engine.cylinders))
+    theta = np.arange(FACING) * (2 * np.pi / FACING)
+    for members in engine.chambers.values():
+        first = place[members[0].number]
+        for member in members[1:]:
+            other = place[member.number]
+            apart = np.exp(1j * (links.bearing[first] - links.bearing[other])) - 1
+            if abs(apart) > ON_AXIS or member.shaft != members[0].shaft:
+                continue
+            one, two = (
+                outward(links, [n], theta, lag, ratio, np.ones(lag.size))[0] for n in (first, other)
+            )
+            if float((one - one.mean()) @ (two - two.mean())) < 0:
+                out[other] = -1.0
+    return out
 
 
 def _dead_centres(engine: Assembly, *, outward: float) -> dict[int, DeadCentre]:
     """Where a chamber's pistons are farthest out (outward = 1) or in (-1)."""
-    links, place, lag, ratio = pistons(engine)
-    area = outward * np.array([1.0 if c.bore is None else c.bore**2 for c in engine.cylinders])
+    links, place, lag, ratio, crown = pistons(engine)
+    bores = np.array([1.0 if c.bore is None else c.bore**2 for c in engine.cylinders])
+    area = outward * crown * bores
     chambers = tuple(
         (number, tuple(place[c.number] for c in pistons))
         for number, pistons in engine.chambers.items()

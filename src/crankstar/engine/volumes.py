@@ -6,7 +6,8 @@ angle theta, the volume of a chamber above its least, and its rate, are
     V(theta) - V_c = sum A x(at top dead centre) - sum A x(theta)        m^3
     V'(theta)      = -sum A x'(theta)                                     m^3/rad
 
-over all pistons of the chamber: one, or two that face each other, on any shafts and any rods.
+over all pistons of the chamber: one, or two, on any shafts and any rods; A is negative of a piston
+whose crown faces inward (`dead_centres.Pistons`).
 """
 
 from __future__ import annotations
@@ -18,7 +19,13 @@ from math import pi, radians
 import numpy as np
 
 from crankstar.engine.assembly import Assembly
-from crankstar.engine.dead_centres import dead_centres, outward, pistons
+from crankstar.engine.dead_centres import (
+    Pistons,
+    bottom_dead_centres,
+    dead_centres,
+    outward,
+    pistons,
+)
 from crankstar.engine.firing_angles import firing_angles
 from crankstar.spectra import Real
 
@@ -29,7 +36,8 @@ class Volumes:
 
     `numbers` [chamber], `fires` [chamber] (crank angle, radians), `kind` [chamber], the row of the
     chamber in `above` [kind, sample] (m^3 above the least volume), `rate` [kind, sample] (m^3/rad)
-    and `swept` [kind] (m^3). `cycle` is the length of a cycle, radians of the reference shaft.
+    and `swept` [kind] (m^3), the greatest of them, at `bottom` [kind], radians. `cycle` is the
+    length of a cycle, radians of the reference shaft.
     """
 
     numbers: tuple[int, ...]
@@ -38,6 +46,7 @@ class Volumes:
     above: Real
     rate: Real
     swept: Real
+    bottom: Real
     cycle: float
 
 
@@ -55,13 +64,17 @@ def volumes(engine: Assembly, count: int) -> Volumes:
     numbers = tuple(engine.chambers)
     if len(numbers) == 1 and not fires:
         fires = {numbers[0]: radians(centres[numbers[0]].angle_deg)}
-    links, place, lag, ratio = pistons(engine)
-    area = np.array([pi / 4 * (c.bore or 0.0) ** 2 for c in engine.cylinders])
+    bottoms = bottom_dead_centres(engine)
+    moving = pistons(engine)
+    links, place, lag, ratio, _crown = moving
+    area = crown_areas(engine, moving)
     step = np.arange(count) * (cycle / count)
     rows: dict[object, int] = {}
     kind: list[int] = []
     above: list[Real] = []
     rate: list[Real] = []
+    swept: list[float] = []
+    bottom: list[float] = []
     for number in numbers:
         own = [place[cylinder.number] for cylinder in engine.chambers[number]]
         first = own[0]
@@ -72,21 +85,31 @@ def volumes(engine: Assembly, count: int) -> Volumes:
             key = (*(float(each[first]) for each in sizes), float(links.offset[first]))
         if key not in rows:
             rows[key] = len(above)
-            theta = np.append(step, 0.0) + radians(centres[number].angle_deg)
+            top, low = centres[number], bottoms[number]
+            after = radians((low.angle_deg - top.angle_deg) % top.period_deg)
+            theta = np.append(step, [0.0, after]) + radians(top.angle_deg)
             travel, slope, _bend = outward(links, own, theta, lag, ratio, area)
-            above.append(travel[-1] - travel[:-1])
-            rate.append(-slope[:-1])
+            above.append(travel[-2] - travel[:-2])
+            rate.append(-slope[:-2])
+            swept.append(float(travel[-2] - travel[-1]))
+            bottom.append(after)
         kind.append(rows[key])
-    whole = np.array(above)
     return Volumes(
         numbers,
         np.array([fires[number] for number in numbers]),
         tuple(kind),
-        whole,
+        np.array(above),
         np.array(rate),
-        whole.max(axis=-1),
+        np.array(swept),
+        np.array(bottom),
         cycle,
     )
+
+
+def crown_areas(engine: Assembly, moving: Pistons) -> Real:
+    """The area of each crown, m^2 [cylinder], negative where it faces inward; 0 without a bore."""
+    bores = np.array([cylinder.bore or 0.0 for cylinder in engine.cylinders])
+    return moving.crown * pi / 4 * bores**2
 
 
 @lru_cache(maxsize=16)
@@ -101,8 +124,9 @@ def piston_rates(engine: Assembly, count: int) -> Real:
     True
     """
     centres = dead_centres(engine)
-    links, place, lag, ratio = pistons(engine)
-    area = np.array([pi / 4 * (c.bore or 0.0) ** 2 for c in engine.cylinders])
+    moving = pistons(engine)
+    links, place, lag, ratio, _crown = moving
+    area = crown_areas(engine, moving)
     step = np.arange(count) * (radians(engine.cycle_angle) / count)
     rates = np.zeros((len(engine.cylinders), count))
     for number, own in engine.chambers.items():

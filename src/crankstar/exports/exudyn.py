@@ -147,7 +147,7 @@ def _cylinders(engine: Engine) -> list[dict[str, Any]]:
             | {
                 "rod_mass": rod.mass if rod else 0.0,
                 "rod_centre": rod.centre if rod else 0.0,
-                "rod_inertia": rod.inertia if rod else 0.0,
+                "rod_inertia": rod.turning_inertia(cylinder.rod_length) if rod else 0.0,
                 "master": link.master if link else None,
                 "knuckle_radius": link.radius if link else 0.0,
                 "knuckle_angle": link.angle if link else 0.0,

@@ -82,6 +82,10 @@ SENTENCES: dict[str, str | Plural] = {
     "doubt.rod-inertia": N_(
         "{where} is {value} kg m²; rods of this mass, length and centre have about {usual} kg m²"
     ),
+    "doubt.rod-without-inertia": N_(
+        "{where} is not given; taken as that of two masses at the ends of the rod, {value} kg m²; "
+        "rods have {low} to {high} kg m²"
+    ),
     "doubt.flywheel": N_(
         "{where} is {value} kg m², less than the pistons and rods have, {moving} kg m²: crankshaft "
         "and flywheel together have more"

@@ -194,12 +194,18 @@ def inertia_doubts(engine: Engine) -> Iterator[Fault]:
         return
     for index, cylinder in enumerate(engine.cylinders):
         rod = cylinder.rod
-        if rod is None or rod.inertia <= 0 or not 0 < rod.centre < cylinder.rod_length:
+        if rod is None or not 0 < rod.centre < cylinder.rod_length:
             continue
-        two = rod.mass * rod.centre * (cylinder.rod_length - rod.centre) / TWO_MASSES[1]
-        if not two / INERTIA_SPREAD <= rod.inertia <= two * INERTIA_SPREAD:
+        ends = rod.mass * rod.centre * (cylinder.rod_length - rod.centre)
+        path = ("cylinders", index, "rod", "inertia")
+        if rod.inertia is None:
+            low, high = (float(f"{ends / TWO_MASSES[place]:.3g}") for place in (2, 0))
+            values = {"value": float(f"{ends:.4g}"), "low": low, "high": high}
+            yield Fault(path, "doubt.rod-without-inertia", values, cylinder.number)
+            continue
+        two = ends / TWO_MASSES[1]
+        if rod.inertia > 0 and not two / INERTIA_SPREAD <= rod.inertia <= two * INERTIA_SPREAD:
             values = {"value": rod.inertia, "usual": float(f"{two:.2g}")}
-            path = ("cylinders", index, "rod", "inertia")
             yield Fault(path, "doubt.rod-inertia", values, cylinder.number)
     drive = engine.drive
     if drive is not None and drive.inertia is not None:

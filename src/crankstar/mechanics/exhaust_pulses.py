@@ -27,7 +27,8 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
 from crankstar.firing.strokes import ExhaustGroup, exhaust_groups
-from crankstar.mechanics.gas import Cycle, events
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_traces import events
 from crankstar.spectra import Complex, Real, Spectrum
 
 
@@ -74,7 +75,7 @@ def _pulses(engine: Engine, cycle: Cycle) -> Real:
     out = np.zeros_like(cycle.pressure)
     opening = timing(engine.valves, cycle=engine.cycle)
     for row, kind in enumerate(places.kind):
-        happens = events(engine, places.above[kind])
+        happens = events(engine, float(places.bottom[kind]))
         bottom = happens.opened + opening.exhaust_opens
         closed = (2 * np.pi if engine.cycle == "four-stroke" else bottom) + opening.exhaust_closes
         span = closed - happens.opened

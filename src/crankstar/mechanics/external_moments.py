@@ -59,7 +59,8 @@ class ExternalMoments:
     """Force and moment of each order about z, amplitudes c of Re(c exp(i k theta)) [order].
 
     In `units`: N and N m at `speed` (rad/s), or those of m r w^2 where masses are not known.
-    `of_a_part` is the greatest force of a single part, against which sums are small or not.
+    `of_a_part` is the greatest force of a single part, against which sums are small or not;
+    `computed` are the orders of a list that was asked for, None where all are computed.
 
     >>> from crankstar.files.catalog import load
     >>> found = external_moments(load("triple-120"))
@@ -76,6 +77,7 @@ class ExternalMoments:
     vertical: Complex
     horizontal: Complex
     of_a_part: float
+    computed: tuple[float, ...] | None = None
 
     @property
     def pushing(self) -> list[float]:
@@ -84,7 +86,12 @@ class ExternalMoments:
         return self.orders[pushed > FREE * self.of_a_part].tolist()
 
     def moment(self, order: float, side: str = "V") -> float:
-        """The amplitude of M_kV or M_kH, nought where it does not occur or is rounding alone."""
+        """The amplitude of M_kV or M_kH, nought where it does not occur or is rounding alone.
+
+        nan where it is not computed.
+        """
+        if self.computed is not None and not np.isclose(order, self.computed, rtol=0).any():
+            return np.nan
         values = self.vertical if side == "V" else self.horizontal
         size = float(np.abs(values[np.abs(self.orders - order) < 1e-9]).sum())
         greatest = float(np.abs((self.vertical, self.horizontal)).max(initial=0.0))
@@ -139,6 +146,7 @@ def external_moments(
         force.orders[kept],
         **{name: value[kept] for name, value in values.items()},
         of_a_part=of_a_part,
+        computed=None if given is None else tuple(map(float, given)),
     )
 
 

@@ -219,6 +219,8 @@ def volumes_of(engine: Engine) -> Volumes:
     return volumes(engine, SAMPLES)
 
 
+ROUNDING = 1e-6
+"""Of a sample: a dead centre so near belongs to it."""
 Law = Callable[[float], Real]
 """From a heat per swept volume (Pa) to the pressure, Pa [sample]."""
 
@@ -251,12 +253,17 @@ def _pressures(
 def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -> Law:
     """The pressure of the chambers of one kind as a function of their heat."""
     swept, above, rate = float(places.swept[row]), places.above[row], places.rate[row]
+    bottom, step = float(places.bottom[row]), places.cycle / SAMPLES
     four_stroke = engine.cycle == "four-stroke"
     ratio, process = values["compression_ratio"], values["process"]
     if process != "heat-release":
         ideal = ideal_cycle(values)
         return lambda heat: ideal_cycles.pressure(
-            ideal, heat, above / swept, four_stroke=four_stroke
+            ideal,
+            heat,
+            above / swept,
+            bottom=int(bottom / step + ROUNDING),
+            four_stroke=four_stroke,
         )
     release = heat_release.Release(
         values["combustion_start"],
@@ -271,8 +278,8 @@ def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -
         return lambda heat: still + heat * swept * parts.heat
     if values.get("wall_temperature") is not None and "speed" not in values:
         raise GasError("heat to the walls needs the speed: give speed")
-    grid = heat_release.Grid(above + swept / (ratio - 1), rate, places.cycle / SAMPLES)
-    happens = events(engine, above)
+    grid = heat_release.Grid(above + swept / (ratio - 1), rate, step)
+    happens = events(engine, bottom)
     own = engine.chambers[places.numbers[places.kind.index(row)]][0]
     stroke = 2 * engine.throw(own).radius
     real = real_gas.Charge(
@@ -296,7 +303,8 @@ def _curves(
     above = places.above[row]
     least = float(places.swept[row]) / (ratio - 1)
     grid = heat_release.Grid(above + least, places.rate[row], places.cycle / SAMPLES)
-    return heat_release.curves(grid, events(engine, above), release, gamma=gamma)
+    happens = events(engine, float(places.bottom[row]))
+    return heat_release.curves(grid, happens, release, gamma=gamma)
 
 
 def ideal_cycle(values: Mapping[str, Any]) -> ideal_cycles.Ideal:

@@ -24,12 +24,13 @@ LEAST_EXCHANGE = radians(20.0)
 to that of the intake."""
 
 
-def events(engine: Engine, above: Real) -> heat_release.Events:
-    """When compression begins and the exhaust opens, by the valves of the file or assumed ones."""
+def events(engine: Engine, bottom: float) -> heat_release.Events:
+    """When compression begins and the exhaust opens, by the valves of the file or assumed ones.
+
+    `bottom` is the bottom dead centre of the chamber, radians after the top.
+    """
     times = timing(engine.valves, cycle=engine.cycle)
     turn = 2 * pi
-    per_turn = above.size // 2 if engine.cycle == "four-stroke" else above.size
-    bottom = float(np.argmax(above[:per_turn])) * turn / per_turn
     opened = bottom - times.exhaust_opens
     if engine.cycle == "four-stroke":
         emptied = max(bottom, opened + LEAST_BLOW_DOWN)
@@ -78,7 +79,7 @@ def charges_of_trace(
     for row, number in enumerate(places.numbers):
         if not lost[number]:
             continue
-        happens = events(engine, places.above[places.kind[row]])
+        happens = events(engine, float(places.bottom[places.kind[row]]))
         pushed = max(happens.exchange[0], happens.emptied + CHARGE_WINDOW)
         read = {
             "intake_pressure": mean(row, start=happens.closed - CHARGE_WINDOW, end=happens.closed),

@@ -97,17 +97,16 @@ def greatest_heat(cycle: Ideal) -> float:
     return at_volume + gamma / (gamma - 1) * limit
 
 
-def pressure(cycle: Ideal, heat: float, above: Real, *, four_stroke: bool) -> Real:
+def pressure(cycle: Ideal, heat: float, above: Real, *, bottom: int, four_stroke: bool) -> Real:
     """The pressure, Pa [sample], at equal steps of a cycle from the dead centre of firing.
 
     `above` is the volume above the least in units of the swept volume [sample], `heat` per swept
-    volume (Pa).
+    volume (Pa); `bottom` is the last sample of the power stroke.
     """
     ratio, gamma = cycle.compression_ratio, cycle.gamma
     volume = above + 1 / (ratio - 1)
     found = corners(cycle, heat)
     turn = above.size // 2 if four_stroke else above.size
-    bottom = int(np.argmax(above[:turn]))
     out = np.empty_like(volume)
     power = slice(0, bottom + 1)
     out[power] = found.peak * np.minimum(found.cut_off / volume[power], 1.0) ** gamma

@@ -51,7 +51,10 @@ def mechanism(engine: Engine) -> Mechanism:
     links = motion.linkage(engine)
     root = [cylinders[place] for place in motion.roots(links.master)]
     bodies = [
-        (c.rod.mass, c.rod.centre, c.rod.inertia) if c.rod else (0.0, 0.0, 0.0) for c in cylinders
+        (c.rod.mass, c.rod.centre, c.rod.turning_inertia(c.rod_length))
+        if c.rod
+        else (0.0, 0.0, 0.0)
+        for c in cylinders
     ]
     rod_mass, rod_centre, rod_inertia = np.array(bodies).T
     throws = [

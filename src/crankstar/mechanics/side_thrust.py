@@ -13,7 +13,6 @@ where the crankshaft turns clockwise as seen from the front; negative is the oth
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
 
 import numpy as np
 
@@ -21,8 +20,10 @@ from crankstar import spectra
 from crankstar.engine import motion
 from crankstar.engine.dead_centres import pistons
 from crankstar.engine.engine import Engine
+from crankstar.engine.volumes import crown_areas
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.kinetic import samples_over
+from crankstar.mechanics.maxima import refined
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.pin_loads import Applied, guides, pin_loads
 from crankstar.spectra import Complex, Real
@@ -67,13 +68,52 @@ def side_thrust(engine: Engine, cycle: Cycle, *, samples: int = SAMPLES) -> Side
     >>> bool(abs(found.gas[0, 0]) < 1e-6), bool(found.gas[0, 30] > 1000)
     (True, True)
     """
-    theta = samples_over(engine, samples)
+    return _at(engine, cycle, samples_over(engine, samples))
+
+
+def greatest_side_thrust(engine: Engine, cycle: Cycle) -> SideThrust:
+    """The same over a cycle, from its start to its end, with the angles at which it is greatest.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.gas import cycle
+    >>> engine = load("audi-25-tfsi")
+    >>> one, fine = greatest_side_thrust(engine, cycle(engine)), cycle(engine)
+    >>> dense = side_thrust(engine, fine, samples=36000).total.max()
+    >>> bool(abs(one.total.max() / dense - 1) < 1e-6)
+    True
+    """
+    theta = np.append(samples_over(engine, SAMPLES), cycle.volumes.cycle)
+
+    def both_sides(found: SideThrust) -> Real:
+        whole = found.total.T
+        return np.maximum(np.hstack([whole, -whole]), 0.0)
+
+    return refined(
+        theta,
+        _at(engine, cycle, theta),
+        at=lambda angles: _at(engine, cycle, angles),
+        joined=_joined,
+        curves=both_sides,
+    )
+
+
+def _at(engine: Engine, cycle: Cycle, theta: Real) -> SideThrust:
     return SideThrust(
         tuple(cylinder.number for cylinder in engine.cylinders),
         theta,
         _of_gas(engine, cycle, theta),
         _of_inertia(engine, cycle.speed, theta),
     )
+
+
+def _joined(one: SideThrust, two: SideThrust) -> SideThrust:
+    """Both by ascending angle."""
+    theta = np.concatenate([one.theta, two.theta])
+    order = np.argsort(theta, kind="stable")
+    inertia = None
+    if one.inertia is not None and two.inertia is not None:
+        inertia = np.hstack([one.inertia, two.inertia])[:, order]
+    return SideThrust(one.numbers, theta[order], np.hstack([one.gas, two.gas])[:, order], inertia)
 
 
 def pressure_at(cycle: Cycle, theta: Real) -> Real:
@@ -90,20 +130,25 @@ def pressure_at(cycle: Cycle, theta: Real) -> Real:
 
 
 def _of_gas(engine: Engine, cycle: Cycle, theta: Real) -> Real:
-    links, _place, _lag, ratio = pistons(engine)
+    moving = pistons(engine)
+    links, ratio = moving.links, moving.ratio
     along = np.exp(1j * np.asarray(links.bearing))[:, None]
     return _to_thrust_side(gas_guides(engine, cycle, theta) / along, ratio)
 
 
 def gas_push(engine: Engine, cycle: Cycle, theta: Real) -> Real:
-    """(p - p_0) A of each piston at angles of the reference crankshaft, N [cylinder, angle]."""
-    place = pistons(engine).place
+    """(p - p_0) A inward of each piston at angles of the reference crankshaft, N [cylinder, angle].
+
+    Negative of a piston whose crown faces inward.
+    """
+    moving = pistons(engine)
+    areas = crown_areas(engine, moving)
     pressures = dict(zip(cycle.volumes.numbers, pressure_at(cycle, theta), strict=True))
-    push = np.zeros((len(place), theta.size))
+    push = np.zeros((areas.size, theta.size))
     for number, members in engine.chambers.items():
         for cylinder in members:
-            area = pi / 4 * (cylinder.bore or 0.0) ** 2
-            push[place[cylinder.number]] = (pressures[number] - cycle.crankcase) * area
+            row = moving.place[cylinder.number]
+            push[row] = (pressures[number] - cycle.crankcase) * areas[row]
     return push
 
 
@@ -121,7 +166,7 @@ def rods_over(engine: Engine, theta: Real) -> motion.Rods:
 
     That frame has the axis of the group's root cylinder up and its crank turning clockwise.
     """
-    links, _place, lag, ratio = pistons(engine)
+    links, _place, lag, ratio, _crown = pistons(engine)
     return motion.rods(links, ratio[:, None] * theta + lag[:, None])
 
 

@@ -21,6 +21,7 @@ import numpy as np
 from crankstar.engine.cylinder_parts import ENDS, RECIPROCATING, ROTATING
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import roots
+from crankstar.engine.records import Cylinder
 from crankstar.files import engine_of
 from crankstar.files.forms import is_explicit
 from crankstar.files.mistakes import Tree
@@ -185,24 +186,40 @@ def _moved(keys: tuple[str, ...], place: int, engine: Engine, machine: Mechanism
     own = _one(count, place)
     match keys:
         case (name,) if name in _PLAIN:
-            return {_PLAIN[name]: own}
+            return {_PLAIN[name]: own} | _implied(cylinder, name, own)
         case ("bearing",):
             return _turned_bearing(place, machine)
         case ("rotating_mass",) | ("throw_mass",):
             return _turning(keys[0], place, engine, machine)
         case ("rod", name) if cylinder.rod is not None:
-            return {_OF_ROD[name]: own}
+            return {_OF_ROD[name]: own} | _implied(cylinder, name, own)
         case ("articulated", name) if name in _KNUCKLE:
             return {_KNUCKLE[name]: own}
         case ("parts", name) if cylinder.rod is not None and name in ENDS:
             rest = cylinder.rod_length - cylinder.rod.centre
             arm = rest if name == "small_end" else -cylinder.rod.centre
-            return {"rod_mass": own, "rod_centre": own * arm / cylinder.rod.mass}
+            moved = {"rod_mass": own, "rod_centre": own * arm / cylinder.rod.mass}
+            if cylinder.rod.inertia is None:  # two masses at the ends remain two
+                moved["rod_inertia"] = own * arm**2
+            return moved
         case ("parts", name) if name in RECIPROCATING:
             return {"reciprocating_mass": own}
         case ("parts", name) if name in ROTATING:
             return _turning("rotating_mass", place, engine, machine)
     return {}
+
+
+def _implied(cylinder: Cylinder, name: str, own: Real) -> Arrays:
+    """What a unit of a value moves of m c (l - c), the inertia of a rod that is given none."""
+    rod, length = cylinder.rod, cylinder.rod_length
+    if rod is None or rod.inertia is not None:
+        return {}
+    rates = {
+        "mass": rod.centre * (length - rod.centre),
+        "centre": rod.mass * (length - 2 * rod.centre),
+        "rod_length": rod.mass * rod.centre,
+    }
+    return {"rod_inertia": own * rates[name]} if name in rates else {}
 
 
 def _turning(key: str, place: int, engine: Engine, machine: Mechanism) -> Arrays:

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import pi, radians
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.mechanics.balance import scales
-from crankstar.mechanics.external_moments import ExternalMoments, Wanted, external_moments
+from crankstar.mechanics.external_moments import USUAL, ExternalMoments, Wanted, external_moments
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.mechanics.occurring_orders import check_orders
@@ -37,7 +38,8 @@ class MarineAnalysis:
 
     `engine` is the engine with weights and compensators. `at_node` are the moments about the node,
     before and after. `guide` is None where gas is not known; `without_guide` says why. `orders` are
-    those wanted, "all", or None: those of note.
+    those wanted, "all", or None: those of note. `usual` are the moments of the usual orders and of
+    those wanted.
 
     >>> from crankstar import marine
     >>> found = marine("audi-25-tfsi", node=-2.0)
@@ -57,6 +59,7 @@ class MarineAnalysis:
     without_guide: str
     power: float | None
     speeds: Real
+    usual: ExternalMoments
     orders: Wanted = None
 
     def unbalance(self, moment: float) -> float | None:
@@ -142,11 +145,17 @@ def marine(
             guide = guide_moments(engine, found)
         except MarineError as error:
             why = str(error)
-    at = {"speed": turning, "orders": orders}
+    at: dict[str, Any] = {"speed": turning, "orders": orders}
     pair = [external_moments(each, **at) for each in (engine, changed)]
     about = None
+    if changed is not engine or node is not None:  # every order that one of them tells
+        at["orders"] = sorted({*pair[0].orders.tolist(), *pair[1].orders.tolist()})
+        pair = [external_moments(each, **at) for each in (engine, changed)]
     if node is not None:
         about = [external_moments(each, about=node, **at) for each in (engine, changed)]
+    usual = pair[1]
+    if orders is not None and not isinstance(orders, str):
+        usual = external_moments(changed, speed=turning, orders=sorted({*USUAL, *orders}))
     if changed is not engine:
         changed = with_values(changed, name=_name(engine, horizontal_share, [*compensate]))
     return MarineAnalysis(
@@ -162,6 +171,7 @@ def marine(
         without_guide=why,
         power=_power(found) if rated_power is None else rated_power,
         speeds=over,
+        usual=usual,
         orders=orders if orders is None or isinstance(orders, str) else tuple(orders),
     )
 

@@ -48,7 +48,7 @@ def torsion_values(
 
 def _value(engine: Engine, speed: float | None, what: str, order: float | None) -> float:
     """At a speed (rad/s), or the greatest over the range of the engine's own."""
-    from crankstar.dynamics.torsion_analysis import resolved, torsion
+    from crankstar.dynamics.torsion_analysis import torsion
     from crankstar.dynamics.torsion_chain import torsion_chain
     from crankstar.dynamics.torsion_modes import torsion_modes
 
@@ -58,8 +58,6 @@ def _value(engine: Engine, speed: float | None, what: str, order: float | None) 
             raise SweepError("nothing twists: all masses are rigidly coupled")
         return modes[0].frequency
     found = torsion(engine, speeds=[] if speed is None else [speed])
-    if speed is None:
-        found = resolved(engine, found)
     if found.response is None:
         raise SweepError(
             "{what} needs a speed, and gas or masses: give speed in the engine file", what=what
@@ -72,9 +70,9 @@ def torsion_peak(engine: Engine, *, point: str = "") -> float:
 
     Raises SweepError where no shaft has a diameter or nothing excites it; TorsionError, GasError.
     """
-    from crankstar.dynamics.torsion_analysis import resolved, torsion
+    from crankstar.dynamics.torsion_analysis import torsion
 
-    found = resolved(engine, torsion(engine, point=point))
+    found = torsion(engine, point=point)
     if found.response is None:
         raise SweepError("the stress needs a speed, and gas or masses: give speed and [gas]")
     return _greatest(found, found.response, "torsion_stress", None)

@@ -7,7 +7,7 @@ from math import pi
 
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, ROD_SOURCE
 from crankstar.engine.engine import Engine
-from crankstar.engine.proportions import Look, inferred
+from crankstar.engine.proportions import TWO_MASSES, Look, inferred
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, unit_mass
@@ -171,16 +171,24 @@ def _unverified(engine: Engine) -> list[str]:
 
 
 def assumed_sentence(engine: Engine) -> str:
-    """The rods that the program has assumed, the file giving none; empty where it gives them.
+    """Lengths and inertias of rods that are assumed, the file giving none; else empty.
 
     >>> from crankstar.files import engine_of
     >>> layout = {"type": "inline", "throws": ["0 deg", "180 deg"]}
     >>> assumed_sentence(engine_of({"name": "twin", "layout": layout}))
     'Assumed: rod length (r/l = 0.25).'
     """
-    if not _assumed_rods(engine):
-        return ""
-    return _("Assumed: rod length (r/l = {ratio}).", ratio=f"{1 / ASSUMED_ROD_RATIO:g}")
+    length = inertia = ""
+    if _assumed_rods(engine):
+        length = _("Assumed: rod length (r/l = {ratio}).", ratio=f"{1 / ASSUMED_ROD_RATIO:g}")
+    if any(cylinder.rod and cylinder.rod.inertia is None for cylinder in engine.cylinders):
+        inertia = _(
+            "Assumed: inertia of the rod, as two masses at its ends; rods have {low} to {high} "
+            "times as much.",
+            low=f"{1 / TWO_MASSES[2]:.2g}",
+            high=f"{1 / TWO_MASSES[0]:.3g}",
+        )
+    return passage(each for each in (length, inertia) if each)
 
 
 def _assumed_rods(engine: Engine) -> list[str]:

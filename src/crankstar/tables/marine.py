@@ -221,10 +221,12 @@ def _guide_places(
 
 
 def _speed_table(found: MarineAnalysis) -> Table:
-    """The usual external moments at other speeds, which go with the speed squared."""
-    after = found.after
-    asked = [("M_1V", 1.0, "V"), ("M_1H", 1.0, "H")]
-    asked += [(f"M_{order:g}V", order, "V") for order in USUAL[1:]]
+    """The usual external moments, and those asked for, at other speeds: by the speed squared."""
+    after = found.usual
+    more = () if found.orders is None or isinstance(found.orders, str) else found.orders
+    wanted = sorted({*USUAL, *more})
+    asked = [(f"M_{order:g}{side}", order, side) for order in wanted for side in "VH"]
+    asked = [each for each in asked if each[1:] == (1.0, "H") or each[2] == "V"]
     columns = [Column(_("speed"), "rpm", key="speed_rpm", label=True)]
     columns += [
         Column(name, after.units.couple, key=name.replace("_", "").lower())

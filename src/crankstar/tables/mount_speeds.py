@@ -58,8 +58,11 @@ def speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Tab
         ]
     )
     chosen = range(own.speeds.size)
-    if not every and own.speeds.size > 2 * ROWS:
-        chosen = np.unique(np.linspace(0, own.speeds.size - 1, ROWS).round().astype(int)).tolist()
+    if not every:
+        asked = np.searchsorted(own.speeds, found.asked)
+        if asked.size > 2 * ROWS:
+            asked = asked[np.unique(np.linspace(0, asked.size - 1, ROWS).round().astype(int))]
+        chosen = asked.tolist()
     rows: list[tuple[Value, ...]] = []
     for place in chosen:
         most = _first_greatest(each_rms[place])

@@ -9,11 +9,12 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar.dynamics.uneven import Running
+from crankstar.engine.dead_centres import pistons
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
 from crankstar.language.kept import of_any
-from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.messages import N_, _, _n
+from crankstar.language.numbers import number, numbers_text
 from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.doubts import point_doubts
@@ -296,6 +297,19 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
         and timing(engine.valves, cycle=engine.cycle).assumed
     ):
         lines.append(_("Valve or port timing is assumed, see `crankstar strokes`."))
+    moving = pistons(engine)
+    facing = [number for number, row in moving.place.items() if moving.crown[row] < 0]
+    if facing:
+        lines.append(
+            _n(
+                "Taken to face the other piston of its chamber, against which it moves: piston "
+                "{numbers}.",
+                "Taken to face the other pistons of their chambers, against which they move: "
+                "pistons {numbers}.",
+                len(facing),
+                numbers=numbers_text(facing),
+            )
+        )
     known = cycle.values.get("friction_pressure") is not None
     correlation = None if known else CORRELATIONS.get(cycle.values["friction"])
     if cycle.speed is not None and correlation is not None:

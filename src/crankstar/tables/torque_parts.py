@@ -17,7 +17,7 @@ from crankstar.language.numbers import numbers_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
-from crankstar.mechanics.side_thrust import side_thrust
+from crankstar.mechanics.side_thrust import greatest_side_thrust
 from crankstar.spectra import Real
 from crankstar.tables.table import ROW_UNIT, Column, Table
 
@@ -32,7 +32,7 @@ def side_thrust_table(engine: Engine, cycle: Cycle, *, machine: bool) -> Table:
     For readers pistons that press alike are one row, and angles count from the dead centre at which
     their cylinders fire; for machines each has its own, with crank angles.
     """
-    thrust = side_thrust(engine, cycle)
+    thrust = greatest_side_thrust(engine, cycle)
     fires = _fires(engine, cycle) if not machine else dict.fromkeys(thrust.numbers, 0.0)
     whole = cycle.volumes.cycle
     cells = {

@@ -1,0 +1,92 @@
+"""Where curves have their maxima, and where they cross a limit: points between those of a grid."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar
+
+import numpy as np
+
+from crankstar.spectra import Real
+
+NEAR = 0.9
+"""Share of a curve's highest sample from which a local maximum may be the highest of all."""
+NEAR_LIMIT = 0.9
+"""Share of a limit from which a local maximum may pass it."""
+FLAT = 1e-6
+"""A maximum is found once its neighbours are below it by no more than this share."""
+SHARP = 1e-6
+"""A crossing of a limit is found within this share of its position."""
+BETWEEN, ROUNDS = 4, 16
+"""Parts into which an interval is divided at a time, and how many times at most."""
+
+T = TypeVar("T")
+
+
+def refined(
+    grid: Real,
+    found: T,
+    *,
+    at: Callable[[Real], T],
+    joined: Callable[[T, T], T],
+    curves: Callable[[T], Real],
+    limits: Real | None = None,
+) -> T:
+    """What is found on a grid, and at the points added to it at which its curves are highest.
+
+    `found` belongs to the ascending `grid`, `at` computes the same at other points, `joined` puts
+    both in ascending order, `curves` has the values [point, curve]. Every local maximum that may be
+    the highest of its curve is divided until it is flat to 1e-6; so is each crossing of `limits`
+    [curve] (nan: none), to 1e-6 of its position.
+
+    >>> peak = lambda x: 1 / ((x - 1.2345) ** 2 + 1e-4)[:, None]
+    >>> grid = np.linspace(0, 3, 7)
+    >>> both = lambda a, b: np.concatenate([a, b])[np.argsort(np.concatenate([a, b])[:, 0])]
+    >>> pair = lambda x: np.column_stack([x, peak(x)])
+    >>> found = refined(grid, pair(grid), at=pair, joined=both, curves=lambda a: a[:, 1:])
+    >>> x, value = found[np.argmax(found[:, 1])]
+    >>> round(float(x), 4), round(float(value), 2)
+    (1.2345, 10000.0)
+    """
+    for _ in range(ROUNDS):
+        values = curves(found)
+        beside = _beside_maxima(grid, values, limits)
+        more = np.union1d(beside, _at_limits(grid, values, limits))
+        if not more.size:
+            return found
+        found = joined(found, at(more))
+        grid = np.union1d(grid, more)
+    return found
+
+
+def _divided(grid: Real, intervals: Real) -> Real:
+    """Points within intervals of a grid, by the index of their lower end."""
+    lows = np.unique(intervals)
+    lows = lows[(lows >= 0) & (lows < grid.size - 1)].astype(int)
+    shares = np.arange(1, BETWEEN) / BETWEEN
+    points = grid[lows, None] + np.diff(grid)[lows, None] * shares
+    inside = (points > grid[lows, None]) & (points < grid[lows + 1, None])
+    return points[inside]
+
+
+def _beside_maxima(grid: Real, values: Real, limits: Real | None) -> Real:
+    """Points on both sides of the local maxima that are not flat yet."""
+    size = np.abs(values)
+    before = np.vstack([np.full((1, size.shape[1]), -np.inf), size[:-1]])
+    after = np.vstack([size[1:], np.full((1, size.shape[1]), -np.inf)])
+    floor = NEAR * np.nanmax(size, axis=0, initial=0.0)
+    if limits is not None:
+        floor = np.fmin(floor, NEAR_LIMIT * limits)
+    lower = np.minimum(np.where(before < 0, size, before), np.where(after < 0, size, after))
+    local = (size >= before) & (size >= after) & (size >= floor) & (size > 0)
+    rows = np.nonzero(local & (size - lower > FLAT * size))[0]
+    return _divided(grid, np.concatenate([rows - 1, rows]))
+
+
+def _at_limits(grid: Real, values: Real, limits: Real | None) -> Real:
+    """Points in the intervals in which a curve crosses its limit."""
+    if limits is None:
+        return np.empty(0)
+    over = np.abs(values) > limits
+    rows = np.unique(np.nonzero(over[1:] != over[:-1])[0])
+    return _divided(grid, rows[np.diff(grid)[rows] > SHARP * grid[rows + 1]])
