@@ -370,3 +370,16 @@ def test_what_fatigue_lacks_is_said(engine: Any, words: str) -> None:
     built = engine()
     with pytest.raises(FatigueError, match=words):
         crank_fatigue(built, torsion(built))
+
+
+def test_the_greater_of_two_doubtful_coefficients_is_taken() -> None:
+    """0.85 b^3 as printed gives the greater factor of torsion; 0.857 is remembered by readers."""
+    throw = FilletRatios(0.05, 0.05, 0.05, 0.2, 0.4, 1.5, 0.0, 0.0, 0.0)
+    for width in (1.1, 1.5, 2.2):
+        own = throw._replace(width=width)
+        parts = [7.8955, -10.654 * width, 5.3482 * width**2]
+        printed, remembered = (sum(parts) - cubic * width**3 for cubic in (0.85, 0.857))
+        assert fillets.torsion_margin(own) == pytest.approx(1 - remembered / printed)
+        assert fillets.torsion_margin(own) > 0
+    assert fillets.torsion_margin(throw._replace(width=1.1)) == pytest.approx(0.0061, abs=5e-5)
+    assert fillets.torsion_margin(throw._replace(width=2.2)) == pytest.approx(0.0577, abs=5e-5)

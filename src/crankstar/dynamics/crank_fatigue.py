@@ -9,8 +9,9 @@ counts is half the range over a cycle; means are left out:
     sigma_Q = K_e (max A - min A)/2 / (B W)         nominal compression
     tau     = (max T - min T)/2 / W_p               nominal torsion of pin or journal
 
-K_e is 1, of two-stroke engines 0.8. T is the torque of torsional vibration between any two throws
-over all speeds of the range but the barred ones, the greatest for all throws. In a fillet the
+K_e is 1, of two-stroke engines 0.8. T is the torque of torsional vibration in any section that a
+throw ends, those at both ends of the crankshaft among them, over all speeds of the range but the
+barred ones, the greatest for all throws. In a fillet the
 equivalent alternating stress, with the additional stress sigma_a, is
 
     pin       sqrt((alpha_B sigma_B + sigma_a)^2 + 3 (alpha_T tau)^2)

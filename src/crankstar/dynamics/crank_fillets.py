@@ -15,6 +15,10 @@ The fatigue strength of the equivalent alternating stress, in N/mm^2 and mm,
 falls with the diameter D and with the fillet radius R (not less than 2 mm), and grows with the
 tensile strength sigma_B.
 
+Two coefficients of this text have fewer digits than their neighbours, 0.85 of b^3 in alpha_T and
+1.527 of w^2 in beta_B, and are unverified: readers of other texts remember 0.857 and 1.5276. Both
+make the factors smaller; the greater ones are taken.
+
 Source: Korean Register, Rules for the Classification of Steel Ships (2025), Part 5, Guidance,
 Annex 5-3, 3 and 6, by which the coefficients are typed; it has the text of IACS, Unified
 Requirement M53. The formula of the fatigue strength stands in the same words in Indian Register of
@@ -70,12 +74,31 @@ def pin_bending(own: FilletRatios) -> float:
     )
 
 
+OF_WIDTH = (7.8955, -10.654, 5.3482)
+"""f(b) of alpha_T and beta_T but for b^3."""
+PRINTED, REMEMBERED = -0.85, -0.857
+"""The coefficient of b^3, as the source has it and as readers remember it; unverified."""
+
+
+def torsion_margin(own: FilletRatios) -> float:
+    """The share by which the factors of torsion are lower with the remembered coefficient.
+
+    >>> throw = FilletRatios(0.05, 0.05, 0.05, 0.2, 0.4, 1.5, 0.0, 0.0, 0.0)
+    >>> round(torsion_margin(throw), 4)
+    0.0219
+    """
+    printed, remembered = (
+        _polynomial(own.width, *OF_WIDTH, cubic) for cubic in (PRINTED, REMEMBERED)
+    )
+    return 1 - remembered / printed
+
+
 def _torsion(own: FilletRatios, radius: float) -> float:
     gap = 1 - max(own.overlap, DEEPEST)
     return (
         0.8
         * radius ** (-0.322 + 0.1015 * gap)
-        * _polynomial(own.width, 7.8955, -10.654, 5.3482, -0.85)
+        * _polynomial(own.width, *OF_WIDTH, PRINTED)
         * own.thickness**-0.145
     )
 

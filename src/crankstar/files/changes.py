@@ -15,6 +15,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.mistakes import SpreadsheetTree, Tree, copied
+from crankstar.files.references import with_references
 from crankstar.files.source import GREATEST_DEPTH
 from crankstar.language.faults import Fault, where
 from crankstar.language.quoting import one_line, seen
@@ -48,6 +49,8 @@ def bounded(tree: Any, name: str) -> Tree:
 def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine") -> Tree:
     """A tree with values set by key path: `layout.banks[1].bearing`, counted from one.
 
+    Bare numbers go on counting in what they counted in: see `references`.
+
     Raises EngineFileError where a path leads nowhere, or where there is more than an engine can
     need.
     """
@@ -62,6 +65,8 @@ def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine")
                 table[key] = value
             else:
                 table = table[key] if isinstance(key, int) else table.setdefault(key, {})
+    if changes:
+        with_references(tree, out, [tuple(keys_of(path)) for path in changes])
     out = bounded(_without_estimates(out, changes), name)
     return tree.without(map(keys_of, changes), out) if isinstance(tree, SpreadsheetTree) else out
 

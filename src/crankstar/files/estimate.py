@@ -6,9 +6,9 @@ its range (`box`); what the file gives is kept.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from inspect import signature
-from math import pi, prod
+from math import pi
 from typing import Any, NamedTuple
 
 from crankstar.engine.block import inertia_in_box
@@ -29,18 +29,16 @@ from crankstar.files import units
 from crankstar.files.box import ROD
 from crankstar.files.errors import refused
 from crankstar.files.filling import Bond, Filled, Filling
-from crankstar.files.forms import field_at, form_of, is_explicit, quantity_of
+from crankstar.files.forms import is_explicit
 from crankstar.files.mistakes import Tree, copied
 from crankstar.files.parts import tells_rotating
 from crankstar.files.read import engine_of
+from crankstar.files.references import absolute
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 
 RODS = {"mass": MASS, "centre": LENGTH, "inertia": INERTIA}
 """What a rod as a rigid body has."""
-POWERS = {"mass": {"mass": 1}, "unbalance": {"mass": 1, "radius": 1}}
-POWERS["moment of inertia"] = {"mass": 1, "radius": 2}
-"""Powers of the units m and r in a quantity; lengths have their own unit once."""
 
 
 SIDES = ("height", "width", "length")
@@ -238,7 +236,7 @@ def _lengths(filling: Filling, laid_out: Engine, bore: float, stroke: float) -> 
     if not is_explicit(tree):
         cylinder = tree["cylinder"]
         if "radius" in laid_out.relative:
-            _absolute(tree, {"radius": stroke / 2})
+            absolute(tree, {"radius": stroke / 2})
         if not {"rod_length", "rod_ratio"} & cylinder.keys():
             ratio = proportion("rod length", kind)
             source = f"l/r {ratio.typical:.3g}, {_type(kind)}"
@@ -253,7 +251,7 @@ def _lengths(filling: Filling, laid_out: Engine, bore: float, stroke: float) -> 
             source = f"bore pitch/bore {ratio.typical:.3g}, {_type(kind)}"
             pitches = [bore * share for share in ratio.sizes]
             pitch = pitches[1]
-            _absolute(tree, {"pitch": pitch})
+            absolute(tree, {"pitch": pitch})
             filling.fill("layout.bore_pitch", pitches, source)
 
 
@@ -279,7 +277,7 @@ def _masses(filling: Filling, laid_out: Engine, bore: float, given: Mapping[str,
     if is_explicit(tree):
         masses = [g + s * r for g, r, s in zip(groups.sizes, rods.sizes, share.sizes, strict=True)]
         text = about.format(part="piston group and small end", k=masses[1])
-        _absolute(tree, {"mass": masses[1] * cube})
+        absolute(tree, {"mass": masses[1] * cube})
         filling.mark("cylinders.reciprocating_mass", [m * cube for m in masses], text)
         return
     if known and not given and "rod" not in cylinder:
@@ -292,7 +290,7 @@ def _masses(filling: Filling, laid_out: Engine, bore: float, given: Mapping[str,
         return
     if not known:
         text = about.format(part="piston group", k=groups.typical)
-        _absolute(tree, {"mass": groups.typical * cube})
+        absolute(tree, {"mass": groups.typical * cube})
         filling.fill("cylinder.reciprocating_mass", [k * cube for k in groups.sizes], text)
     if "rod" not in cylinder:
         text = about.format(part="rod", k=rods.typical)
@@ -353,33 +351,3 @@ def _rod(
         f"two masses at the ends over {TWO_MASSES[1]} (ICEF2002, 19 rods)",
         Bond(ROD, tuple((1 - bow * (1 - 1 / q)) * TWO_MASSES[1] for q in TWO_MASSES[::-2])),
     )
-
-
-def _absolute(tree: Tree, sizes: Mapping[str, float]) -> None:
-    """Give every bare number that is counted in these units its SI value as text."""
-    form = form_of(tree)
-    for table, key, path in [*_leaves(tree)]:
-        info = field_at(form, path)
-        quantity = quantity_of(info) if info is not None and path[0] != "provenance" else None
-        value = table[key]
-        if quantity is None or isinstance(value, str | bool):
-            continue
-        counted = quantity.relative_to & sizes.keys()
-        powers = POWERS.get(quantity.dimension, {})
-        factor = prod(sizes[unit] ** powers.get(unit, 1) for unit in counted)
-        if counted:
-            table[key] = units.text(value * factor, quantity, digits=6)
-    left = [unit for unit in tree.get("relative", ()) if unit not in sizes]
-    tree.pop("relative", None)
-    if left:
-        tree["relative"] = left
-
-
-def _leaves(tree: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[Any, Any, Any]]:
-    """Every number of a tree: what holds it, its key there, its path."""
-    pairs = tree.items() if isinstance(tree, dict) else enumerate(tree)
-    for key, value in pairs:
-        if isinstance(value, dict | list):
-            yield from _leaves(value, (*path, key))
-        elif isinstance(value, int | float):
-            yield tree, key, (*path, key)

@@ -36,7 +36,8 @@ from crankstar.files.mistakes import (
     range_faults,
     unknown_sources,
 )
-from crankstar.files.parts import tells_mass, with_sums
+from crankstar.files.parts import with_sums
+from crankstar.files.references import listed, measured_scales, relative_of, unknown_scales
 from crankstar.files.source import read_tree
 from crankstar.files.tolerances import tolerance_faults, without_tolerances
 from crankstar.language.faults import EngineError, Fault, where
@@ -111,17 +112,7 @@ def _engine_of(tree: Tree, name: str) -> Engine:
 
 
 def _explicit(tree: Tree) -> _Draft:
-    return _built(tree, Engine, _relative(tree), lambda engine: engine, because="relative")
-
-
-def _relative(tree: Tree) -> frozenset[str]:
-    """What a file says is not known."""
-    named = _listed(tree.get("relative"))
-    return frozenset(name for name in ("mass", "radius", "pitch") if name in named)
-
-
-def _listed(value: Any) -> list[Any]:
-    return value if isinstance(value, list) else []
+    return _built(tree, Engine, relative_of(tree), lambda engine: engine, because="relative")
 
 
 def _short(tree: Tree) -> _Draft:
@@ -170,48 +161,6 @@ def _near_layout(layout: Any) -> str:
     return next(iter(get_close_matches(kind.lower()[:60], LAYOUTS, 1)), "")
 
 
-def unknown_scales(tree: Tree) -> frozenset[str]:
-    """What a short file does not tell, so that its numbers must be bare."""
-    cylinder, layout = (
-        table if isinstance(table := tree.get(key), dict) else {} for key in ("cylinder", "layout")
-    )
-    banks = [bank for bank in _listed(layout.get("banks")) if isinstance(bank, dict)]
-    along = any(_tells(layout, key) for key in ("bore_pitch", "positions", "row_pitch"))
-    along = along or any(
-        isinstance(value, str)
-        for value in (layout.get("bank_offset"), *(bank.get("set_back") for bank in banks))
-    )
-    cranks = [crank for crank in _listed(tree.get("crankshaft")) if isinstance(crank, dict)]
-    along = along or any(
-        isinstance(value, str)
-        for crank in cranks
-        for value in (*_listed(crank.get("bearings")), *_listed(crank.get("webs")))
-    )
-    unknown = {
-        "mass": not (_tells(cylinder, "reciprocating_mass") or tells_mass(cylinder)),
-        "radius": not _tells(cylinder, "stroke"),
-        "pitch": not along and not (_tells(cylinder, "stroke") and _in_one_plane(tree, layout)),
-    }
-    return _relative(tree) | {name for name, missing in unknown.items() if missing}
-
-
-def _in_one_plane(tree: Tree, layout: Tree) -> bool:
-    """Whether all cylinders stand at one place of the shaft, so that no bore pitch is needed."""
-    if "rows" in layout:
-        return len(_listed(layout["rows"])) == 1
-    banks = [bank for bank in _listed(layout.get("banks")) if isinstance(bank, dict)]
-    if layout.get("bank_offset") or any(bank.get("set_back") for bank in banks):
-        return False
-    throws = layout.get("throws", tree.get("firing_order"))
-    return "cranks" not in layout and len(_listed(throws)) == 1
-
-
-def _tells(table: Tree, key: str) -> bool:
-    """Whether a table has a key, or one that is a slip of the pen for it."""
-    others = [str(other)[:60] for other in table if other not in Sizes.model_fields]
-    return key in table or bool(get_close_matches(key, others, 1, 0.8))
-
-
 def _laid_out(relative: frozenset[str], record: Any) -> Engine:
     """The engine of a short file's record, counting in units of itself what is in `relative`."""
     record = with_values(record, relative=tuple(sorted(relative)))
@@ -230,7 +179,7 @@ def _built(
     because: Literal["unknown", "relative"],
 ) -> _Draft:
     """Check a tree against its record and build the engine; corrected copies find more faults."""
-    context = {"reader": units.reader(relative, because=because)}
+    context = {"reader": units.reader(relative, because=because, measured=measured_scales(tree))}
     try:
         record = model.model_validate(tree, context=context, by_alias=True, by_name=False)
     except ValidationError as error:
@@ -369,7 +318,7 @@ def _short_place(tree: Tree, fault: Fault) -> tuple[str | int, ...]:
     if fault.cylinder is None:
         return fault.path
     rest = fault.path[2:]
-    for index, other in enumerate(_listed(tree.get("cylinders"))):
+    for index, other in enumerate(listed(tree.get("cylinders"))):
         if (
             isinstance(other, dict)
             and other.get("number") == fault.cylinder

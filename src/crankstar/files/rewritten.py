@@ -24,7 +24,8 @@ from crankstar.files.carried_tolerances import carried
 from crankstar.files.errors import EngineFileError
 from crankstar.files.forms import is_explicit
 from crankstar.files.mistakes import Tree, copied
-from crankstar.files.read import engine_of, unknown_scales
+from crankstar.files.read import engine_of
+from crankstar.files.references import unknown_scales
 from crankstar.files.write import explicit, part_by_part, written
 
 WEIGHTS = "shaft.weight.unbalance"

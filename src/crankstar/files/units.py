@@ -8,7 +8,8 @@ a force or a moment is wanted, pounds and ounces are their weight.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
 from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE, Quantity
@@ -165,17 +166,27 @@ def which(unit: str, quantities: Sequence[Quantity]) -> int | None:
     return kinds.index(own) if own in kinds else None
 
 
+NOTHING_MEASURED: Mapping[str, tuple[str, float]] = MappingProxyType({})
+"""No unit of itself of which a file gives the size with a unit."""
+
+
 def reader(
-    relative: frozenset[str], *, because: Literal["unknown", "relative"] = "unknown"
+    relative: frozenset[str],
+    *,
+    because: Literal["unknown", "relative"] = "unknown",
+    measured: Mapping[str, tuple[str, float]] = NOTHING_MEASURED,
 ) -> Callable[[Any, Quantity], float]:
     """The reader of one file's values; those in `relative` are bare numbers in units of themselves.
 
-    `because`: the file does not give it, or says in `relative` that it is not known.
+    `because`: the file does not give it, or says in `relative` that it is not known. `measured` are
+    units of itself that it gives with a unit, by name the key and the SI size: a bare number beside
+    one may be counted in it, from when it was not known, and is refused.
     """
 
     def read(value: Any, quantity: Quantity) -> float:
         missing = quantity.relative_to & relative
         if not missing:
+            _refuse_bare(value, quantity, measured)
             return si(value, quantity)
         number, has_unit = _read(value, quantity)
         if has_unit and number != 0:
@@ -185,6 +196,25 @@ def reader(
         return number
 
     return read
+
+
+def _refuse_bare(value: Any, quantity: Quantity, measured: Mapping[str, tuple[str, float]]) -> None:
+    """Refuse a bare length that may be metres, or times what the file counted in before."""
+    if isinstance(value, bool) or not isinstance(value, int | float) or value == 0:
+        return
+    for scale in sorted(quantity.relative_to & measured.keys()):
+        if quantity.dimension in _LENGTHS:
+            key, size = measured[scale]
+            raise ValueFaultError(
+                f"unit.bare-beside-{scale}",
+                value=seen(value),
+                key=key,
+                relative=text(value * size, quantity, digits=6),
+                absolute=text(value, quantity, digits=6),
+            )
+
+
+_LENGTHS = frozenset({"length", "length along the crankshaft"})
 
 
 def _fault(code: str, value: Any, quantity: Quantity, **values: Any) -> ValueFaultError:

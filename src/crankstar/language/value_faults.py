@@ -41,6 +41,14 @@ SENTENCES: dict[str, str | Plural] = {
     "unit.missing": N_(
         "{where} is {value}, a number without a unit; {dimension} is needed, such as {example}"
     ),
+    "unit.bare-beside-pitch": N_(
+        "{where} is {value} without a unit, and {key} has one: give {relative} where it counts "
+        "bore pitches, or {absolute}"
+    ),
+    "unit.bare-beside-radius": N_(
+        "{where} is {value} without a unit, and {key} has one: give {relative} where it counts "
+        "crank radii, or {absolute}"
+    ),
     "unit.implausible": N_(
         "{where} is {number} {unit}; the largest plausible value is {greatest} {unit}. "
         "Did you mean "

@@ -12,8 +12,10 @@ from crankstar.dynamics.crank_fatigue import (
     FilletStress,
     crank_fatigue,
 )
+from crankstar.dynamics.crank_fillets import torsion_margin
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis
 from crankstar.engine.engine import Engine
+from crankstar.engine.fillets import fillet_ratios
 from crankstar.language.kept import as_given
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
@@ -147,6 +149,14 @@ def _notes(engine: Engine, found: TorsionAnalysis, own: Fatigue) -> list[str]:
             least=number(ACCEPTED),
         ),
     ]
+    if margin := _margin(engine):
+        lines.append(
+            _(
+                "Unverified: two coefficients of the rule; as printed they give the greater "
+                "stress, else the factors of torsion are {share} % lower.",
+                share=number(float(f"{100 * margin:.2g}")),
+            )
+        )
     if found.barred:
         lines.append(_("Torsion in barred ranges of speed is left out."))
     if engine.torsion is not None and engine.torsion.fatigue is not None:
@@ -159,6 +169,17 @@ def _notes(engine: Engine, found: TorsionAnalysis, own: Fatigue) -> list[str]:
             )
         )
     return lines
+
+
+def _margin(engine: Engine) -> float:
+    """By which share factors of torsion would be lower; 0 where the file gives them."""
+    own = engine.torsion
+    if own is None or own.fatigue is None or own.dimensions is None:
+        return 0.0
+    if {"pin_torsion", "journal_torsion"} <= own.fatigue.factors.keys():
+        return 0.0
+    radius = max(throw.radius for throw in engine.shafts[0].throws)
+    return torsion_margin(fillet_ratios(own.dimensions, own.fatigue, radius=radius))
 
 
 def fatigue_sentence(engine: Engine, found: TorsionAnalysis) -> str:

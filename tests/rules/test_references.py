@@ -1,0 +1,86 @@
+"""Bare numbers of the catalog keep what they count in when a size that is missing is added."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from crankstar.engine.engine import Engine
+from crankstar.files import EngineFileError, catalog, engine_of
+from crankstar.files.forms import is_explicit
+from crankstar.mechanics.balance import balance, total
+from crankstar.tables.conditions import pitch_key
+
+ADDED = {"pitch": "100 mm", "radius": "80 mm", "mass": "500 g"}
+
+
+def additions(engine: Engine) -> dict[str, str]:
+    """The keys that the program says are missing, by what the file does not give."""
+    keys = {"pitch": pitch_key(engine), "radius": "cylinder.stroke"}
+    keys["mass"] = "cylinder.reciprocating_mass"
+    return {scale: keys[scale] for scale in engine.relative}
+
+
+def lacking() -> list[tuple[str, tuple[str, ...]]]:
+    """Engines of the catalog with each quantity that they lack, and with all."""
+    out: list[tuple[str, tuple[str, ...]]] = []
+    for name in catalog.names():
+        tree = catalog.tree_of(name)[1]
+        missing = () if is_explicit(tree) else engine_of(tree).relative
+        out += [(name, (scale,)) for scale in missing]
+        out += [(name, missing)] if len(missing) > 1 else []
+    return out
+
+
+@pytest.mark.parametrize(("name", "scales"), lacking())
+def test_sizes_that_are_added_leave_an_engine_of_the_catalog_as_it_is(
+    name: str, scales: tuple[str, ...]
+) -> None:
+    """In m r w^2 and m r w^2 a its forces, couples and rolling moments are what they were."""
+    tree: Any = catalog.tree_of(name)[1]
+    engine = engine_of(tree)
+    keys = additions(engine)
+    whole = engine_of(tree, changes={keys[scale]: ADDED[scale] for scale in scales})
+    assert not {*scales} & {*whole.relative}
+    one, other = (total(balance(each, orders=[1.0, 2.0, 3.0])) for each in (engine, whole))
+    for quantity in ("force", "couple", "torque"):
+        before, after = (getattr(each, quantity) for each in (one, other))
+        size = max(float(np.abs(before.forward).max()), 1e-3)
+        assert after.forward == pytest.approx(before.forward, abs=1e-9 * size)
+        assert after.backward == pytest.approx(before.backward, abs=1e-9 * size)
+
+
+def test_the_flat_plane_eight_with_its_sizes_rocks_as_it_should() -> None:
+    """Its banks are 0.2 bore pitches apart, 20 mm: the secondary couple is 113.46 N m."""
+    added = {
+        "layout.bore_pitch": "100 mm",
+        "cylinder.stroke": "80 mm",
+        "cylinder.reciprocating_mass": "500 g",
+    }
+    engine = engine_of(catalog.tree_of("v8-flat-plane")[1], changes=added)
+    places = sorted({cylinder.z for cylinder in engine.cylinders})
+    assert np.diff(places) == pytest.approx([0.02, 0.08] * 3 + [0.02])
+    couple = total(balance(engine, speed=6000 * np.pi / 30)).couple
+    second = couple.orders == 2
+    size = np.abs(couple.forward[second]) + np.abs(couple.backward[second])
+    assert size == pytest.approx(113.46, rel=1e-4)
+
+
+def test_a_bare_length_beside_a_size_with_a_unit_is_refused() -> None:
+    """Metres, or bore pitches as before the pitch was given: who wrote it knows."""
+    tree: Any = catalog.tree_of("v8-flat-plane")[1]
+    tree = {**tree, "layout": {**tree["layout"], "bore_pitch": "100 mm"}}
+    with pytest.raises(EngineFileError) as caught:
+        engine_of(tree)
+    [fault] = caught.value.faults
+    assert (fault.code, fault.path) == ("unit.bare-beside-pitch", ("layout", "bank_offset"))
+    assert (fault.values["relative"], fault.values["absolute"]) == ("20 mm", "200 mm")
+    in_metres = {**tree, "layout": {**tree["layout"], "bore_pitch": 0.1}}
+    assert engine_of(in_metres).bore_pitch == 0.1  # all bare: all in SI units
+
+
+def test_the_rear_shaft_of_a_square_four_stays_four_crank_radii_away() -> None:
+    engine = engine_of(catalog.tree_of("square-four")[1], changes={"cylinder.stroke": "80 mm"})
+    assert max(abs(shaft.right) for shaft in engine.shafts) == pytest.approx(0.16)
