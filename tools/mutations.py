@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import heapq
 import importlib
 import io
 import json
@@ -381,14 +382,18 @@ def demoted(folder: Path) -> list[tuple[str, float]]:
         share = 0.2 if test.startswith(KEPT_ANYWAY) else 1.0
         return share * data.seconds[test] + 0.001
     have: set[tuple[str, int | str]] = set()
-    left = {test: set(items) for test, items in need.items()}
     kept: set[str] = set()
-    while left:
-        best = max(left, key=lambda test: len(left[test]) / price(test))
-        kept.add(best)
-        have |= left.pop(best)
-        left = {test: items - have for test, items in left.items()}
-        left = {test: items for test, items in left.items() if items}
+    queue = [(-len(items) / price(test), test) for test, items in need.items()]
+    heapq.heapify(queue)
+    while queue:
+        _, test = heapq.heappop(queue)
+        fresh = need[test] - have
+        worth = -len(fresh) / price(test)
+        if fresh and queue and worth > queue[0][0]:
+            heapq.heappush(queue, (worth, test))
+        elif fresh:
+            kept.add(test)
+            have |= fresh
     out = [(test, data.seconds[test]) for test in need if test not in kept]
     return sorted(out, key=lambda one: -one[1])
 
