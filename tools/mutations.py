@@ -144,7 +144,7 @@ class Touched:
 
 
 def touched(folder: Path) -> Touched:
-    """The data of `record`."""
+    """The data of `record`; the same name of a test is one object, of which there are millions."""
     from coverage import CoverageData
 
     data = CoverageData(str(folder / "lines"))
@@ -154,7 +154,7 @@ def touched(folder: Path) -> Touched:
         file = f"src/crankstar/{name.rpartition('/crankstar/')[2]}"
         own = lines.setdefault(file, {})
         for line, contexts in data.contexts_by_lineno(name).items():
-            own[line] = {context.rpartition("|")[0] for context in contexts if context}
+            own[line] = {sys.intern(one.rpartition("|")[0]) for one in contexts if one}
     return Touched(lines, json.loads((folder / "seconds.json").read_text()))
 
 
