@@ -65,7 +65,7 @@ def answer(run: Run, *words: str) -> Any:
     return numbers(json.loads(ran.out))
 
 
-@pytest.mark.long
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("verb", "more"),
     [

@@ -85,7 +85,7 @@ class Shot:
         return float(np.ptp(self.speed)) / self.mean
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_a_flywheel_is_sized_for_the_course_of_its_load() -> None:
     engine = crankstar.load(CASES / "four-pump.toml")
     found = cycle(engine)
@@ -110,7 +110,7 @@ def of_order(samples: Array, order: float) -> float:
     return float(abs(2 / count * (samples * np.exp(-1j * order * angle)).sum()))
 
 
-@pytest.mark.long
+@pytest.mark.release
 def test_the_frame_of_a_generating_set_gets_what_the_rotor_takes() -> None:
     """J_r dw/dt of rotor and crank, integrated with a steady torque of the stator.
 

@@ -162,6 +162,15 @@ def test_a_compensator_out_of_phase_leaves_its_chord(late: float) -> None:
     assert found.after.moment(2) == pytest.approx(2 * sin(abs(late) / 2) * plain, abs=1e-6)
 
 
+@pytest.mark.parametrize("late", [0.1, -0.3])
+def test_a_compensator_out_of_phase_pushes_late(late: float) -> None:
+    engine = marine_engine()
+    own = compensators(engine, order=2, places=[5.0, -4.0])
+    delayed = compensators(engine, order=2, places=[5.0, -4.0], phase_error=late)
+    for one, other in zip(own, delayed, strict=True):
+        assert np.angle(other.force / one.force) == pytest.approx(-late)
+
+
 def test_compensators_that_cannot_be_are_refused() -> None:
     engine = marine_engine()
     with pytest.raises(RemedyError, match="has no arm"):

@@ -78,6 +78,13 @@ def test_the_rods_of_every_engine_of_the_catalog_are_in_equilibrium(name: str) -
     assert_in_equilibrium(crankstar.load(name))
 
 
+def test_offset_rods_of_a_crankshaft_that_turns_backward_are_in_equilibrium() -> None:
+    """What presses on the wall all the time has the sign of the square of the speed."""
+    engine = crankstar.load("kr250-racer", changes={"cylinder.offset": "4 mm"})
+    assert {shaft.speed_ratio for shaft in engine.shafts} == {1, -1}
+    assert_in_equilibrium(engine)
+
+
 @pytest.mark.parametrize("kind", OF_ANY_KIND)
 def test_the_rods_of_any_engine_are_in_equilibrium(kind: str) -> None:
     @settings(max_examples=15, deadline=None)

@@ -16,7 +16,7 @@ from tests.strategies import OF_ANY_KIND
 
 import crankstar
 from crankstar import spectra
-from crankstar.dynamics.bearings import Model, bearing_loads, bending_moment
+from crankstar.dynamics.bearings import Model, bearing_loads, bearing_shares, bending_moment
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
@@ -196,6 +196,23 @@ def test_stiff_supports_approach_rigid_ones_and_soft_ones_share_evenly() -> None
     rigid = spectra.peaks(bearing_loads(engine, model="continuous").load)
     assert peaks(1e9) == pytest.approx(rigid, rel=1e-5)
     assert peaks(1e-2) != pytest.approx(rigid, rel=0.1)
+
+
+@pytest.mark.parametrize("support", [1e6, 1e8])
+def test_springs_below_a_beam_share_as_by_hand(support: float) -> None:
+    """Three equal springs k below a beam of length L with a force P in its middle.
+
+    The ends carry P / (3/2 + k L^3/(48 E I)) together, the middle the rest.
+    """
+    engine = crankstar.load("i4", changes={"layout.bore_pitch": "90 mm"})
+    shaft = with_values(
+        engine.shafts[0], bearing_count=3, bending_stiffness=1e4, bearing_stiffness=support
+    )
+    front, middle, rear = main_bearings(engine, shaft)
+    shares = bearing_shares(engine, shaft, [middle], model="continuous")
+    ends = 1 / (1.5 + support * (front - rear) ** 3 / (48 * 1e4))
+    assert middle == pytest.approx((front + rear) / 2)
+    assert shares[:, 0] == pytest.approx([ends / 2, 1 - ends, ends / 2])
 
 
 def test_fewer_bearings_carry_more() -> None:

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import type { Mounts } from '../src/exhibit'
+import type { Exhibit, Mounts } from '../src/exhibit'
 import {
   answerOf,
   groundWaves,
@@ -56,6 +56,19 @@ test('in a mode the corner that goes farthest goes a millimetre, once a turn', (
     ...[low, high].flatMap(([up]) => [low, high].map(([, right]) => Math.hypot(up - 0.1, right))),
   )
   expect((rolling?.motion[5]?.[0] ?? 0) * reach).toBeCloseTo(UNIT, 12)
+})
+
+test('a block that rises and rolls clockwise goes farthest on its left', () => {
+  const engine = standing()
+  const [mode] = (engine.mounts as Mounts).modes
+  const shaken = {
+    ...engine,
+    scene: { ...engine.scene, low: [0, -0.2, 0], high: [0.3, 0.6, 1] },
+    mounts: { ...engine.mounts, modes: [{ ...mode, shape: [1, 0, 0, 0, 0, 1] }] },
+  } as Exhibit
+  const rising = shakeOf(shaken, choice('mounts.show=mode'))
+  // up by 1 + 0.2 there, sideways by the height over the centre of mass
+  expect((rising?.motion[0]?.[0] ?? 0) * Math.hypot(1.2, 0.2)).toBeCloseTo(UNIT, 12)
 })
 
 test('as it is driven it has all orders, and the greatest force of a mount over the cycle', () => {
