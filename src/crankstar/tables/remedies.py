@@ -85,7 +85,7 @@ def balancing_sheet(job: Job) -> Document:
 
 def parts(job: Job) -> Iterator[Table | Remarks]:
     """The sheet without its title."""
-    yield from remarks(job.description)
+    yield from remarks(job.description, *_greater_left(job))
     if job.weighted:
         yield _bobweights(job)
     if job.best is not None:
@@ -98,6 +98,29 @@ def parts(job: Job) -> Iterator[Table | Remarks]:
         yield from placing_lines(job.after, job.placings, speed=job.speed)
     yield _remaining(job)
     yield from _needed(job)
+
+
+def _greater_left(job: Job) -> Iterator[str]:
+    """A sentence where what remains of one order is greater than all that is removed of another."""
+    before, after = (balance(engine, speed=job.speed) for engine in (job.before, job.after))
+    sums = summed(before), summed(after)
+    left = {abs(float(need.ratio)) for need in needs(job.after, zero=OPTIMISED)}
+    for name, word in (("force", _("force")), ("couple", _("couple"))):
+        sizes = {
+            order: [bounds.greatest(*pair) for pair in _vectors(sums, name, order, after.units)]
+            for order in (1.0, 2.0)
+        }
+        removed = {order: float(old) - float(new) for order, (old, new) in sizes.items()}
+        for order, other in ((1.0, 2.0), (2.0, 1.0)):
+            remaining, gained = float(sizes[order][1]), removed[other]
+            if order in left and gained > OPTIMISED * float(sizes[other][0]) and remaining > gained:
+                yield _(
+                    "The {quantity} of order {order} remains, and is greater than that of order "
+                    "{other}, which is removed or reduced.",
+                    quantity=word,
+                    order=order_text(order),
+                    other=order_text(other),
+                )
 
 
 def _bobweights(job: Job) -> Table:
