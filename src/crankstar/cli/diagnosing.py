@@ -38,7 +38,10 @@ if TYPE_CHECKING:
     from crankstar.studies.diagnosis import Diagnosis, Reading
     from crankstar.studies.single_faults import Fault
 
-MEASURED = "CSV file (or .xlsx): columns order, up, right, z, direction, amplitude, phase."
+MEASURED = (
+    "CSV file (or .xlsx): columns order, up, right, z, direction, amplitude, phase; also speed, "
+    "error."
+)
 LEAST_SHARE = 0.001
 """Of a combustion or a weight: less would not be felt."""
 HEAVIER = {"piston": "piston", "big_end": "big_end", "big-end": "big_end", "rod": "big_end"}

@@ -1,18 +1,28 @@
 """The likeliest fault of an engine from measured vibration: amplitude and phase by order.
 
 The engine as its file has it would move by y_0; what was measured is y. Each fault of the
-catalogue adds a column a to the difference d = y - y_0, times its size s, which is real. Least
-squares with complex rows give
+catalogue adds a column a to the difference d = y - y_0, times its size s, which is real. A reading
+is as uncertain as it is great, and so is the model: each row is divided by
+
+    e = hypot(|y|, |y_0|, FLOOR max |y|)    or by the error that the list gives for it,
+
+so that a small difference of great readings does not hide what small readings show. Least squares
+with these complex rows give
 
     s = Re(a* d)/(a* a),    explained = 1 - |d - s a|^2/|d|^2,
     standard error of s = |d - s a| / (sqrt(2 n - 1) |a|)  for n rows,
 
-s kept within what there can be (`single_faults.limits`): shares from 0 to 1, masses of either sign
-that leave something of the part. Rows are velocities, so
-that orders weigh alike; where the vibration before the fault was measured too, it stands for y_0,
-and errors of the model cancel. Two faults cannot be told apart where the cosine of the angle
-between their columns is ALIKE or more. Pairs are tried as well, and told where they explain much
-more.
+or, where it is greater, the error sqrt(sum a_i^2 r_i^2 2n/(2n - 1)) / |a|^2 over the 2n real rows
+with their residuals r, which does not rest on the e. s is kept within what there can be
+(`single_faults.limits`): shares from 0 to 1, masses of either sign that leave something of the
+part. A fault is a cause where it explains most, or where its size is CERTAIN times its error and no
+two faults explain much more: of noisy readings the best fault may explain little and be sure. Rows
+are velocities; where the vibration before the fault was measured too, it stands for y_0, and errors
+of the model cancel. Two faults cannot be told apart where the cosine of the angle between their
+columns is ALIKE or more. Pairs are tried as well, and told where they explain much more.
+
+Source of the second error: H. White, Econometrica 48 (1980) 817, with the factor of degrees of
+freedom of J. G. MacKinnon and H. White, J. Econometrics 29 (1985) 305.
 """
 
 from __future__ import annotations
@@ -34,7 +44,7 @@ from crankstar.files.lists import Listed, Row
 from crankstar.files.vibrations import vibration_of
 from crankstar.language.messages import _
 from crankstar.mechanics.occurring_orders import OrderError, check_orders
-from crankstar.spectra import Complex
+from crankstar.spectra import Complex, Real
 from crankstar.studies.single_faults import (
     DiagnosisError,
     Fault,
@@ -51,7 +61,11 @@ AXES: tuple[Axis, ...] = ("up", "right", "z")
 ALIKE = 0.995
 """Cosine of the angle between two columns from which two faults cannot be told apart."""
 EXPLAINS = 0.7
-"""Share that a fault must explain for it to be a cause."""
+"""Share that a fault must explain for it to be a cause, however great its error."""
+CERTAIN = 5.0
+"""Errors that the size of a fault must have for it to be a cause."""
+FLOOR = 0.1
+"""Share of the greatest reading below which readings are as uncertain as at it."""
 NOTHING = 0.02
 """Share of the vibration below which the difference counts as none."""
 NEXT_TO_NOTHING = 1e-4
@@ -76,11 +90,15 @@ HEADS = {
     "amplitude": "amplitude",
     "phase": "phase",
     "speed": "speed",
+    "error": "error",
 }
 
 
 class Reading(NamedTuple):
-    """A line of a measurement: crank order, place (up, right, z), axis, velocity (m/s, complex)."""
+    """A line of a measurement: crank order, place (up, right, z), axis, velocity (m/s, complex).
+
+    `error` is the standard error of the velocity, m/s, 0 where the list gives none.
+    """
 
     order: float
     place: tuple[float, float, float]
@@ -88,6 +106,7 @@ class Reading(NamedTuple):
     velocity: complex
     speed: float
     line: int
+    error: float = 0.0
 
 
 class Suspect(NamedTuple):
@@ -115,6 +134,11 @@ class Suspect(NamedTuple):
         return (fault._replace(size=round(fault.size, last)),)
 
     @property
+    def certainty(self) -> float:
+        """The size of a single fault over its error."""
+        return abs(self.faults[0].size) / self.error if self.error > 0 else np.inf
+
+    @property
     def has_size(self) -> bool:
         """Whether it is a fault at all: of a size that is more than rounding, and explains some."""
         return self.explained > SOMETHING and all(fault.size for fault in self.rounded)
@@ -139,7 +163,11 @@ class Diagnosis:
     @property
     def found(self) -> bool:
         """Whether some single fault explains what was measured."""
-        return bool(self.suspects) and self.suspects[0].explained >= EXPLAINS
+        if not self.suspects:
+            return False
+        first = self.suspects[0]
+        certain = first.has_size and self.pair is None and first.certainty >= CERTAIN
+        return first.explained >= EXPLAINS or certain
 
     @property
     def healthy(self) -> bool:
@@ -182,7 +210,17 @@ def _reading(columns: Columns, row: Row, engine: Engine, speed: float | None) ->
     size, rate = vibration_of(columns, row, "amplitude")
     phase = columns.value(row, "phase", ANGLE, usual="deg")
     velocity = sign * size * (1j * order * own) ** (1 - rate) * np.exp(1j * phase)
-    return Reading(order, (up, right, z), axis, complex(velocity), own, row.line)
+    error = _error(columns, row, order * own) if "error" in columns else 0.0
+    return Reading(order, (up, right, z), axis, complex(velocity), own, row.line, error)
+
+
+def _error(columns: Columns, row: Row, frequency: float) -> float:
+    """The standard error of a reading at an angular frequency, m/s; nan where it is mistaken."""
+    size, rate = vibration_of(columns, row, "error")
+    if size == 0:
+        columns.refuse(row, "error", _("the error must be greater than 0"))
+        return np.nan
+    return float(size * frequency ** (1 - rate))
 
 
 def _order(columns: Columns, row: Row, engine: Engine) -> float:
@@ -246,6 +284,7 @@ def diagnosed(
     healthy = expected(engine, readings, point=point)
     start = _matching(readings, before) if before else healthy
     difference = measured - start
+    errors = _errors(readings, before, measured, start)
     faults = catalogue(engine)
     columns = np.array(
         [expected(engine, readings, [fault], point=point) - healthy for fault in faults]
@@ -254,7 +293,7 @@ def diagnosed(
     whole = max(float(np.linalg.norm(measured)), float(np.linalg.norm(start)))
     share = size / whole if whole else 0.0
     suspects = [
-        _suspect(engine, difference, [fault], [column])
+        _suspect(engine, difference, [fault], [column], errors)
         for fault, column in zip(faults, columns, strict=True)
         if np.linalg.norm(column) > 0
     ]
@@ -265,17 +304,39 @@ def diagnosed(
         difference,
         share,
         tuple(suspects),
-        _pair(engine, difference, faults, columns, suspects),
-        _alike(suspects),
+        _pair(engine, difference, faults, columns, suspects, errors),
+        _alike(suspects, errors),
     )
 
 
-def _matching(readings: Sequence[Reading], before: Sequence[Reading]) -> Complex:
+def _errors(
+    readings: Sequence[Reading], before: Sequence[Reading], measured: Complex, start: Complex
+) -> Real:
+    """What the difference of each reading is uncertain by, up to a common factor.
+
+    That is the error that the lists give, or else the size of the reading and of what it is
+    compared with.
+    """
+    if all(each.error > 0 for each in (*readings, *before)):
+        own = np.array([each.error for each in readings])
+        earlier = np.abs(_matching(readings, before, of="error")) if before else 0.0
+        return np.hypot(own, earlier)
+    sizes = np.hypot(np.abs(measured), np.abs(start))
+    floor = FLOOR * float(sizes.max(initial=0.0))
+    return np.hypot(sizes, floor) if floor else np.ones(len(readings))
+
+
+def _matching(
+    readings: Sequence[Reading],
+    before: Sequence[Reading],
+    *,
+    of: Literal["velocity", "error"] = "velocity",
+) -> Complex:
     """What was measured before in the same places and orders. Raises DiagnosisError."""
     known_before: dict[tuple[object, ...], complex] = {}
     for each in before:
         key = (each.order, each.place, each.axis, each.speed)
-        if known_before.setdefault(key, each.velocity) != each.velocity:
+        if known_before.setdefault(key, getattr(each, of)) != getattr(each, of):
             raise DiagnosisError(
                 "line {line} of the measurement before has another value than a line above it in "
                 "the same place, direction, order and speed; leave one out",
@@ -295,27 +356,39 @@ def _matching(readings: Sequence[Reading], before: Sequence[Reading]) -> Complex
 
 
 def _suspect(
-    engine: Engine, difference: Complex, faults: Sequence[Fault], columns: Sequence[Complex]
+    engine: Engine,
+    difference: Complex,
+    faults: Sequence[Fault],
+    columns: Sequence[Complex],
+    errors: Real,
 ) -> Suspect:
     """Faults of the sizes with which they explain most, within what there can be."""
     rows = np.array(columns).T
-    real = np.concatenate([np.real(rows), np.imag(rows)])
-    aim = np.concatenate([np.real(difference), np.imag(difference)])
+    weighed, wanted = rows / errors[:, None], difference / errors
+    real = np.concatenate([np.real(weighed), np.imag(weighed)])
+    aim = np.concatenate([np.real(wanted), np.imag(wanted)])
     sizes = np.linalg.lstsq(real, aim, rcond=None)[0]
     least, most = np.array([limits(engine, fault) for fault in faults]).T
     if (np.clip(sizes, least, most) != sizes).any() and len(faults) > 1:
         sizes = lsq_linear(real, aim, bounds=(least, most)).x
     sizes = np.clip(sizes, least, most)
-    explained = rows @ sizes
-    whole = float(np.vdot(difference, difference).real)
-    left = difference - explained
-    share = 1 - float(np.vdot(left, left).real) / whole if whole else 0.0
+    left = aim - real @ sizes
+    whole = float(aim @ aim)
+    share = 1 - float(left @ left) / whole if whole else 0.0
     sized = tuple(
         fault._replace(size=float(size)) for fault, size in zip(faults, sizes, strict=True)
     )
-    free = max(2 * len(difference) - len(faults), 1)
-    spread = float(np.vdot(left, left).real) / free / (float(np.vdot(rows, rows).real) or 1.0)
-    return Suspect(sized, share, explained, spread**0.5)
+    return Suspect(sized, share, rows @ sizes, _size_error(real, left))
+
+
+def _size_error(real: Real, left: Real) -> float:
+    """The standard error of the size of a single fault, by its real rows and what it leaves."""
+    count, faults = real.shape
+    freedom = max(count - faults, 1)
+    square = float(np.vdot(real, real)) or 1.0
+    usual = float(left @ left) / freedom / square
+    own = float(((real[:, 0] * left) ** 2).sum()) * count / freedom / square**2
+    return max(usual, own) ** 0.5
 
 
 def _pair(
@@ -324,16 +397,17 @@ def _pair(
     faults: Sequence[Fault],
     columns: Complex,
     suspects: Sequence[Suspect],
+    errors: Real,
 ) -> Suspect | None:
     """The best pair, where it explains MUCH_MORE of what the best single fault leaves."""
     best: Suspect | None = None
     if len(faults) > MOST_IN_PAIRS:
         return None
     for one, other in combinations(range(len(faults)), 2):
-        if abs(_cosine(columns[one], columns[other])) >= ALIKE:
+        if abs(_cosine(columns[one] / errors, columns[other] / errors)) >= ALIKE:
             continue
         both = [faults[one], faults[other]], [columns[one], columns[other]]
-        pair = _suspect(engine, difference, *both)
+        pair = _suspect(engine, difference, *both, errors)
         if best is None or pair.explained > best.explained + 1e-9:
             best = pair
     single = suspects[0].explained if suspects else 0.0
@@ -352,15 +426,15 @@ def _doubtful(engine: Engine, fault: Fault) -> float:
     return min(abs(fault.size) / whole, 1.0) if whole > 0 else 1.0
 
 
-def _alike(suspects: Sequence[Suspect]) -> tuple[Suspect, ...]:
+def _alike(suspects: Sequence[Suspect], errors: Real) -> tuple[Suspect, ...]:
     """Those whose vibration has the same pattern as that of the first."""
     if not suspects:
         return ()
-    first = suspects[0].rows
+    first = suspects[0].rows / errors
     return tuple(
         each
         for each in suspects[1:]
-        if np.linalg.norm(each.rows) > 0 and _cosine(first, each.rows) >= ALIKE
+        if np.linalg.norm(each.rows) > 0 and _cosine(first, each.rows / errors) >= ALIKE
     )
 
 

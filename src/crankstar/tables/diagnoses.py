@@ -13,7 +13,7 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Complex, Real
-from crankstar.studies.diagnosis import AXES, FEW, Diagnosis, Suspect
+from crankstar.studies.diagnosis import AXES, EXPLAINS, FEW, Diagnosis, Suspect
 from crankstar.studies.single_faults import Fault, Shaken, fault_text, limits
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
@@ -172,8 +172,14 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
         parts += [_suspects(found, every=every), _readings(found)]
     notes = [
         _(
-            "Explained: share of the mean square of the difference, as velocity, that the fault of "
-            "its likeliest size has."
+            "Explained: share of the mean square of the difference, as velocity over its error, "
+            "that the fault of its likeliest size has. Errors are those of the list."
+        )
+        if all(each.error > 0 for each in found.readings)
+        else _(
+            "Explained: share of the mean square of the difference, as velocity over the size of "
+            "the reading, that the fault of its likeliest size has. Without a column error a "
+            "reading is taken to be as uncertain as it is great."
         ),
         _("The difference is that to the measurement before.")
         if before
@@ -255,6 +261,13 @@ def _verdict(found: Diagnosis) -> list[str]:
                 share=_percent(first.explained),
             )
         ]
+        if first.explained < EXPLAINS:
+            lines.append(
+                _(
+                    "Its size is {times} times its error; the rest is noise, or not in the model.",
+                    times=f"{first.certainty:.3g}",
+                )
+            )
         alike = [id(each) for each in found.alike]
         others = [each for each in suspects_of(found)[1:] if id(each) not in alike]
         if others:
