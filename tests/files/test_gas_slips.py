@@ -261,7 +261,7 @@ def test_a_given_friction_pressure_replaces_the_correlation() -> None:
         ({"combustion_duration": "170 deg"}, "doubt.late"),
         ({"peak_pressure": "260 bar", "intake_pressure": "4 bar"}, "doubt.peak"),
         ({"imep": "36 bar", "intake_pressure": "4 bar"}, "doubt.imep"),
-        ({"imep": "25 bar"}, "doubt.charge"),
+        ({"imep": "25 bar", "intake_pressure": "1 bar"}, "doubt.charge"),
         ({"speed": "9000 rpm"}, "doubt.friction"),
         ({"imep": "0.2 bar", "intake_pressure": "1.5 bar"}, "doubt.no-cycle"),
     ],

@@ -67,8 +67,9 @@ SENTENCES: dict[str, str | Plural] = {
         "than {bound} bar"
     ),
     "doubt.charge": N_(
-        "{where} is {intake} bar, with which an engine makes {bound} bar of indicated mean "
-        "effective pressure at most, and this is {value} bar: give the pressure of the charge"
+        "{where} is {intake} bar, with which {load} bar of indicated mean effective pressure has "
+        "the air-fuel ratio {value}; below {bound} the fuel cannot burn: give the pressure of the "
+        "charge, or less load"
     ),
     "doubt.friction": N_(
         "{where} is not given, and at {rpm} rpm the correlation of friction, measured up to "

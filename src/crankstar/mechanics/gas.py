@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import Ignition
 from crankstar.engine.valves import timing
 from crankstar.engine.volumes import Volumes, volumes
 from crankstar.language.messages import _
@@ -28,6 +29,27 @@ from crankstar.spectra import Real
 
 SAMPLES = 3600
 """Samples of a cycle: a fifth of a degree of a four-stroke one."""
+GAS_CONSTANT = 287.05
+"""Of air, J/(kg K)."""
+HEATING_VALUE: Mapping[Ignition, float] = {"spark": 43.0e6, "compression": 42.7e6}
+"""Lower heating values of petrol and of Diesel fuel, J/kg."""
+STOICHIOMETRIC: Mapping[Ignition, float] = {"spark": 14.7, "compression": 14.5}
+"""Air-fuel ratios of complete combustion without a rest of air."""
+RICHEST: Mapping[Ignition, float] = {"spark": 0.8, "compression": 1.2}
+"""Air-fuel ratio at full load over the stoichiometric one down to which no charger is assumed.
+
+It is the richest mixture in use with spark ignition, and the limit of smoke of a Diesel.
+"""
+CHARGED: Mapping[Ignition, float] = {"spark": 0.8, "compression": 2.0}
+"""The same of an engine with a charger: the usual one of Diesels, which have air in plenty then.
+
+Source of these four: J. B. Heywood, Internal Combustion Engine Fundamentals, table D.4, 3.5 and
+chapters 3 and 15.
+"""
+LEAST_EFFICIENCY = 0.25
+"""Indicated, of a cycle near full load: with less heat than this takes no charge is sought."""
+GREATEST_STEPS, SETTLED = 40, 1e-9
+"""Of the search for the charge pressure, and the change of it that is none."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +78,10 @@ class Cycle:
     assumed: tuple[str, ...]
     off: tuple[int, ...] = ()
     motored: bool = False
+    air_fuel_ratio: float | None = None
+    """Of the masses in a chamber that burns; None of a measured trace, and where none burns."""
+    boosted: bool = False
+    """Whether the charge pressure is estimated from the load: see `boosted`."""
 
     @property
     def bmep(self) -> float:
@@ -93,8 +119,13 @@ def cycle(
     stroke = 2 * engine.throw(engine.first).radius
     values["stroke"] = stroke
     places = volumes_of(engine)
+    burns = not motored and (engine.gas is None or engine.gas.trace is None)
     try:
-        rows = _pressures(engine, places, values, motored=motored, off=off)
+        charged = {}
+        if burns and "intake_pressure" in assumed:
+            charged = boosted(engine, places, values, assumed)
+            values |= charged
+        rows, heat = _pressures(engine, places, values, motored=motored, off=off)
     except ArithmeticError:
         raise GasError(
             "with these values the pressure has no end or falls to nothing: give more intake "
@@ -116,6 +147,8 @@ def cycle(
         assumed=assumed,
         off=tuple(sorted(off)),
         motored=motored,
+        air_fuel_ratio=_air_fuel_ratio(engine, places, values, heat) if heat > 0 else None,
+        boosted=bool(charged),
     )
 
 
@@ -195,19 +228,71 @@ def _pressures(
     *,
     motored: bool,
     off: Collection[int],
-) -> Real:
-    """The pressure [chamber, sample] with the heat that gives the load. Raises GasError."""
+) -> tuple[Real, float]:
+    """The pressure [chamber, sample] with the heat (Pa) that gives the load. Raises GasError."""
     laws = [_law(engine, places, row, values) for row in range(len(places.swept))]
     silent = np.array([motored or number in off for number in places.numbers])
     kinds = np.array(places.kind)
     if engine.gas is not None and engine.gas.trace is not None:
         measured = _traced(engine, places)
         still = np.array([law(0.0) for law in laws])[kinds] if silent.any() else measured
-        return np.where(silent[:, None], still, measured)
+        return np.where(silent[:, None], still, measured), 0.0
     heat = 0.0 if motored else _heat(laws, places, values)
     burning = np.array([law(heat) for law in laws])
     still = np.array([law(0.0) for law in laws]) if silent.any() else burning
-    return np.where(silent[:, None], still[kinds], burning[kinds])
+    return np.where(silent[:, None], still[kinds], burning[kinds]), heat
+
+
+def boosted(
+    engine: Engine, places: Volumes, values: Mapping[str, Any], assumed: Collection[str]
+) -> dict[str, Any]:
+    """The charge pressure with which the load burns at the usual air-fuel ratio, where it needs it.
+
+    The assumed pressure of an engine without a charger stays where its air suffices (RICHEST);
+    a greater load shows that there is a charger, and then
+
+        p = p_assumed usual / ratio    until the ratio is the usual one,
+
+    and an assumed exhaust pressure rises with it: that of a turbine. The heat of the load depends
+    on the charge a little, so that the ratio is sought in steps.
+    """
+    out: dict[str, Any] = {}
+    if "imep" not in values and "bmep" not in values:
+        return out  # a peak pressure says of itself how much is charged
+    complete = STOICHIOMETRIC[values["ignition"]]
+    least, usual = (share[values["ignition"]] * complete for share in (RICHEST, CHARGED))
+    if _air_fuel_ratio(engine, places, values, _target(values) / LEAST_EFFICIENCY) >= least:
+        return out
+    for _step in range(GREATEST_STEPS):
+        now = {**values, **out}
+        laws = [_law(engine, places, row, now) for row in range(len(places.swept))]
+        ratio = _air_fuel_ratio(engine, places, now, _heat(laws, places, now))
+        rises = usual / ratio
+        if (not out and ratio >= least) or abs(rises - 1) < SETTLED:
+            break
+        raised = max(now["intake_pressure"] * rises, values["intake_pressure"])
+        out["intake_pressure"] = raised
+        if "exhaust_pressure" in assumed:
+            share = raised / values["intake_pressure"]
+            out["exhaust_pressure"] = values["exhaust_pressure"] * share
+    return out
+
+
+def _air_fuel_ratio(
+    engine: Engine, places: Volumes, values: Mapping[str, Any], heat: float
+) -> float:
+    """Mass of air over mass of fuel of a heat per swept volume (Pa).
+
+        air = p V/(R T) when compression begins,    fuel = heat V_swept/H
+
+    with the lower heating value H: residual gas counts as air.
+    """
+    above, swept = places.above[0], float(places.swept[0])
+    closed = events(engine, above).closed
+    at = round(closed / (places.cycle / SAMPLES)) % above.size
+    volume = float(above[at]) + swept / (values["compression_ratio"] - 1)
+    air = values["intake_pressure"] * volume / (GAS_CONSTANT * values["intake_temperature"])
+    return air / (heat * swept / HEATING_VALUE[values["ignition"]])
 
 
 def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -> Law:
