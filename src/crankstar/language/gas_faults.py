@@ -76,6 +76,15 @@ SENTENCES: dict[str, str | Plural] = {
         "{bound} rpm, gives {value} bar, which may be far too much"
     ),
     "doubt.no-cycle": N_("{where}: {message}"),
+    "doubt.rod-ratio": N_(
+        "{where}: the rod is {value} times as long as the crank radius, and only crosshead engines "
+        "have less than {least}; if {value} is meant as rod length over stroke, rod_ratio is "
+        "{meant}"
+    ),
+    "doubt.pin-split": N_(
+        "{where} makes firing less even: it fires at intervals of {intervals} deg, and without the "
+        "split at {without} deg"
+    ),
     "doubt.piston-mass": N_(
         "{where}: {value} kg go up and down, more than a solid bar of steel as thick as the bore "
         "and as long as stroke and rod, {solid} kg; is the unit right?"

@@ -19,6 +19,7 @@ from math import degrees, pi
 from typing import Any
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.firing_angles import split_doubts
 from crankstar.engine.gas import LOADS, Ignition
 from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import CrankDimensions
@@ -26,7 +27,7 @@ from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
 from crankstar.mechanics.gas import STOICHIOMETRIC, Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
-from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts
+from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError
 
@@ -54,7 +55,8 @@ INERTIA_SPREAD = 2.5
 
 def doubts(engine: Engine) -> tuple[Fault, ...]:
     """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
-    found = [*piston_doubts(engine), *body_doubts(engine)]
+    found = [*split_doubts(engine), *rod_doubts(engine)]
+    found += [*piston_doubts(engine), *body_doubts(engine)]
     found += [*inertia_doubts(engine), *torsion_doubts(engine)]
     gas = engine.gas
     if gas is not None:
@@ -85,10 +87,7 @@ def point_doubts(engine: Engine, computed: Cycle) -> tuple[Fault, ...]:
     path: Path = ("gas", *point)
     values = computed.values
     given = {key: value for key, value in values.items() if key not in computed.assumed}
-    return (
-        *value_doubts(engine, values, given, path=path),
-        *cycle_doubts(computed, path=path),
-    )
+    return (*value_doubts(engine, values, given, path=path), *cycle_doubts(computed, path=path))
 
 
 def value_doubts(
