@@ -25,7 +25,8 @@ from tests.methods.test_diagnosis import (
 
 from crankstar.files import engine_of, tree_text
 from crankstar.spectra import Complex
-from crankstar.studies.diagnosis import AXES, expected
+from crankstar.studies.diagnosis import expected
+from crankstar.studies.readings import AXES
 from crankstar.studies.single_faults import Fault
 
 Refused = Callable[..., str]

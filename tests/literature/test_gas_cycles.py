@@ -29,8 +29,9 @@ from crankstar.dynamics import uneven
 from crankstar.engine.engine import Engine
 from crankstar.engine.volumes import volumes
 from crankstar.files import engine_of, tree_of
+from crankstar.mechanics.charge_air import events
 from crankstar.mechanics.doubts import doubts
-from crankstar.mechanics.gas import cycle, events
+from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.ideal_cycles import Ideal, compressed, corners, mean_pressure, pressure
 from crankstar.spectra import Real
 from crankstar.studies.marine import marine

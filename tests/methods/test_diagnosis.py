@@ -18,7 +18,8 @@ from crankstar.files.lists import list_of
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import crankshaft_torque
 from crankstar.spectra import Complex
-from crankstar.studies.diagnosis import Reading, diagnosed, expected, readings_of
+from crankstar.studies.diagnosis import diagnosed, expected
+from crankstar.studies.readings import Reading, readings_of
 from crankstar.studies.single_faults import (
     DiagnosisError,
     Fault,

@@ -35,7 +35,8 @@ from crankstar.options.refusals import RequestError, refusal
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
-    from crankstar.studies.diagnosis import Diagnosis, Reading
+    from crankstar.studies.diagnosis import Diagnosis
+    from crankstar.studies.readings import Reading
     from crankstar.studies.single_faults import Fault
 
 MEASURED = (
@@ -144,7 +145,7 @@ def _draw(found: Diagnosis, form: str, output: str | None) -> None:
 
 
 def _readings(place: str, engine: Engine, speed: float | None) -> Sequence[Reading]:
-    from crankstar.studies.diagnosis import readings_of
+    from crankstar.studies.readings import readings_of
 
     return readings_of(read_list(place), engine, speed=speed)
 

@@ -25,7 +25,8 @@ from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import CrankDimensions
 from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
-from crankstar.mechanics.gas import STOICHIOMETRIC, Cycle, computable, cycle
+from crankstar.mechanics.charge_air import STOICHIOMETRIC
+from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
 from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts
 from crankstar.mechanics.mechanism import mechanism

@@ -11,17 +11,16 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from math import inf, pi, radians
+from math import inf, pi
 from typing import Any
 
 import numpy as np
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.gas import Ignition
-from crankstar.engine.valves import timing
 from crankstar.engine.volumes import Volumes, volumes
 from crankstar.language.messages import _
 from crankstar.mechanics import heat_release, ideal_cycles, real_gas
+from crankstar.mechanics.charge_air import air_fuel_ratio, boosted, events
 from crankstar.mechanics.friction import friction_pressure
 from crankstar.mechanics.operating_points import GasError, resolved
 from crankstar.mechanics.roots import root
@@ -29,27 +28,6 @@ from crankstar.spectra import Real
 
 SAMPLES = 3600
 """Samples of a cycle: a fifth of a degree of a four-stroke one."""
-GAS_CONSTANT = 287.05
-"""Of air, J/(kg K)."""
-HEATING_VALUE: Mapping[Ignition, float] = {"spark": 43.0e6, "compression": 42.7e6}
-"""Lower heating values of petrol and of Diesel fuel, J/kg."""
-STOICHIOMETRIC: Mapping[Ignition, float] = {"spark": 14.7, "compression": 14.5}
-"""Air-fuel ratios of complete combustion without a rest of air."""
-RICHEST: Mapping[Ignition, float] = {"spark": 0.8, "compression": 1.2}
-"""Air-fuel ratio at full load over the stoichiometric one down to which no charger is assumed.
-
-It is the richest mixture in use with spark ignition, and the limit of smoke of a Diesel.
-"""
-CHARGED: Mapping[Ignition, float] = {"spark": 0.8, "compression": 2.0}
-"""The same of an engine with a charger: the usual one of Diesels, which have air in plenty then.
-
-Source of these four: J. B. Heywood, Internal Combustion Engine Fundamentals, table D.4, 3.5 and
-chapters 3 and 15.
-"""
-LEAST_EFFICIENCY = 0.25
-"""Indicated, of a cycle near full load: with less heat than this takes no charge is sought."""
-GREATEST_STEPS, SETTLED = 40, 1e-9
-"""Of the search for the charge pressure, and the change of it that is none."""
 
 
 @dataclass(frozen=True)
@@ -123,7 +101,7 @@ def cycle(
     try:
         charged = {}
         if burns and "intake_pressure" in assumed:
-            charged = boosted(engine, places, values, assumed)
+            charged = _charged(engine, places, values, assumed)
             values |= charged
         rows, heat = _pressures(engine, places, values, motored=motored, off=off)
     except ArithmeticError:
@@ -147,7 +125,7 @@ def cycle(
         assumed=assumed,
         off=tuple(sorted(off)),
         motored=motored,
-        air_fuel_ratio=_air_fuel_ratio(engine, places, values, heat) if heat > 0 else None,
+        air_fuel_ratio=air_fuel_ratio(engine, places, values, heat) if heat > 0 else None,
         boosted=bool(charged),
     )
 
@@ -243,56 +221,18 @@ def _pressures(
     return np.where(silent[:, None], still[kinds], burning[kinds]), heat
 
 
-def boosted(
+def _charged(
     engine: Engine, places: Volumes, values: Mapping[str, Any], assumed: Collection[str]
 ) -> dict[str, Any]:
-    """The charge pressure with which the load burns at the usual air-fuel ratio, where it needs it.
-
-    The assumed pressure of an engine without a charger stays where its air suffices (RICHEST);
-    a greater load shows that there is a charger, and then
-
-        p = p_assumed usual / ratio    until the ratio is the usual one,
-
-    and an assumed exhaust pressure rises with it: that of a turbine. The heat of the load depends
-    on the charge a little, so that the ratio is sought in steps.
-    """
-    out: dict[str, Any] = {}
+    """What the load changes in an assumed charge; a peak pressure says itself how much that is."""
     if "imep" not in values and "bmep" not in values:
-        return out  # a peak pressure says of itself how much is charged
-    complete = STOICHIOMETRIC[values["ignition"]]
-    least, usual = (share[values["ignition"]] * complete for share in (RICHEST, CHARGED))
-    if _air_fuel_ratio(engine, places, values, _target(values) / LEAST_EFFICIENCY) >= least:
-        return out
-    for _step in range(GREATEST_STEPS):
-        now = {**values, **out}
+        return {}
+
+    def heat(now: Mapping[str, Any]) -> float:
         laws = [_law(engine, places, row, now) for row in range(len(places.swept))]
-        ratio = _air_fuel_ratio(engine, places, now, _heat(laws, places, now))
-        rises = usual / ratio
-        if (not out and ratio >= least) or abs(rises - 1) < SETTLED:
-            break
-        raised = max(now["intake_pressure"] * rises, values["intake_pressure"])
-        out["intake_pressure"] = raised
-        if "exhaust_pressure" in assumed:
-            share = raised / values["intake_pressure"]
-            out["exhaust_pressure"] = values["exhaust_pressure"] * share
-    return out
+        return _heat(laws, places, now)
 
-
-def _air_fuel_ratio(
-    engine: Engine, places: Volumes, values: Mapping[str, Any], heat: float
-) -> float:
-    """Mass of air over mass of fuel of a heat per swept volume (Pa).
-
-        air = p V/(R T) when compression begins,    fuel = heat V_swept/H
-
-    with the lower heating value H: residual gas counts as air.
-    """
-    above, swept = places.above[0], float(places.swept[0])
-    closed = events(engine, above).closed
-    at = round(closed / (places.cycle / SAMPLES)) % above.size
-    volume = float(above[at]) + swept / (values["compression_ratio"] - 1)
-    air = values["intake_pressure"] * volume / (GAS_CONSTANT * values["intake_temperature"])
-    return air / (heat * swept / HEATING_VALUE[values["ignition"]])
+    return boosted(engine, places, values, assumed, load=_target(values), heat=heat)
 
 
 def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -> Law:
@@ -367,39 +307,6 @@ def ideal_cycle(values: Mapping[str, Any]) -> ideal_cycles.Ideal:
             )
         return cycle._replace(limit=values["peak_pressure"])
     return cycle
-
-
-LEAST_BLOW_DOWN = radians(20.0)
-LEAST_EXCHANGE = radians(20.0)
-"""Radians: the pressure takes so long at least from that of the cylinder to the exhaust's, and on
-to that of the intake."""
-
-
-def events(engine: Engine, above: Real) -> heat_release.Events:
-    """When compression begins and the exhaust opens, by the valves of the file or assumed ones."""
-    times = timing(engine.valves, cycle=engine.cycle)
-    turn = 2 * pi
-    per_turn = above.size // 2 if engine.cycle == "four-stroke" else above.size
-    bottom = float(np.argmax(above[:per_turn])) * turn / per_turn
-    opened = bottom - times.exhaust_opens
-    if engine.cycle == "four-stroke":
-        emptied = max(bottom, opened + LEAST_BLOW_DOWN)
-        middle = turn + (times.exhaust_closes - times.intake_opens) / 2
-        half = max(times.exhaust_closes + times.intake_opens, LEAST_EXCHANGE) / 2
-        return heat_release.Events(
-            closed=bottom + times.intake_closes - turn,
-            opened=opened,
-            emptied=emptied,
-            exchange=(middle - half, middle + half),
-        )
-    closed = bottom + max(times.exhaust_closes, times.intake_closes)
-    emptied = max(bottom, opened + LEAST_BLOW_DOWN)
-    return heat_release.Events(
-        closed=closed - turn,
-        opened=opened,
-        emptied=emptied,
-        exchange=(emptied, max(closed, emptied + LEAST_EXCHANGE)),
-    )
 
 
 def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:

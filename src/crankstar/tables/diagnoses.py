@@ -13,7 +13,8 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Complex, Real
-from crankstar.studies.diagnosis import AXES, EXPLAINS, FEW, Diagnosis, Suspect
+from crankstar.studies.diagnosis import EXPLAINS, FEW, Diagnosis, Suspect
+from crankstar.studies.readings import AXES
 from crankstar.studies.single_faults import Fault, Shaken, fault_text, limits
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 

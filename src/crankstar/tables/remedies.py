@@ -106,20 +106,16 @@ def _greater_left(job: Job) -> Iterator[str]:
     sums = summed(before), summed(after)
     left = {abs(float(need.ratio)) for need in needs(job.after, zero=OPTIMISED)}
     for name, word in (("force", _("force")), ("couple", _("couple"))):
-        sizes = {
-            order: [bounds.greatest(*pair) for pair in _vectors(sums, name, order, after.units)]
-            for order in (1.0, 2.0)
-        }
-        removed = {order: float(old) - float(new) for order, (old, new) in sizes.items()}
         for order, other in ((1.0, 2.0), (2.0, 1.0)):
-            remaining, gained = float(sizes[order][1]), removed[other]
-            if order in left and gained > OPTIMISED * float(sizes[other][0]) and remaining > gained:
+            (_was, stays), (old, new) = (
+                [float(bounds.greatest(*p)) for p in _vectors(sums, name, k, after.units)]
+                for k in (order, other)
+            )
+            if order in left and stays > old - new > OPTIMISED * old:
                 yield _(
                     "The {quantity} of order {order} remains, and is greater than that of order "
                     "{other}, which is removed or reduced.",
-                    quantity=word,
-                    order=order_text(order),
-                    other=order_text(other),
+                    **{"quantity": word, "order": order_text(order), "other": order_text(other)},
                 )
 
 
