@@ -236,6 +236,36 @@ def _percent(share: float) -> str:
     return number(float(f"{100 * share:.4g}"), 100.0)
 
 
+def _likeliest(found: Diagnosis) -> list[str]:
+    """The likeliest fault, how sure it is, and the next that can be told from it."""
+    first = found.suspects[0]
+    lines = [
+        _(
+            "Likeliest: {fault}, which explains {share} %.",
+            fault=suspect_text(first, found),
+            share=_percent(first.explained),
+        )
+    ]
+    if first.explained < EXPLAINS:
+        lines.append(
+            _(
+                "Its size is {times} times its error; the rest is noise, or not in the model.",
+                times=f"{first.certainty:.3g}",
+            )
+        )
+    alike = [id(each) for each in found.alike]
+    others = [each for each in suspects_of(found)[1:] if id(each) not in alike]
+    if others:
+        lines.append(
+            _(
+                "Next: {fault}, {share} %.",
+                fault=suspect_text(others[0], found),
+                share=_percent(max(others[0].explained, 0.0)),
+            )
+        )
+    return lines
+
+
 def _verdict(found: Diagnosis) -> list[str]:
     if found.healthy:
         return [
@@ -254,31 +284,7 @@ def _verdict(found: Diagnosis) -> list[str]:
             )
         ]
     else:
-        first = found.suspects[0]
-        lines = [
-            _(
-                "Likeliest: {fault}, which explains {share} %.",
-                fault=suspect_text(first, found),
-                share=_percent(first.explained),
-            )
-        ]
-        if first.explained < EXPLAINS:
-            lines.append(
-                _(
-                    "Its size is {times} times its error; the rest is noise, or not in the model.",
-                    times=f"{first.certainty:.3g}",
-                )
-            )
-        alike = [id(each) for each in found.alike]
-        others = [each for each in suspects_of(found)[1:] if id(each) not in alike]
-        if others:
-            lines.append(
-                _(
-                    "Next: {fault}, {share} %.",
-                    fault=suspect_text(others[0], found),
-                    share=_percent(max(others[0].explained, 0.0)),
-                )
-            )
+        lines = _likeliest(found)
     if found.found and found.alike:
         lines.append(
             _(

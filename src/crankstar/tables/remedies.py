@@ -102,7 +102,7 @@ def parts(job: Job) -> Iterator[Table | Remarks]:
 
 def _greater_left(job: Job) -> Iterator[str]:
     """A sentence where what remains of one order is greater than all that is removed of another."""
-    before, after = (balance(engine, speed=job.speed) for engine in (job.before, job.after))
+    before, after = (balance(each, speed=job.speed) for each in (job.before, job.after))
     sums = summed(before), summed(after)
     left = {abs(float(need.ratio)) for need in needs(job.after, zero=OPTIMISED)}
     for name, word in (("force", _("force")), ("couple", _("couple"))):
@@ -115,7 +115,9 @@ def _greater_left(job: Job) -> Iterator[str]:
                 yield _(
                     "The {quantity} of order {order} remains, and is greater than that of order "
                     "{other}, which is removed or reduced.",
-                    **{"quantity": word, "order": order_text(order), "other": order_text(other)},
+                    quantity=word,
+                    order=order_text(order),
+                    other=order_text(other),
                 )
 
 
@@ -295,9 +297,8 @@ def _remaining(job: Job) -> Table:
     """The orders in which something was put on the engine, or remains, before and after."""
     before, after = (balance(engine, speed=job.speed) for engine in (job.before, job.after))
     sums = summed(before), summed(after)
-    fitted = [shaft for shaft in job.after.shafts if shaft.weights]
-    left = [need.ratio for need in needs(job.after, zero=OPTIMISED)]
-    ratios = [*(shaft.speed_ratio for shaft in fitted), *left]
+    ratios = [shaft.speed_ratio for shaft in job.after.shafts if shaft.weights]
+    ratios += [need.ratio for need in needs(job.after, zero=OPTIMISED)]
     orders = sorted({1.0} | {abs(float(ratio)) for ratio in ratios})
     rows: list[tuple[Value, ...]] = []
     worse: list[str] = []
