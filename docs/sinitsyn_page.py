@@ -172,6 +172,8 @@ class Search:
     least: float
     orders: tuple[tuple[int, ...], ...]
     least_symmetric: float
+    least_double_cross: float
+    first_orders: int
 
 
 @lru_cache
@@ -182,6 +184,9 @@ def search(count: int, *, without: int) -> Search:
 
     `least_symmetric` is that among stars whose second-order vectors are symmetric along the shaft:
     cylinders as far from the front as from the rear have cranks on one line through the shaft.
+    `least_double_cross` is that of those in which the two outer pairs of vectors lie on one line,
+    opposite to each other, and so do the two inner pairs; `first_orders` counts the stars that
+    have the same vectors of the second order as the first of these.
     """
     seats = np.array([[0, *rest] for rest in permutations(range(1, count))])
     arms = count - 1 - 2 * np.arange(count)
@@ -193,12 +198,17 @@ def search(count: int, *, without: int) -> Search:
     best = free[left < left.min() + 1e-9]
     paired = ((free - free[:, ::-1]) % count == count // 2).all(axis=1)
     orders = tuple(sorted(tuple(int(i) + 1 for i in np.argsort(star)) for star in best))
+    second = 2 * free % count
+    crossed = paired & ((second[:, ::2] - second[:, 1::2]) % count == count // 2).all(axis=1)
+    same = (second == second[crossed][0]).all(axis=1) if crossed.any() else crossed
     return Search(
         len(seats),
         len(free),
         float(left.min()),
         orders,
         float(left[paired].min()) if paired.any() else float("nan"),
+        float(left[crossed].min()) if crossed.any() else float("nan"),
+        int(same.sum()),
     )
 
 
@@ -507,10 +517,12 @@ def _extra(scheme: Scheme) -> list[str]:
         words = (
             f"Of the {found.stars} stars of eight cranks {found.without} have no secondary moment. "
             f"The smallest primary moment among them is {found.least:.4f}, of "
-            f"{' and '.join(map(_order, found.orders))}. Stars as in the variant with which the "
-            "chapter begins, symmetric along the shaft in the second order (1 with 8, 2 with 7, 3 "
-            "with 6, 4 with 5), "
-            f"reach {found.least_symmetric:.4f} only."
+            f"{' and '.join(map(_order, found.orders))}. Stars that are symmetric along the "
+            "shaft in the second order (1 with 8, 2 with 7, 3 with 6, 4 with 5) reach "
+            f"{found.least_symmetric:.4f}. The variant with which the chapter begins, a double "
+            "cross of the outer pairs (1-8 against 2-7) and the inner pairs (3-6 against 4-5), "
+            f"reaches {found.least_double_cross:.4f}. To each star of the second order of this "
+            f"kind belong {found.first_orders} of the first, with crank 1 up; the chapter has two."
         )
     if scheme.file == "sinitsyn-7-second":
         first, second = sums("sinitsyn-7-first"), sums(scheme.file)

@@ -124,6 +124,16 @@ def test_what_the_recommended_remedy_leaves_is_told_and_cured(run: Run) -> None:
     assert "would be inside" not in after
 
 
+def test_the_greater_moment_that_the_remedy_leaves_is_named_first(run: Run) -> None:
+    """Of the seven 0.8516 of order 1 is removed and A_2 5.5222 = 1.4028 of order 2 is left."""
+    first, _line, rest = run("balance", "sinitsyn-7-first", "--recommended").out.partition("\n\n")
+    assert "The couple of order 2 remains, and is greater than that of order 1" in words(first)
+    assert re.search(r"2 couple m r ω² a 1.4028 1.4028", words(rest))
+    whole = run("balance", "sinitsyn-7-first", "--recommended", "--shafts", "all").out
+    assert "greater than that of order" not in words(whole)
+    assert "greater than that of order" not in words(run("balance", "i4", "--recommended").out)
+
+
 @pytest.mark.release
 def test_a_remedy_has_one_form_over_the_ranges_of_masses(run: Run, tmp_path: Path) -> None:
     file, after = tmp_path / "three.toml", tmp_path / "once.toml"

@@ -25,7 +25,8 @@ from tests.methods.test_diagnosis import (
 
 from crankstar.files import engine_of, tree_text
 from crankstar.spectra import Complex
-from crankstar.studies.diagnosis import AXES, expected
+from crankstar.studies.diagnosis import expected
+from crankstar.studies.readings import AXES
 from crankstar.studies.single_faults import Fault
 
 Refused = Callable[..., str]
@@ -89,6 +90,20 @@ def test_what_no_fault_explains_is_told_in_one_sentence(run: Run, tmp_path: Path
     said = " ".join(run("diagnose", "four.toml", "odd.csv").out.split())
     assert "No single fault explains this measurement: the best explains" in said
     assert not json.loads(run("diagnose", "four.toml", "odd.csv", "--json").out)["explained"]
+
+
+def test_a_list_may_give_the_error_of_each_reading(
+    run: Run, refused: Refused, tmp_path: Path
+) -> None:
+    head, *rows = (tmp_path / "lost.csv").read_text(encoding="utf-8").splitlines()
+    text = "\n".join([f"{head}, error", *(f"{row}, 3 um" for row in rows)])
+    (tmp_path / "errors.csv").write_text(text, encoding="utf-8")
+    said = " ".join(run("diagnose", "four.toml", "errors.csv").out.split())
+    assert "Likeliest: weight 2 lost, which explains 100 %." in said
+    assert "Errors are those of the list." in said
+    wrong = text.replace("3 um", "0 um", 1)
+    (tmp_path / "none.csv").write_text(wrong, encoding="utf-8")
+    assert "the error must be greater than 0" in refused("diagnose", "four.toml", "none.csv")
 
 
 def test_one_reading_is_told_to_be_too_few(run: Run, tmp_path: Path) -> None:

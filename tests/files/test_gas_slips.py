@@ -13,9 +13,11 @@ from tests.marine import marine_engine
 from tests.texts import SHORT, spoilt
 
 import crankstar
+from crankstar.engine import motion
 from crankstar.engine.gas import Gas
 from crankstar.engine.valves import timing
-from crankstar.files import EngineFileError, engine_of
+from crankstar.files import EngineFileError, engine_of, tree_of
+from crankstar.firing.intervals import firing
 from crankstar.mechanics.doubts import doubts
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.operating_points import SCAVENGING, ignition
@@ -261,7 +263,7 @@ def test_a_given_friction_pressure_replaces_the_correlation() -> None:
         ({"combustion_duration": "170 deg"}, "doubt.late"),
         ({"peak_pressure": "260 bar", "intake_pressure": "4 bar"}, "doubt.peak"),
         ({"imep": "36 bar", "intake_pressure": "4 bar"}, "doubt.imep"),
-        ({"imep": "25 bar"}, "doubt.charge"),
+        ({"imep": "25 bar", "intake_pressure": "1 bar"}, "doubt.charge"),
         ({"speed": "9000 rpm"}, "doubt.friction"),
         ({"imep": "0.2 bar", "intake_pressure": "1.5 bar"}, "doubt.no-cycle"),
     ],
@@ -312,3 +314,96 @@ def test_late_combustion_is_told_with_its_angles() -> None:
     late = next(fault for fault in doubts(engine) if fault.code == "doubt.late")
     assert late.values == {"end": pytest.approx(140.0), "opened": pytest.approx(130.0)}
     assert degrees(radians(130)) == pytest.approx(late.values["opened"])
+
+
+@pytest.mark.parametrize("ratio", [1.63, 2.4])
+def test_a_rod_ratio_that_is_one_to_the_stroke_is_doubted(ratio: float, run: Run) -> None:
+    """1.63 strokes are 3.26 crank radii; taken as radii it has 2.2 times the secondary force."""
+    engine = crankstar.load("i4", changes={"cylinder.rod_ratio": ratio})
+    (fault,) = doubts(engine)
+    assert (fault.code, fault.path) == ("doubt.rod-ratio", ("cylinders", 0, "rod_ratio"))
+    assert (fault.values["value"], fault.values["meant"]) == (ratio, 2 * ratio)
+    said = run("analyze", "i4", "--set", f"cylinder.rod_ratio={ratio}").out
+    assert f"rod_ratio is {2 * ratio:g}" in " ".join(said.split())
+    sizes = [motion.piston_harmonics(crank_radius=1, rod_length=k * 1.63)[2].real for k in (1, 2)]
+    assert sizes[0] / sizes[1] == pytest.approx(2.2, abs=0.05)
+
+
+@pytest.mark.parametrize("name", ["man-s50mc-c", "mwm-6-diesel", "radial-9", "i4"])
+def test_rods_of_crosshead_engines_and_usual_ones_are_not_doubted(name: str) -> None:
+    assert "doubt.rod-ratio" not in [fault.code for fault in doubts(crankstar.load(name))]
+
+
+def test_a_pin_split_that_makes_firing_less_even_is_doubted() -> None:
+    even = crankstar.load("v8-cross-plane")
+    assert "doubt.pin-split" not in [fault.code for fault in doubts(even)]
+    split = crankstar.load("v8-cross-plane", changes={"layout.pin_split": "30 deg"})
+    (fault,) = [fault for fault in doubts(split) if fault.code == "doubt.pin-split"]
+    assert fault.path == ("layout", "pin_split")
+    assert fault.values["intervals"] == "60-90-120-60-120-90-60-120"
+    assert fault.values["without"] == "-".join(["90"] * 8)
+
+
+V6 = """
+name = "V6"
+firing_order = [1, 6, 5, 4, 3, 2]
+[cylinder]
+rod_ratio = 3.5
+[layout]
+type = "vee"
+banks = [
+  { bearing = "-45 deg", cylinders = [1, 3, 5] },
+  { bearing = "45 deg", cylinders = [2, 4, 6] },
+]
+throws = ["0 deg", "120 deg", "240 deg"]
+pin_split = "30 deg"
+"""
+
+
+def test_an_even_arrangement_is_proposed_before_an_uneven_one() -> None:
+    """The other rotation would fire at 180-60-180-60; turned round with its pins it is even."""
+    with pytest.raises(EngineFileError) as refused:
+        engine_of(tree_of(V6))
+    (fault,) = refused.value.faults
+    assert fault.code == "firing_order.unfit-other-pins"
+    assert fault.values["banks"] == {"1, 3, 5": "+45", "2, 4, 6": "-45"}
+    assert fault.values["throws"] == [0, 240, 120]
+    proposed = (
+        V6.replace('"-45 deg"', '"@"')
+        .replace('"45 deg"', '"-45 deg"')
+        .replace('"@"', '"45 deg"')
+        .replace('"120 deg", "240 deg"', '"240 deg", "120 deg"')
+    )
+    assert firing(engine_of(tree_of(proposed))).intervals_deg == pytest.approx([120.0] * 6)
+
+
+@pytest.mark.parametrize(
+    ("order", "change"), [([1, 2, 6, 5, 4, 3], "banks"), ([1, 2, 4, 3, 6, 5], "rotation")]
+)
+def test_an_uneven_arrangement_is_proposed_with_its_intervals(
+    order: list[int], change: str
+) -> None:
+    """On common pins this V6 fires evenly in no order: what fits is named with its intervals."""
+    text = V6.replace('pin_split = "30 deg"', "").replace("[1, 6, 5, 4, 3, 2]", str(order))
+    with pytest.raises(EngineFileError) as refused:
+        engine_of(tree_of(text))
+    (fault,) = refused.value.faults
+    assert fault.code == f"firing_order.unfit-uneven-{change}"
+    assert fault.values["intervals"] == "270-120-90-30-90-120"
+
+
+def test_shares_of_the_reciprocating_mass_are_not_headed_as_bobweights(run: Run) -> None:
+    """Half of 492 g is 246 g; the rotating mass, which is not in the file, would be the most."""
+    bare = run("bobweight", "i4", "--set", 'cylinder.reciprocating_mass="492 g"').out
+    assert "No bobweights: the rotating masses are missing" in bare
+    assert "The file gives no rotating mass" in bare
+    whole = run(
+        "bobweight",
+        "i4",
+        "--set",
+        'cylinder.reciprocating_mass="492 g"',
+        "--set",
+        'cylinder.rotating_mass="600 g"',
+    ).out
+    assert "No bobweights" not in whole
+    assert "846" in whole

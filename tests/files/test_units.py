@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, Literal
 
 import pint
@@ -27,7 +28,7 @@ from crankstar.engine.quantities import (
 )
 from crankstar.files import units
 from crankstar.language.faults import ValueFaultError
-from crankstar.language.units import DEFINITIONS, definitions, measured
+from crankstar.language.units import ANGLES, DEFINITIONS, definitions, measured
 
 pytestmark = pytest.mark.quick
 
@@ -390,3 +391,46 @@ def test_a_range_where_one_value_is_wanted_is_told_as_such(text: str) -> None:
     with pytest.raises(ValueFaultError) as error:
         units.si(text, Quantity("angle", "90 deg"))
     assert 'a range; one value is needed, such as "90 deg"' in error.value.at("--theta")
+
+
+@pytest.mark.parametrize(
+    ("typed", "degrees"),
+    [
+        ("90度", 90),
+        ("９０ 度", 90),
+        ("１２０°", 120),
+        ("９０．５ deg", 90.5),
+        ("－３０　deg", -30),
+        ("120 град", 120),
+        ("120 град.", 120),
+        ("21 градус", 21),
+        ("2.5 Градуса", 2.5),
+        ("1.5 рад", math.degrees(1.5)),
+        ("2 оборота", 720),
+        ("0.5回転", 180),
+    ],
+)
+def test_an_angle_is_read_as_japanese_and_russian_readers_type_it(
+    typed: str, degrees: float
+) -> None:
+    assert math.degrees(units.si(typed, ANGLE)) == pytest.approx(degrees, abs=1e-12)
+
+
+def test_full_width_digits_are_digits_in_every_quantity() -> None:
+    assert units.si("８２．５ ｍｍ", LENGTH) == pytest.approx(0.0825)
+    assert units.si("６５０ g", Quantity("mass", "650 g")) == pytest.approx(0.65)
+
+
+def test_a_unit_of_angles_measures_nothing_else() -> None:
+    with pytest.raises(ValueFaultError) as refused:
+        units.si("90 度", LENGTH)
+    assert refused.value.code == "unit.unknown"
+
+
+def test_the_page_knows_the_units_of_angles_that_files_know() -> None:
+    source = (Path(__file__).parents[2] / "web/src/angle.ts").read_text(encoding="utf-8")
+    rows = dict(re.findall(r"^  (\w+): (1|360|180 / Math\.PI),$", source, re.MULTILINE))
+    factors = {"deg": "1", "rad": "180 / Math.PI", "turn": "360"}
+    assert {word: rows.get(word) for word in ANGLES} == {
+        word: factors[unit] for word, unit in ANGLES.items()
+    }

@@ -400,6 +400,22 @@ def test_parallel_twin_of_the_essay_has_a_turning_primary_couple_of_half_p_a() -
     assert np.allclose(np.abs(spectra.value(couple, ANGLES)), 0.5, rtol=0, atol=1e-12)
 
 
+def test_the_note_of_the_parallel_twin_names_the_way_in_which_its_couple_turns() -> None:
+    """Its pins are counterweighted by half: of each piston's P cos the half that turns back stays.
+
+    At top dead centre of the front cylinder, a quarter turn later and so on: the front piston has
+    P cos(theta) up, the weight half of it opposite the pin, up + i right; the arms are +-1/2.
+    """
+    engine = crankstar.load("parallel-twin-180")
+    theta = ANGLES
+    force = np.cos(theta) - 0.5 * np.exp(1j * theta)
+    own = 0.5 * force - (-0.5) * force  # the other pin is opposite, and so is its arm
+    assert np.allclose(own, 0.5 * np.exp(-1j * theta), rtol=0, atol=1e-12)
+    _, couple = sums(engine, 1)
+    assert np.allclose(spectra.value(couple, theta), own, rtol=0, atol=1e-12)
+    assert "0.5 P a that turns against the crankshaft" in engine.notes
+
+
 # Sinitsyn's in-line engines
 
 SINITSYN = {

@@ -33,7 +33,10 @@ from crankstar.derive.errata import (
     sources,
 )
 from crankstar.engine import motion
+from crankstar.language.messages import spoken
 from crankstar.mechanics.balance import balance, total
+from crankstar.tables.errata import errata_document
+from crankstar.tables.table import Table
 
 ROOT = Path(__file__).parents[2]
 ALL = {one.id: one for one in errata()}
@@ -478,11 +481,11 @@ def test_a_drawing_shows_printed_true_and_momentum_where_they_are() -> None:
     )
     layers = chart.to_dict()["layer"]
     by_name = {layer["data"]["values"][0]["what"]: layer for layer in layers}
-    assert set(by_name) == {"printed", "true", "momentum"}
-    assert by_name["true"]["data"]["values"][0] == {
+    assert set(by_name) == {"printed", "correct formula", "momentum"}
+    assert by_name["correct formula"]["data"]["values"][0] == {
         "x": 0.0,
         "y": pytest.approx(-4 * 2**0.5),
-        "what": "true",
+        "what": "correct formula",
     }
     assert by_name["printed"]["data"]["values"][0]["y"] == pytest.approx(-4 * 2**-0.5)
     assert by_name["momentum"]["mark"]["type"] == "point"
@@ -498,3 +501,12 @@ def test_a_change_of_the_engine_changes_what_is_true() -> None:
     assert curves(one, 9).momentum[0] == pytest.approx(-(8**0.5), abs=FINE)
     turned = replace(one, changes={"layout.bank_offset": 0.2})
     assert curves(turned, 9).momentum[0] == pytest.approx(8**0.5, abs=FINE)
+
+
+@pytest.mark.parametrize(("language", "head"), [("ja", "正しい式"), ("ru", "верная формула")])
+def test_the_right_formula_is_headed_as_a_formula_not_as_an_answer(
+    language: str, head: str
+) -> None:
+    with spoken(language):
+        tables = [part for part in errata_document(errata()).parts if isinstance(part, Table)]
+        assert {table.columns[-1].heading for table in tables} == {head}

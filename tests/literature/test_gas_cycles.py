@@ -28,9 +28,13 @@ import crankstar
 from crankstar.dynamics import uneven
 from crankstar.engine.engine import Engine
 from crankstar.engine.volumes import volumes
+from crankstar.files import engine_of, tree_of
+from crankstar.mechanics.charge_air import events
+from crankstar.mechanics.doubts import doubts
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.ideal_cycles import Ideal, compressed, corners, mean_pressure, pressure
 from crankstar.spectra import Real
+from crankstar.studies.marine import marine
 
 BAR = 1e5
 
@@ -443,3 +447,76 @@ def test_an_engine_of_the_ideal_process_has_the_printed_mean_pressure() -> None:
     found = cycle(engine)
     assert found.imep / BAR == pytest.approx(15.33, rel=2e-3)
     assert float(volumes(engine, 720).swept[0]) == pytest.approx(pi / 4 * 1e-3, rel=1e-12)
+
+
+MARINE_SEVEN = """
+name = "seven"
+cycle = "two-stroke"
+firing_order = [1, 7, 2, 5, 4, 3, 6]
+speed = "105 rpm"
+[cylinder]
+bore = "600 mm"
+stroke = "2400 mm"
+rod_length = "2460 mm"
+reciprocating_mass = "5500 kg"
+rotating_mass = "6800 kg"
+[layout]
+type = "inline"
+bore_pitch = "1020 mm"
+[gas]
+ignition = "compression"
+compression_ratio = 20
+bmep = "19 bar"
+"""
+
+
+def test_the_charge_of_a_marine_diesel_is_estimated_from_its_load() -> None:
+    """19 bar on 1.155 bar of charge have the air-fuel ratio 9.3, which cannot burn.
+
+    The fuel is what the first law asks for: heat is work and what leaves with the exhaust between
+    the closing and the opening of the exhaust, p dV + d(pV)/(gamma - 1), sampled here.
+    """
+    engine = engine_of(tree_of(MARINE_SEVEN))
+    found = cycle(engine)
+    assert found.boosted
+    assert found.air_fuel_ratio == pytest.approx(2.0 * 14.5)
+    charge = found.values["intake_pressure"]
+    assert charge == pytest.approx(3.6e5, rel=0.005)
+    places, pressure = found.volumes, found.pressure[0]
+    swept = float(places.swept[0])
+    volume = places.above[0] + swept / 19
+    step, gamma = places.cycle / pressure.size, found.values["gamma"]
+    burning = np.arange(-300, 700)  # samples from before the combustion until it has ended
+    work = pressure * places.rate[0]
+    stored = (
+        np.gradient(
+            np.r_[pressure[-2:], pressure, pressure[:2]] * np.r_[volume[-2:], volume, volume[:2]]
+        )[2:-2]
+        / step
+        / (gamma - 1)
+    )
+    heat = float((work + stored)[burning].sum()) * step
+    closed = events(engine, places.above[0]).closed
+    at = round(closed / step) % pressure.size
+    air = charge * volume[at] / (287.05 * 340.0)
+    assert air / (heat / 42.7e6) == pytest.approx(29.0, rel=0.01)
+
+
+def test_the_guide_force_moments_of_a_marine_diesel_have_the_charge_that_burns() -> None:
+    """X3 287.7, X4 913.6, H7 582.3 kN m at 3.6 bar, by own integration."""
+    given = marine(engine_of(tree_of(MARINE_SEVEN + 'intake_pressure = "3.6 bar"'))).guide
+    estimated = marine(engine_of(tree_of(MARINE_SEVEN))).guide
+    assert given is not None
+    assert estimated is not None
+    for name, order, right in (("x", 3, 287.7), ("x", 4, 913.6), ("h", 7, 582.3)):
+        for each, share in ((given, 2e-4), (estimated, 4e-3)):
+            size = abs(getattr(each, name)[each.orders.tolist().index(order)])
+            assert size / 1e3 == pytest.approx(right, rel=share)
+
+
+def test_a_charge_that_cannot_burn_the_fuel_is_doubted() -> None:
+    starved = engine_of(tree_of(MARINE_SEVEN + 'intake_pressure = "1.155 bar"'))
+    (fault,) = doubts(starved)
+    assert (fault.code, fault.path) == ("doubt.charge", ("gas", "intake_pressure"))
+    assert fault.values["value"] == pytest.approx(9.3, abs=0.1)
+    assert doubts(engine_of(tree_of(MARINE_SEVEN))) == ()

@@ -231,6 +231,30 @@ def test_stars_symmetric_in_the_second_order_do_worse() -> None:
     assert PAGE.search(8, without=2).least_symmetric == pytest.approx(least, abs=FINE)
 
 
+def test_the_double_cross_of_the_chapter_reaches_5_5009_in_eight_stars() -> None:
+    """1-8 against 2-7 and 3-6 against 4-5 in the second order, every star of them tried here.
+
+    A crank of a pair, or its fellow, has one of the two angles with that vector of order 2.
+    """
+    moments: dict[tuple[int, ...], list[float]] = {}
+    for quarter in (1, -1):
+        doubled = (0, 4, 2 * quarter, -2 * quarter)  # of 1-8, 2-7, 3-6, 4-5, in eighths of a turn
+        for halves in np.array(np.meshgrid(*[[0, 4]] * 4)).reshape(4, -1).T:
+            front = (np.array(doubled) // 2 + halves) % 8
+            star = [*front, *(front[::-1] + 4) % 8]
+            if star[0] == 0 and len(set(star)) == 8:
+                arms = np.arange(3.5, -4, -1)
+                assert abs(np.exp(2j * np.pi * 2 * np.array(star) / 8) @ arms) < FINE
+                size = abs(np.exp(2j * np.pi * np.array(star) / 8) @ arms)
+                moments.setdefault(doubled, []).append(size)
+    assert [len(sizes) for sizes in moments.values()] == [8, 8]
+    found = PAGE.search(8, without=2)
+    assert found.first_orders == 8
+    assert found.least_double_cross == pytest.approx(min(map(min, moments.values())), abs=FINE)
+    assert found.least_double_cross == pytest.approx((84 - 38 * 2**0.5) ** 0.5, abs=FINE)
+    assert "reaches 5.5009" in about("8-two-stroke")
+
+
 def test_the_loop_scavenged_six_is_the_best() -> None:
     found = PAGE.search(6, without=1)
     assert found.least == pytest.approx(2 * 3**0.5)

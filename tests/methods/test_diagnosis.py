@@ -18,7 +18,8 @@ from crankstar.files.lists import list_of
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import crankshaft_torque
 from crankstar.spectra import Complex
-from crankstar.studies.diagnosis import Reading, diagnosed, expected, readings_of
+from crankstar.studies.diagnosis import diagnosed, expected
+from crankstar.studies.readings import Reading, readings_of
 from crankstar.studies.single_faults import (
     DiagnosisError,
     Fault,
@@ -238,6 +239,78 @@ def test_noise_alone_is_no_fault_and_what_nothing_makes_is_told() -> None:
     strange = diagnosed(four(), lines(healthy + size * noise))
     assert not strange.found
     assert not strange.healthy
+
+
+def uncertain(velocities: Complex, seed: int, *, share: float, floor: float = 0.0) -> Complex:
+    """Velocities as they are read with errors of a share of each, and of a share of the range."""
+    chance = np.random.default_rng(seed)
+    size = np.hypot(share * np.abs(velocities), floor * np.abs(velocities).max())
+    noise = chance.normal(size=size.shape) + 1j * chance.normal(size=size.shape)
+    return velocities + size * noise
+
+
+@pytest.mark.parametrize(
+    ("fault", "share"),
+    [
+        (Fault("piston", 3, 0.02), 0.05),
+        (Fault("combustion", 1, 0.15), 0.1),
+        pytest.param(Fault("piston", 3, 0.02), 0.1, marks=pytest.mark.long),
+        pytest.param(Fault("weight", 2, 0.5), 0.1, marks=pytest.mark.long),
+    ],
+    ids=str,
+)
+def test_a_fault_is_found_in_ten_of_ten_noisy_trials(fault: Fault, share: float) -> None:
+    """Order 2 of the healthy engine is read with an error as great as what the fault changes.
+
+    By the mean square of the plain difference the fault explains less than 70 % (asserted of one
+    of the trials by own least squares), although the orders that it brings show it clearly.
+    """
+    readings = lines(np.zeros(len(SHAPES), complex))
+    healthy, clean = (expected(four(), readings, own) for own in ([], [fault]))
+    column = clean - healthy
+    plain = []
+    for seed in range(10):
+        measured = uncertain(clean, seed, share=share)
+        left = measured - healthy
+        size = float(np.vdot(column, left).real / np.vdot(column, column).real)
+        plain.append(1 - float(np.linalg.norm(left - size * column) / np.linalg.norm(left)) ** 2)
+        found = diagnosed(four(), lines(measured))
+        first = found.suspects[0]
+        near = [each.faults[0] for each in (first, *found.alike)]
+        assert (fault.kind, fault.number) in [(each.kind, each.number) for each in near]
+        assert found.found
+        assert first.certainty > 10
+        own = next(each for each in near if each[:2] == fault[:2])
+        assert own.size == pytest.approx(fault.size, rel=0.15)
+    if fault.kind != "weight":
+        assert min(plain) < 0.7
+
+
+def test_noise_as_great_as_the_readings_say_is_no_fault() -> None:
+    """Errors of 5 % of each reading and half a per cent of the range, without a fault."""
+    healthy = seen(four())
+    for seed in range(20):
+        found = diagnosed(four(), lines(uncertain(healthy, seed, share=0.05, floor=0.005)))
+        assert not found.found
+        assert found.suspects[0].certainty < 5
+
+
+def test_errors_that_the_list_gives_weigh_the_readings() -> None:
+    """Order 2 is spoilt by half; said to be uncertain by as much it has no say."""
+    readings = lines(np.zeros(len(SHAPES), complex))
+    clean = expected(four(), readings, [Fault("piston", 3, 0.02)])
+    second = np.array([each.order == 2 for each in readings])
+    spoilt = np.where(second, 1.5j * clean, clean)
+    errors = np.where(second, 1e3, 1e-6)
+    told = [
+        each._replace(error=float(error)) for each, error in zip(lines(spoilt), errors, strict=True)
+    ]
+    found = diagnosed(four(), told)
+    assert one_of([*found.suspects[0].faults], "piston", 3)
+    assert found.suspects[0].faults[0].size == pytest.approx(0.02, rel=1e-6)
+    before = [each._replace(velocity=0j, error=1e-6) for each in readings]
+    rows = diagnosed(four(), told, before=before).suspects[0].rows
+    assert rows.shape == second.shape
 
 
 def test_a_free_block_moves_by_force_over_mass() -> None:

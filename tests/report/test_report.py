@@ -16,6 +16,7 @@ from crankstar import derive, spectra
 from crankstar.files import catalog, engine_of
 from crankstar.mechanics.balance import balance
 from crankstar.report import Subject, report
+from crankstar.report.title import data, status
 from crankstar.tables import verdict
 from crankstar.tables.balance_orders import answer
 from crankstar.tables.html import part_html
@@ -351,3 +352,23 @@ def test_a_file_that_toml_has_no_words_for_is_shown_as_json(tmp_path: Path) -> N
     place.write_text(json.dumps(tree), encoding="utf-8")
     page = report(Subject(crankstar.load("single"), tree, "", full=True))
     assert "&quot;speed&quot;: null" in page
+
+
+@pytest.mark.parametrize(
+    ("name", "length", "ratio"),
+    [
+        ("parallel-twin-180", "unverified", ""),  # stroke from memory, l/r published
+        ("bmw-m52b28", "", ""),
+        ("audi-25-tfsi", "unverified", "unverified"),  # the length from memory, l/r from it
+    ],
+)
+def test_a_rod_length_is_as_doubtful_as_what_it_is_derived_from(
+    name: str, length: str, ratio: str
+) -> None:
+    marks = {
+        datum.label: status(own.engine, datum.keys)
+        for own in [subject(name)]
+        for datum in data(own)
+    }
+    assert marks["Rod length between centres"] == length
+    assert marks["Crank radius over rod length, λ"] == ratio

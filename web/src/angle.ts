@@ -5,7 +5,7 @@ export type Typed =
   | { readonly ok: true; readonly degrees: number }
   | { readonly ok: false; readonly sentence: string }
 
-const ANGLE = /^([+\-−]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[+-]?\d+)?)\s*([a-z°]*)$/i
+const ANGLE = /^([+\-−]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[+-]?\d+)?)\s*([\p{L}°]*)\.?$/iu
 const DEGREES: Readonly<Record<string, number>> = {
   '': 1,
   '°': 1,
@@ -21,14 +21,44 @@ const DEGREES: Readonly<Record<string, number>> = {
   turns: 360,
   rev: 360,
   revs: 360,
+  revolution: 360,
+  度: 1,
+  град: 1,
+  градус: 1,
+  градуса: 1,
+  градусов: 1,
+  ラジアン: 180 / Math.PI,
+  弧度: 180 / Math.PI,
+  рад: 180 / Math.PI,
+  радиан: 180 / Math.PI,
+  радиана: 180 / Math.PI,
+  радианов: 180 / Math.PI,
+  回転: 360,
+  об: 360,
+  оборот: 360,
+  оборота: 360,
+  оборотов: 360,
 }
 /** The largest angle in degrees; a float still resolves a millionth of a degree there. */
 const LARGEST = 1e7
 
-/** Reads `450`, `-30`, `90 deg`, `1.5 rad`, `2 turns`; a comma may stand for the decimal point. */
+/** How many degrees one of a unit of angles is; undefined for what is none. */
+export function degreesOf(unit: string): number | undefined {
+  const key = unit.toLowerCase().replace(/\.$/, '')
+  return Object.hasOwn(DEGREES, key) ? DEGREES[key] : undefined
+}
+
+/** Text with the full-width letters and digits of East Asia as a keyboard of the West has them. */
+export function halfWidth(text: string): string {
+  return text
+    .replace(/[\uff01-\uff5e]/g, (letter) => String.fromCharCode(letter.charCodeAt(0) - 0xfee0))
+    .replaceAll('\u3000', ' ')
+}
+
+/** Reads `450`, `-30`, `90 deg`, `1.5 rad`, `2 turns`; a comma may stand for the decimal point. `90度`, `120 град` too. */
 export function typedAngle(text: string): Typed {
-  const parts = ANGLE.exec(text.trim())
-  const unit = DEGREES[(parts?.[2] ?? '').toLowerCase()]
+  const parts = ANGLE.exec(halfWidth(text).trim())
+  const unit = degreesOf(parts?.[2] ?? '')
   const typed = text.trim().slice(0, 40)
   if (!parts?.[1] || typeof unit !== 'number')
     return {

@@ -17,7 +17,7 @@ JUDGED = 48
 """About so many points of momentum in a turn: enough to see each crest of the sixth order."""
 FLAT = 1e-6
 """Share of the greatest value below which a curve is drawn as zero."""
-PRINTED, OURS, MOMENTUM = N_("printed"), N_("true"), N_("momentum")
+PRINTED, OURS, MOMENTUM = N_("printed"), N_("correct formula"), N_("momentum")
 
 
 def judged(*, theta: Real, printed: Real, ours: Real, momentum: Real, axis: str) -> Chart:

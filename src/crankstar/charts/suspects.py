@@ -34,7 +34,7 @@ def suspect_chart(found: Diagnosis) -> Chart:
     """
     if not found.suspects:
         raise ChartError(_("no fault changes anything at these readings"))
-    from crankstar.studies.diagnosis import AXES
+    from crankstar.studies.readings import AXES
 
     order = sorted(range(len(found.readings)), key=lambda at: -abs(found.difference[at]))
     diagrams: list[Diagram] = []

@@ -35,10 +35,14 @@ from crankstar.options.refusals import RequestError, refusal
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
-    from crankstar.studies.diagnosis import Diagnosis, Reading
+    from crankstar.studies.diagnosis import Diagnosis
+    from crankstar.studies.readings import Reading
     from crankstar.studies.single_faults import Fault
 
-MEASURED = "CSV file (or .xlsx): columns order, up, right, z, direction, amplitude, phase."
+MEASURED = (
+    "CSV file (or .xlsx): columns order, up, right, z, direction, amplitude, phase; also speed, "
+    "error."
+)
 HEAVIER = {"piston": "piston", "big_end": "big_end", "big-end": "big_end", "rod": "big_end"}
 """The parts that may be heavier by their names."""
 
@@ -142,7 +146,7 @@ def _draw(found: Diagnosis, form: str, output: str | None) -> None:
 
 
 def _readings(place: str, engine: Engine, speed: float | None) -> Sequence[Reading]:
-    from crankstar.studies.diagnosis import readings_of
+    from crankstar.studies.readings import readings_of
 
     return readings_of(read_list(place), engine, speed=speed)
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from crankstar.engine.assembly import Assembly
-from crankstar.engine.copies import with_banks_mirrored, with_rotation_reversed
+from crankstar.engine.copies import with_banks_mirrored, with_rotation_reversed, with_values
 from crankstar.engine.dead_centres import SAME_ANGLE, DeadCentre, dead_centres
 from crankstar.language.faults import Fault
 
@@ -63,30 +63,103 @@ def _unfit(engine: Assembly, centres: dict[int, DeadCentre]) -> Fault:
         {name: getattr(engine, name) for name in Assembly.model_fields}, by_name=True
     )
 
-    def fits(other: Assembly) -> bool:
-        return _evenest(engine.firing_order, dead_centres(other), engine.cycle_angle) is not None
+    def fired(other: Assembly) -> list[float] | None:
+        return _evenest(engine.firing_order, dead_centres(other), engine.cycle_angle)
 
-    hints: list[str] = []
-    if len({round(c.bearing, 9) for c in engine.cylinders}) > 1 and fits(
-        with_banks_mirrored(plain)
-    ):
-        hints.append("banks")
+    found: dict[str, list[float] | None] = {}
+    if len({round(c.bearing, 9) for c in engine.cylinders}) > 1:
+        found["banks"] = fired(with_banks_mirrored(plain))
         bearings = {cylinder.number: cylinder.bearing for cylinder in engine.cylinders}
         values["banks"] = {
             ", ".join(map(str, numbers)): f"{-degrees(bearings[numbers[0]]):+.4g}"
             for numbers in engine.banks.values()
         }
     reversed_ = with_rotation_reversed(plain, firing_order=engine.firing_order)
-    if fits(reversed_):
-        hints.append("rotation")
-        values["rotation"] = reversed_.rotation
-    if hints:
-        return Fault(("firing_order",), f"firing_order.unfit-other-{'-or-'.join(hints)}", values)
+    found["rotation"] = fired(reversed_)
+    values["rotation"] = reversed_.rotation
+    pins = with_pins_reordered(plain)
+    if pins is not None and "banks" in found:
+        found["pins"] = fired(pins)
+        values["throws"] = [round(degrees(angle) % 360, 6) for angle in _first_angles(pins)]
+    fit = {name: angles for name, angles in found.items() if angles is not None}
+    even = [name for name, angles in fit.items() if _spread(angles, engine) < SAME_ANGLE]
+    turned = [name for name in even if name != "pins"]
+    if turned:
+        return Fault(("firing_order",), f"firing_order.unfit-other-{'-or-'.join(turned)}", values)
+    if even:
+        return Fault(("firing_order",), "firing_order.unfit-other-pins", values)
+    for name in ("banks", "rotation"):
+        if name in fit:
+            values["intervals"] = _intervals_text(fit[name], engine)
+            return Fault(("firing_order",), f"firing_order.unfit-uneven-{name}", values)
     together = _simultaneous(centres, engine.cycle_angle)
     if together:
         values["together"] = together
         return Fault(("firing_order",), "firing_order.unfit-together", values)
     return Fault(("firing_order",), "firing_order.unfit", values)
+
+
+def with_pins_reordered(engine: Assembly) -> Assembly | None:
+    """The banks on the other sides and the pins in the opposite order, each split as it was.
+
+    None unless every cylinder has a throw of its own, those of a pin after each other.
+    """
+    count = len(engine.banks)
+    shafts = engine.shafts
+    if len(shafts) != 1 or len(shafts[0].throws) != len(engine.cylinders) or count < 2:
+        return None
+    throws = shafts[0].throws
+    moved = [
+        with_values(throw, angle=throw.angle - 2 * throws[index - index % count].angle)
+        for index, throw in enumerate(throws)
+    ]
+    shaft = with_values(shafts[0], throws=tuple(moved))
+    return with_banks_mirrored(with_values(engine, shafts=(shaft,)))
+
+
+def split_doubts(engine: Assembly) -> list[Fault]:
+    """A split of the pins with which the engine fires less evenly than without it."""
+    count, shafts = len(engine.banks), engine.shafts
+    own = firing_angles(engine)
+    if len(shafts) != 1 or len(shafts[0].throws) != len(engine.cylinders) or count < 2 or not own:
+        return []
+    throws = shafts[0].throws
+    whole = [
+        with_values(throw, angle=throws[index - index % count].angle)
+        for index, throw in enumerate(throws)
+    ]
+    plain = Assembly.model_validate(
+        {name: getattr(engine, name) for name in Assembly.model_fields}, by_name=True
+    )
+    common = with_values(plain, shafts=(with_values(shafts[0], throws=tuple(whole)),))
+    without = _evenest(engine.firing_order, dead_centres(common), engine.cycle_angle)
+    if without is None or _spread(without, engine) > _spread(own, engine) - SAME_ANGLE:
+        return []
+    values = {
+        "intervals": _intervals_text(own, engine),
+        "without": _intervals_text(without, engine),
+    }
+    return [Fault(("layout", "pin_split"), "doubt.pin-split", values)]
+
+
+def _steps(angles: list[float], engine: Assembly) -> list[float]:
+    """The intervals between firings, degrees."""
+    return [float(step) for step in np.diff([*angles, angles[0] + engine.cycle_angle])]
+
+
+def _spread(angles: list[float], engine: Assembly) -> float:
+    """The greatest interval less the least, degrees."""
+    return float(np.ptp(_steps(angles, engine)))
+
+
+def _intervals_text(angles: list[float], engine: Assembly) -> str:
+    return "-".join(f"{step:.4g}" for step in _steps(angles, engine))
+
+
+def _first_angles(engine: Assembly) -> list[float]:
+    """The angles of the pins, of the cylinders of the first bank, from that of the first pin."""
+    angles = [throw.angle for throw in engine.shafts[0].throws][:: len(engine.banks)]
+    return [angle - angles[0] for angle in angles]
 
 
 def _simultaneous(centres: dict[int, DeadCentre], cycle: float) -> str:

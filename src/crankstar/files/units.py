@@ -16,7 +16,7 @@ from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE, Quan
 from crankstar.files.plus_minus import nominal
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
-from crankstar.language.units import SIGNS, as_weight, definitions, measured
+from crankstar.language.units import ANGLES, SIGNS, as_weight, definitions, measured
 
 _NUMBER = re.compile(
     r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL
@@ -260,6 +260,8 @@ def _read(value: Any, quantity: Quantity) -> tuple[float, bool]:
         zero, degree = _SCALES.get(unit.lower().replace(" ", ""), (0.0, 0.0))
         if degree:
             return (number + zero) * degree, True
+    if quantity.dimension == "angle":
+        unit = ANGLES.get(unit.lower().rstrip("."), unit)
     if quantity.dimension == "pressure":
         unit = _absolute(unit, value, quantity)
     return (number * _factor(unit, value, quantity), True) if unit else (number, False)

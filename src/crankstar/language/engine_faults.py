@@ -195,6 +195,21 @@ SENTENCES: dict[str, str | Plural] = {
         "centres, in degrees of crank angle: {centres}. It would fit with the crankshaft turning "
         'the other way (rotation = "{rotation}").'
     ),
+    "firing_order.unfit-other-pins": N_(
+        "{where} is {order}, which this geometry cannot fire in one cycle of {cycle} deg. Top dead "
+        "centres, in degrees of crank angle: {centres}. It would fire evenly with the banks on the "
+        "other sides (bearings in degrees: {banks}) and the throws at {throws} deg."
+    ),
+    "firing_order.unfit-uneven-banks": N_(
+        "{where} is {order}, which this geometry cannot fire in one cycle of {cycle} deg. Top dead "
+        "centres, in degrees of crank angle: {centres}. It would fit with the banks on the other "
+        "sides (bearings in degrees: {banks}), but unevenly, at intervals of {intervals} deg."
+    ),
+    "firing_order.unfit-uneven-rotation": N_(
+        "{where} is {order}, which this geometry cannot fire in one cycle of {cycle} deg. Top dead "
+        "centres, in degrees of crank angle: {centres}. It would fit with the crankshaft turning "
+        'the other way (rotation = "{rotation}"), but unevenly, at intervals of {intervals} deg.'
+    ),
     "firing_order.unfit-other-banks-or-rotation": N_(
         "{where} is {order}, which this geometry cannot fire in one cycle of {cycle} deg. Top dead "
         "centres, in degrees of crank angle: {centres}. It would fit with the banks on the other "

@@ -67,14 +67,24 @@ SENTENCES: dict[str, str | Plural] = {
         "than {bound} bar"
     ),
     "doubt.charge": N_(
-        "{where} is {intake} bar, with which an engine makes {bound} bar of indicated mean "
-        "effective pressure at most, and this is {value} bar: give the pressure of the charge"
+        "{where} is {intake} bar, with which {load} bar of indicated mean effective pressure has "
+        "the air-fuel ratio {value}; below {bound} the fuel cannot burn: give the pressure of the "
+        "charge, or less load"
     ),
     "doubt.friction": N_(
         "{where} is not given, and at {rpm} rpm the correlation of friction, measured up to "
         "{bound} rpm, gives {value} bar, which may be far too much"
     ),
     "doubt.no-cycle": N_("{where}: {message}"),
+    "doubt.rod-ratio": N_(
+        "{where}: the rod is {value} times as long as the crank radius, and only crosshead engines "
+        "have less than {least}; if {value} is meant as rod length over stroke, rod_ratio is "
+        "{meant}"
+    ),
+    "doubt.pin-split": N_(
+        "{where} makes firing less even: it fires at intervals of {intervals} deg, and without the "
+        "split at {without} deg"
+    ),
     "doubt.piston-mass": N_(
         "{where}: {value} kg go up and down, more than a solid bar of steel as thick as the bore "
         "and as long as stroke and rod, {solid} kg; is the unit right?"

@@ -79,9 +79,17 @@ SIGNS = str.maketrans(
         "\u00b5": "u",
         "\u03bc": "u",
         "\u2212": "-",
+        "\u3000": " ",
+        **{chr(0xFF00 - 0x20 + code): chr(code) for code in range(0x21, 0x7F)},
     }
 )
-"""Signs of print in the letters of a keyboard."""
+"""Signs of print, and the full-width letters of East Asia, in the letters of a keyboard."""
+ANGLES = {
+    **dict.fromkeys(("度", "град", "градус", "градуса", "градусов"), "deg"),
+    **dict.fromkeys(("ラジアン", "弧度", "рад", "радиан", "радиана", "радианов"), "rad"),
+    **dict.fromkeys(("回転", "об", "оборот", "оборота", "оборотов"), "turn"),
+}
+"""Units of angles as Japanese and Russian readers write them; the page has the same."""
 
 Dimensions = frozenset[tuple[str, int]]
 """Base dimensions with their powers."""

@@ -11,6 +11,7 @@
 | `balance` | the labelled record of an excitation, in N and N m or in units of m r w^2 |
 | `bounds` | greatest values and peaks, with what bounds them where ranges are made |
 | `kinetic` | the inertia of the moving parts that the crankshaft feels, over its angle |
+| `charge_air` | the air of a charge, its fuel, the charge pressure that a load needs |
 | `friction` | friction mean effective pressure by published correlations |
 | `ideal_cycles` | Otto, Diesel and limited pressure |
 | `heat_release` | a finite heat release by Wiebe's function; gas exchange |

@@ -19,14 +19,16 @@ from math import degrees, pi
 from typing import Any
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.gas import LOADS
+from crankstar.engine.firing_angles import split_doubts
+from crankstar.engine.gas import LOADS, Ignition
 from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import CrankDimensions
 from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
+from crankstar.mechanics.charge_air import STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
-from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts
+from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError
 
@@ -39,8 +41,8 @@ LONGER = 1.05
 GREATEST_PEAK = 250e5
 GREATEST_IMEP = 35e5
 """Pa; only racing and research engines have more."""
-GREATEST_CHARGE = 18.0
-"""Indicated mean effective pressure over intake pressure: as much as the air of a charge burns."""
+LEAST_AIR: Mapping[Ignition, float] = {"spark": 0.75, "compression": 1.0}
+"""Air-fuel ratio over the stoichiometric one, least of all with which an engine runs."""
 GAMMAS = (1.2, 1.42)
 """Of burnt gas at its hottest, and of cold air."""
 FASTEST = 7000.0
@@ -54,7 +56,8 @@ INERTIA_SPREAD = 2.5
 
 def doubts(engine: Engine) -> tuple[Fault, ...]:
     """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
-    found = [*piston_doubts(engine), *body_doubts(engine)]
+    found = [*split_doubts(engine), *rod_doubts(engine)]
+    found += [*piston_doubts(engine), *body_doubts(engine)]
     found += [*inertia_doubts(engine), *torsion_doubts(engine)]
     gas = engine.gas
     if gas is not None:
@@ -85,10 +88,7 @@ def point_doubts(engine: Engine, computed: Cycle) -> tuple[Fault, ...]:
     path: Path = ("gas", *point)
     values = computed.values
     given = {key: value for key, value in values.items() if key not in computed.assumed}
-    return (
-        *value_doubts(engine, values, given, path=path),
-        *cycle_doubts(engine, computed, path=path),
-    )
+    return (*value_doubts(engine, values, given, path=path), *cycle_doubts(computed, path=path))
 
 
 def value_doubts(
@@ -128,7 +128,7 @@ def _late(engine: Engine, values: Mapping[str, Any], path: Path) -> Iterator[Fau
         yield Fault((*path, "combustion_duration"), "doubt.late", angles)
 
 
-def cycle_doubts(engine: Engine, cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
+def cycle_doubts(cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
     """What is hardly right in a cycle as computed: its pressures, and its friction."""
     if cycle.motored:
         return
@@ -138,13 +138,14 @@ def cycle_doubts(engine: Engine, cycle: Cycle, *, path: Path = ("gas",)) -> Iter
     if cycle.imep > GREATEST_IMEP:
         bound = {"value": cycle.imep / 1e5, "bound": GREATEST_IMEP / 1e5}
         yield Fault(path, "doubt.imep", bound)
-    intake = cycle.values["intake_pressure"]
-    measured = engine.gas is not None and engine.gas.trace is not None
-    if not measured and cycle.imep > GREATEST_CHARGE * intake:
+    fires: Ignition = cycle.values["ignition"]
+    least = LEAST_AIR[fires] * STOICHIOMETRIC[fires]
+    if cycle.air_fuel_ratio is not None and cycle.air_fuel_ratio < least:
         bound = {
-            "value": cycle.imep / 1e5,
-            "intake": intake / 1e5,
-            "bound": GREATEST_CHARGE * intake / 1e5,
+            "value": float(f"{cycle.air_fuel_ratio:.3g}"),
+            "intake": cycle.values["intake_pressure"] / 1e5,
+            "load": float(f"{cycle.imep / 1e5:.4g}"),
+            "bound": float(f"{least:.3g}"),
         }
         yield Fault((*path, "intake_pressure"), "doubt.charge", bound)
     rpm = None if cycle.speed is None else cycle.speed * 30 / pi

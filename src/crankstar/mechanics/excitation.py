@@ -5,8 +5,8 @@ w:
 
     force  = -m P''                        N, in the clock plane, P the place of its centre of mass
     couple = (z - z0) * force              N m, in the plane in which it acts, about z = z0
-    axis_moment = Im(conj(P - P0) force) - I b''  N m, clockwise about the axis through P0,
-                                             b the turn of the body
+    axis_moment = Im(conj(P - P0) force) - I w^2 b''   N m, clockwise about the axis through P0,
+                                                       b the turn of the body
 
 and asks of the crankshaft the torque that changes its kinetic energy T; what it gives the
 crankshaft is

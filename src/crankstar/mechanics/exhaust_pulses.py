@@ -27,8 +27,8 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
 from crankstar.firing.strokes import ExhaustGroup, exhaust_groups
+from crankstar.mechanics.charge_air import events
 from crankstar.mechanics.gas import Cycle
-from crankstar.mechanics.gas_traces import events
 from crankstar.spectra import Complex, Real, Spectrum
 
 

@@ -20,8 +20,9 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.volumes import Volumes, volumes
 from crankstar.language.messages import _
 from crankstar.mechanics import heat_release, ideal_cycles, real_gas
+from crankstar.mechanics.charge_air import air_fuel_ratio, boosted, events
 from crankstar.mechanics.friction import friction_pressure
-from crankstar.mechanics.gas_traces import charges_of_trace, events, traced
+from crankstar.mechanics.gas_traces import charges_of_trace, traced
 from crankstar.mechanics.operating_points import GasError, resolved
 from crankstar.mechanics.roots import root
 from crankstar.spectra import Real
@@ -58,6 +59,10 @@ class Cycle:
     off: tuple[int, ...] = ()
     motored: bool = False
     weaker: Mapping[int, float] = field(default_factory=dict[int, float])
+    air_fuel_ratio: float | None = None
+    """Of the masses in a chamber that burns; None of a measured trace, and where none burns."""
+    boosted: bool = False
+    """Whether the charge pressure is estimated from the load: see `boosted`."""
 
     @property
     def bmep(self) -> float:
@@ -98,9 +103,14 @@ def cycle(
     stroke = 2 * engine.throw(engine.first).radius
     values["stroke"] = stroke
     places = volumes_of(engine)
+    burns = not motored and (engine.gas is None or engine.gas.trace is None)
     try:
+        charged = {}
+        if burns and "intake_pressure" in assumed:
+            charged = _charged(engine, places, values, assumed)
+            values |= charged
         charges = charges_of_trace(engine, places, lost, assumed)
-        rows = _pressures(engine, places, values, lost, charges, motored=motored)
+        rows, heat = _pressures(engine, places, values, lost, charges, motored=motored)
     except ArithmeticError:
         raise GasError(
             "with these values the pressure has no end or falls to nothing: give more intake "
@@ -123,6 +133,8 @@ def cycle(
         off=tuple(sorted(chambers_of(engine, off))),
         motored=motored,
         weaker={key: share for key, share in lost.items() if 0 < share < 1},
+        air_fuel_ratio=air_fuel_ratio(engine, places, values, heat) if heat > 0 else None,
+        boosted=bool(charged),
     )
 
 
@@ -233,8 +245,8 @@ def _pressures(
     charges: Mapping[int, Mapping[str, float]],
     *,
     motored: bool,
-) -> Real:
-    """The pressure [chamber, sample] with the heat that gives the load. Raises GasError."""
+) -> tuple[Real, float]:
+    """The pressure [chamber, sample] with the heat (Pa) that gives the load. Raises GasError."""
     shares = np.array([lost[number] for number in places.numbers])[:, None]
     kinds = np.array(places.kind)
     if engine.gas is not None and engine.gas.trace is not None:
@@ -242,12 +254,26 @@ def _pressures(
         still = burning.copy()
         for row, charge in charges.items():
             still[row] = _law(engine, places, places.kind[row], {**values, **charge})(0.0)
-        return (1 - shares) * burning + shares * still
+        return (1 - shares) * burning + shares * still, 0.0
     laws = [_law(engine, places, row, values) for row in range(len(places.swept))]
     heat = 0.0 if motored else _heat(laws, places, values)
     burning = np.array([law(heat) for law in laws])[kinds]
     still = np.array([law(0.0) for law in laws])[kinds] if shares.any() else burning
-    return (1 - shares) * burning + shares * still
+    return (1 - shares) * burning + shares * still, heat
+
+
+def _charged(
+    engine: Engine, places: Volumes, values: Mapping[str, Any], assumed: Collection[str]
+) -> dict[str, Any]:
+    """What the load changes in an assumed charge; a peak pressure says itself how much that is."""
+    if "imep" not in values and "bmep" not in values:
+        return {}
+
+    def heat(now: Mapping[str, Any]) -> float:
+        laws = [_law(engine, places, row, now) for row in range(len(places.swept))]
+        return _heat(laws, places, now)
+
+    return boosted(engine, places, values, assumed, load=_target(values), heat=heat)
 
 
 def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -> Law:

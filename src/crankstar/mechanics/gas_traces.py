@@ -8,49 +8,14 @@ against the mean that the trace has after the blow-down.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from math import pi, radians
+from math import radians
 
 import numpy as np
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.valves import timing
 from crankstar.engine.volumes import Volumes
-from crankstar.mechanics import heat_release
+from crankstar.mechanics.charge_air import events
 from crankstar.spectra import Real
-
-LEAST_BLOW_DOWN = radians(20.0)
-LEAST_EXCHANGE = radians(20.0)
-"""Radians: the pressure takes so long at least from that of the cylinder to the exhaust's, and on
-to that of the intake."""
-
-
-def events(engine: Engine, bottom: float) -> heat_release.Events:
-    """When compression begins and the exhaust opens, by the valves of the file or assumed ones.
-
-    `bottom` is the bottom dead centre of the chamber, radians after the top.
-    """
-    times = timing(engine.valves, cycle=engine.cycle)
-    turn = 2 * pi
-    opened = bottom - times.exhaust_opens
-    if engine.cycle == "four-stroke":
-        emptied = max(bottom, opened + LEAST_BLOW_DOWN)
-        middle = turn + (times.exhaust_closes - times.intake_opens) / 2
-        half = max(times.exhaust_closes + times.intake_opens, LEAST_EXCHANGE) / 2
-        return heat_release.Events(
-            closed=bottom + times.intake_closes - turn,
-            opened=opened,
-            emptied=emptied,
-            exchange=(middle - half, middle + half),
-        )
-    closed = bottom + max(times.exhaust_closes, times.intake_closes)
-    emptied = max(bottom, opened + LEAST_BLOW_DOWN)
-    return heat_release.Events(
-        closed=closed - turn,
-        opened=opened,
-        emptied=emptied,
-        exchange=(emptied, max(closed, emptied + LEAST_EXCHANGE)),
-    )
-
 
 CHARGE_WINDOW = radians(10.0)
 """Radians before compression begins over which the charge pressure of a trace is a mean: a mean of

@@ -17,6 +17,10 @@ from crankstar.engine.proportions import STEEL
 from crankstar.language.faults import Fault
 from crankstar.mechanics.balance import default_reference
 
+LEAST_RATIO = 2.5
+"""Rod length over crank radius; less have crosshead engines alone."""
+CROSSHEAD_RADIUS = 0.5
+"""m: of a crank whose piston has a crosshead in a two-stroke engine."""
 LEAST_SHARE = 0.01
 """Of a body's mass, as if at the farthest of its mounts: the frame that reaches there has more."""
 
@@ -42,6 +46,32 @@ def piston_doubts(engine: Engine) -> Iterator[Fault]:
             values = {"value": cylinder.reciprocating, "solid": float(f"{solid:.2g}")}
             path = ("cylinders", index, "reciprocating_mass")
             yield Fault(path, "doubt.piston-mass", values, cylinder.number)
+            return  # one slip for all
+
+
+def rod_doubts(engine: Engine) -> Iterator[Fault]:
+    """A rod that is so short that its ratio to the stroke was taken for that to the crank radius.
+
+    Crosshead engines have such rods: two-stroke ones of long stroke, or of a stroke of a metre.
+
+    >>> from crankstar.files.catalog import load
+    >>> [fault.code for fault in rod_doubts(load("i4", changes={"cylinder.rod_ratio": 1.63}))]
+    ['doubt.rod-ratio']
+    """
+    for index, cylinder in enumerate(engine.cylinders):
+        radius = engine.throw(cylinder).radius
+        ratio = cylinder.rod_length / radius
+        tall = cylinder.bore is not None and radius > cylinder.bore
+        long = "radius" not in engine.relative and radius > CROSSHEAD_RADIUS
+        crosshead = engine.cycle == "two-stroke" and (tall or long)
+        if cylinder.articulated is None and ratio < LEAST_RATIO and not crosshead:
+            values = {
+                "value": float(f"{ratio:.4g}"),
+                "least": LEAST_RATIO,
+                "meant": float(f"{2 * ratio:.4g}"),
+            }
+            path = ("cylinders", index, "rod_ratio")
+            yield Fault(path, "doubt.rod-ratio", values, cylinder.number)
             return  # one slip for all
 
 

@@ -1,11 +1,12 @@
 """Guide forces: what each piston pushes sideways on its cylinder, and what is left for the crank.
 
 Free of gas pressure, rod and piston of a cylinder are in equilibrium (d'Alembert) under their
-inertia forces F_p (piston), F_r (rod), F_b (big end) and -I b'', the forces S_s that slave rods put
-on knuckle pins at K_s, the wall and the crank pin. Moments about the big-end pin Q give the guide
-force G, which the piston exerts on the cylinder wall square to the axis a at the piston pin P:
+inertia forces F_p (piston), F_r (rod), F_b (big end) and -I w^2 b'', the forces S_s that slave rods
+put on knuckle pins at K_s, the wall and the crank pin. Moments about the big-end pin Q give the
+guide force G, which the piston exerts on the cylinder wall square to the axis a at the piston pin
+P:
 
-    Re(conj(P - Q) a) g = Im(conj(P - Q) F_p + conj(C - Q) F_r + sum conj(K_s - Q) S_s) - I b''
+    Re(conj(P - Q) a) g = Im(conj(P - Q) F_p + conj(C - Q) F_r + sum conj(K_s - Q) S_s) - I w^2 b''
     G = i a g
     S = F_p + F_r + F_b + sum S_s - G
 

@@ -45,7 +45,7 @@ def units_of(engine: Engine, result: Balance, sums: remains.Sums) -> tuple[Units
             counted=(unit_text(own.force), unit_text(own.couple)),
             lengths=lengths,
             mass=_unit("m" if "mass" in engine.relative else "kg", _heaviest(engine)),
-            inertia=_unit("m*r^2" if "mass" in engine.relative else "kg*m^2"),
+            inertia=_inertia(engine),
             pressure=_told("Pa", 1e6),
             power=_told("W", 1e5),
         ),
@@ -57,6 +57,19 @@ def _unit(unit: str, largest: float = 1.0) -> Unit:
     """SI, or of the chosen units the one that fits."""
     said = shown(unit, largest, prefixed=dimension(unit)[0] in choice())
     return Unit(label=unit_text(said.unit), factor=said.factor)
+
+
+def _inertia(engine: Engine) -> Unit:
+    """That of moments of inertia, which have the masses and lengths of the engine file.
+
+    A relative mass with a known crank radius leaves them in m metre^2: m r^2 are r^2 of these.
+    """
+    if {"mass", "radius"}.isdisjoint(engine.relative):
+        return _unit("kg*m^2")
+    if "mass" not in engine.relative:
+        return _unit("kg*r^2")
+    squared = 1.0 if "radius" in engine.relative else engine.throw(engine.first).radius ** 2
+    return Unit(label=unit_text("m*r^2"), factor=1.0 / squared)
 
 
 def _told(unit: str, usual: float) -> Unit:

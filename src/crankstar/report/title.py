@@ -111,8 +111,8 @@ def _lengths(engine: Engine) -> list[Datum]:
     throws = [engine.throw(cylinder) for cylinder in engine.cylinders]
     pairs = list(zip(engine.cylinders, throws, strict=True))
     ratio = _span(throw.radius / cylinder.rod_length for cylinder, throw in pairs)
-    keys = ("rod_length", "rod_ratio", "radius", "stroke")
-    rods = Datum(_("Crank radius over rod length, λ"), ratio, keys)
+    of_length, of_ratio = _rod_keys(engine)
+    rods = Datum(_("Crank radius over rod length, λ"), ratio, of_ratio)
     if "radius" in engine.relative:
         return [rods]
     bores = [cylinder.bore for cylinder in engine.cylinders if cylinder.bore is not None]
@@ -130,10 +130,26 @@ def _lengths(engine: Engine) -> list[Datum]:
         Datum(_("Bore"), bore, ("bore",)),
         Datum(_("Stroke (twice the crank radius)"), stroke, ("stroke", "radius")),
         Datum(_("Swept volume"), volume, ("bore", "stroke", "radius")),
-        Datum(_("Rod length between centres"), rod, ("rod_length", "rod_ratio")),
+        Datum(_("Rod length between centres"), rod, of_length),
         rods,
         Datum(_("Bore pitch"), pitch, ("bore_pitch",)),
     ]
+
+
+def _rod_keys(engine: Engine) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The keys on which the length of rods rests, and their ratio: one is given, one derived.
+
+    Where the provenance names neither, or both, each rests on all.
+    """
+    names = {path.split(".")[-1].split("[")[0] for path in engine.provenance}
+    radius = ("radius", "stroke")
+    match "rod_length" in names, "rod_ratio" in names:
+        case True, False:
+            return ("rod_length",), ("rod_length", *radius)
+        case False, True:
+            return ("rod_ratio", *radius), ("rod_ratio",)
+    every = ("rod_length", "rod_ratio", *radius)
+    return every, every
 
 
 def _masses(engine: Engine) -> list[Datum]:

@@ -32,5 +32,6 @@
 | `matching` | a batch matched to the cylinders of an engine, and what chance and classes leave |
 | `matched_sets` | a batch divided among several engines, each set matched |
 | `single_faults` | faults of an engine, and what each changes in what shakes its block |
+| `readings` | readings of vibration from a list, by order, place and direction |
 | `diagnosis` | the likeliest fault by measured vibration |
 """

@@ -1,18 +1,28 @@
 """The likeliest fault of an engine from measured vibration: amplitude and phase by order.
 
 The engine as its file has it would move by y_0; what was measured is y. Each fault of the
-catalogue adds a column a to the difference d = y - y_0, times its size s, which is real. Least
-squares with complex rows give
+catalogue adds a column a to the difference d = y - y_0, times its size s, which is real. A reading
+is as uncertain as it is great, and so is the model: each row is divided by
+
+    e = hypot(|y|, |y_0|, FLOOR max |y|)    or by the error that the list gives for it,
+
+so that a small difference of great readings does not hide what small readings show. Least squares
+with these complex rows give
 
     s = Re(a* d)/(a* a),    explained = 1 - |d - s a|^2/|d|^2,
     standard error of s = |d - s a| / (sqrt(2 n - 1) |a|)  for n rows,
 
-s kept within what there can be (`single_faults.limits`): shares from 0 to 1, masses of either sign
-that leave something of the part. Rows are velocities, so
-that orders weigh alike; where the vibration before the fault was measured too, it stands for y_0,
-and errors of the model cancel. Two faults cannot be told apart where the cosine of the angle
-between their columns is ALIKE or more. Pairs are tried as well, and told where they explain much
-more.
+or, where it is greater, the error sqrt(sum a_i^2 r_i^2 2n/(2n - 1)) / |a|^2 over the 2n real rows
+with their residuals r, which does not rest on the e. s is kept within what there can be
+(`single_faults.limits`): shares from 0 to 1, masses of either sign that leave something of the
+part. A fault is a cause where it explains most, or where its size is CERTAIN times its error and no
+two faults explain much more: of noisy readings the best fault may explain little and be sure. Rows
+are velocities; where the vibration before the fault was measured too, it stands for y_0, and errors
+of the model cancel. Two faults cannot be told apart where the cosine of the angle between their
+columns is ALIKE or more. Pairs are tried as well, and told where they explain much more.
+
+Source of the second error: H. White, Econometrica 48 (1980) 817, with the factor of degrees of
+freedom of J. G. MacKinnon and H. White, J. Econometrics 29 (1985) 305.
 """
 
 from __future__ import annotations
@@ -27,15 +37,10 @@ from scipy.optimize import lsq_linear
 
 from crankstar.dynamics.whirl import body
 from crankstar.engine.engine import Engine
-from crankstar.engine.quantities import ANGLE, LENGTH, SPEED
 from crankstar.engine.rigid_block import moved
-from crankstar.files.columns import Columns
-from crankstar.files.lists import Listed, Row
-from crankstar.files.vibrations import vibration_of
-from crankstar.language.messages import _
 from crankstar.mechanics.gas_loads import Turning, vibrating_state
-from crankstar.mechanics.occurring_orders import OrderError, check_orders
-from crankstar.spectra import Complex
+from crankstar.spectra import Complex, Real
+from crankstar.studies.readings import Reading
 from crankstar.studies.single_faults import (
     DiagnosisError,
     Fault,
@@ -47,12 +52,14 @@ from crankstar.studies.single_faults import (
     shaken,
 )
 
-Axis = Literal["up", "right", "z"]
-AXES: tuple[Axis, ...] = ("up", "right", "z")
 ALIKE = 0.995
 """Cosine of the angle between two columns from which two faults cannot be told apart."""
 EXPLAINS = 0.7
-"""Share that a fault must explain for it to be a cause."""
+"""Share that a fault must explain for it to be a cause, however great its error."""
+CERTAIN = 5.0
+"""Errors that the size of a fault must have for it to be a cause."""
+FLOOR = 0.1
+"""Share of the greatest reading below which readings are as uncertain as at it."""
 NOTHING = 0.02
 """Share of the vibration below which the difference counts as none."""
 NEXT_TO_NOTHING = 1e-4
@@ -65,30 +72,6 @@ MOST_IN_PAIRS = 64
 """Faults of which pairs are tried."""
 MUCH_MORE = 0.5
 """Share of what a single fault leaves that a pair must explain to be told."""
-GREATEST_ORDER = 1000.0
-HEADS = {
-    "order": "order",
-    "up": "up",
-    "right": "right",
-    "z": "z",
-    "along": "z",
-    "direction": "direction",
-    "axis": "direction",
-    "amplitude": "amplitude",
-    "phase": "phase",
-    "speed": "speed",
-}
-
-
-class Reading(NamedTuple):
-    """A line of a measurement: crank order, place (up, right, z), axis, velocity (m/s, complex)."""
-
-    order: float
-    place: tuple[float, float, float]
-    axis: int
-    velocity: complex
-    speed: float
-    line: int
 
 
 class Suspect(NamedTuple):
@@ -114,6 +97,11 @@ class Suspect(NamedTuple):
         fault = self.faults[0]
         last = 1 - int(np.floor(np.log10(float(f"{self.error:.2g}"))))
         return (fault._replace(size=round(fault.size, last)),)
+
+    @property
+    def certainty(self) -> float:
+        """The size of a single fault over its error."""
+        return abs(self.faults[0].size) / self.error if self.error > 0 else np.inf
 
     @property
     def has_size(self) -> bool:
@@ -147,65 +135,16 @@ class Diagnosis:
     @property
     def found(self) -> bool:
         """Whether some single fault explains what was measured."""
-        return bool(self.suspects) and self.suspects[0].explained >= EXPLAINS
+        if not self.suspects:
+            return False
+        first = self.suspects[0]
+        certain = first.has_size and self.pair is None and first.certainty >= CERTAIN
+        return first.explained >= EXPLAINS or certain
 
     @property
     def healthy(self) -> bool:
         """Whether the engine without a fault explains it: little differs, and in no pattern."""
         return self.share < NEXT_TO_NOTHING or (self.share < NOTHING and not self.found)
-
-
-def readings_of(listed: Listed, engine: Engine, *, speed: float | None) -> tuple[Reading, ...]:
-    """The readings of a list about an engine, at a speed (rad/s) unless it has its own.
-
-    Raises ListError with every mistake.
-    """
-    columns = Columns(listed, HEADS, needed=("order", "direction", "amplitude", "phase"))
-    if "speed" not in columns and speed is None:
-        columns.refuse_list(
-            _("there is no column speed; add it, or give --speed, or speed in the engine file")
-        )
-    found = [_reading(columns, row, engine, speed) for row in columns.rows]
-    columns.check()
-    return tuple(found)
-
-
-def _reading(columns: Columns, row: Row, engine: Engine, speed: float | None) -> Reading:
-    """A line; what is mistaken in it is noted, and nan."""
-    order = _order(columns, row, engine)
-    up, right, z = (
-        columns.value(row, name, LENGTH, usual="mm") if name in columns else 0.0 for name in AXES
-    )
-    own = columns.value(row, "speed", SPEED) if "speed" in columns else speed or np.nan
-    if own <= 0:
-        columns.refuse(row, "speed", _("the speed must be greater than 0"))
-        own = np.nan
-    word = columns.text(row, "direction").lower()
-    word = {"vertical": "up", "horizontal": "right", "axial": "z", "along": "z"}.get(word, word)
-    sign = -1.0 if word in ("down", "left") else 1.0
-    word = {"down": "up", "left": "right"}.get(word, word)
-    axis = AXES.index(word) if word in AXES else -1
-    if axis < 0 and "direction" in columns:
-        columns.refuse(row, "direction", _("give up, down, right, left or z"))
-    size, rate = vibration_of(columns, row, "amplitude")
-    phase = columns.value(row, "phase", ANGLE, usual="deg")
-    velocity = sign * size * (1j * order * own) ** (1 - rate) * np.exp(1j * phase)
-    return Reading(order, (up, right, z), axis, complex(velocity), own, row.line)
-
-
-def _order(columns: Columns, row: Row, engine: Engine) -> float:
-    """The order of a line; one that the engine cannot have is noted, its file having gas or not."""
-    order = columns.number(row, "order")
-    if np.isnan(order):
-        return order
-    if not 0 < order <= GREATEST_ORDER:
-        columns.refuse(row, "order", _("give an order above 0, as in 0.5 or 2"))
-        return np.nan
-    try:
-        check_orders(engine, [order], gas=True)
-    except OrderError as error:
-        columns.refuse(row, "order", str(error))
-    return order
 
 
 def rows_of(found: dict[float, Shaken], readings: Sequence[Reading]) -> Complex:
@@ -254,6 +193,7 @@ def diagnosed(
     healthy = expected(engine, readings, point=point)
     start = _matching(readings, before) if before else healthy
     difference = measured - start
+    errors = _errors(readings, before, measured, start)
     faults = catalogue(engine)
     columns = np.array(
         [expected(engine, readings, [fault], point=point) - healthy for fault in faults]
@@ -262,7 +202,7 @@ def diagnosed(
     whole = max(float(np.linalg.norm(measured)), float(np.linalg.norm(start)))
     share = size / whole if whole else 0.0
     suspects = [
-        _suspect(engine, difference, [fault], [column])
+        _suspect(engine, difference, [fault], [column], errors)
         for fault, column in zip(faults, columns, strict=True)
         if np.linalg.norm(column) > 0
     ]
@@ -273,18 +213,40 @@ def diagnosed(
         difference,
         share,
         tuple(suspects),
-        _pair(engine, difference, faults, columns, suspects),
-        _alike(suspects),
+        _pair(engine, difference, faults, columns, suspects, errors),
+        _alike(suspects, errors),
         point,
     )
 
 
-def _matching(readings: Sequence[Reading], before: Sequence[Reading]) -> Complex:
+def _errors(
+    readings: Sequence[Reading], before: Sequence[Reading], measured: Complex, start: Complex
+) -> Real:
+    """What the difference of each reading is uncertain by, up to a common factor.
+
+    That is the error that the lists give, or else the size of the reading and of what it is
+    compared with.
+    """
+    if all(each.error > 0 for each in (*readings, *before)):
+        own = np.array([each.error for each in readings])
+        earlier = np.abs(_matching(readings, before, of="error")) if before else 0.0
+        return np.hypot(own, earlier)
+    sizes = np.hypot(np.abs(measured), np.abs(start))
+    floor = FLOOR * float(sizes.max(initial=0.0))
+    return np.hypot(sizes, floor) if floor else np.ones(len(readings))
+
+
+def _matching(
+    readings: Sequence[Reading],
+    before: Sequence[Reading],
+    *,
+    of: Literal["velocity", "error"] = "velocity",
+) -> Complex:
     """What was measured before in the same places and orders. Raises DiagnosisError."""
     known_before: dict[tuple[object, ...], complex] = {}
     for each in before:
         key = (each.order, each.place, each.axis, each.speed)
-        if known_before.setdefault(key, each.velocity) != each.velocity:
+        if known_before.setdefault(key, getattr(each, of)) != getattr(each, of):
             raise DiagnosisError(
                 "line {line} of the measurement before has another value than a line above it in "
                 "the same place, direction, order and speed; leave one out",
@@ -304,27 +266,39 @@ def _matching(readings: Sequence[Reading], before: Sequence[Reading]) -> Complex
 
 
 def _suspect(
-    engine: Engine, difference: Complex, faults: Sequence[Fault], columns: Sequence[Complex]
+    engine: Engine,
+    difference: Complex,
+    faults: Sequence[Fault],
+    columns: Sequence[Complex],
+    errors: Real,
 ) -> Suspect:
     """Faults of the sizes with which they explain most, within what there can be."""
     rows = np.array(columns).T
-    real = np.concatenate([np.real(rows), np.imag(rows)])
-    aim = np.concatenate([np.real(difference), np.imag(difference)])
+    weighed, wanted = rows / errors[:, None], difference / errors
+    real = np.concatenate([np.real(weighed), np.imag(weighed)])
+    aim = np.concatenate([np.real(wanted), np.imag(wanted)])
     sizes = np.linalg.lstsq(real, aim, rcond=None)[0]
     least, most = np.array([limits(engine, fault) for fault in faults]).T
     if (np.clip(sizes, least, most) != sizes).any() and len(faults) > 1:
         sizes = lsq_linear(real, aim, bounds=(least, most)).x
     sizes = np.clip(sizes, least, most)
-    explained = rows @ sizes
-    whole = float(np.vdot(difference, difference).real)
-    left = difference - explained
-    share = 1 - float(np.vdot(left, left).real) / whole if whole else 0.0
+    left = aim - real @ sizes
+    whole = float(aim @ aim)
+    share = 1 - float(left @ left) / whole if whole else 0.0
     sized = tuple(
         fault._replace(size=float(size)) for fault, size in zip(faults, sizes, strict=True)
     )
-    free = max(2 * len(difference) - len(faults), 1)
-    spread = float(np.vdot(left, left).real) / free / (float(np.vdot(rows, rows).real) or 1.0)
-    return Suspect(sized, share, explained, spread**0.5)
+    return Suspect(sized, share, rows @ sizes, _size_error(real, left))
+
+
+def _size_error(real: Real, left: Real) -> float:
+    """The standard error of the size of a single fault, by its real rows and what it leaves."""
+    count, faults = real.shape
+    freedom = max(count - faults, 1)
+    square = float(np.vdot(real, real)) or 1.0
+    usual = float(left @ left) / freedom / square
+    own = float(((real[:, 0] * left) ** 2).sum()) * count / freedom / square**2
+    return max(usual, own) ** 0.5
 
 
 def _pair(
@@ -333,16 +307,17 @@ def _pair(
     faults: Sequence[Fault],
     columns: Complex,
     suspects: Sequence[Suspect],
+    errors: Real,
 ) -> Suspect | None:
     """The best pair, where it explains MUCH_MORE of what the best single fault leaves."""
     best: Suspect | None = None
     if len(faults) > MOST_IN_PAIRS:
         return None
     for one, other in combinations(range(len(faults)), 2):
-        if abs(_cosine(columns[one], columns[other])) >= ALIKE:
+        if abs(_cosine(columns[one] / errors, columns[other] / errors)) >= ALIKE:
             continue
         both = [faults[one], faults[other]], [columns[one], columns[other]]
-        pair = _suspect(engine, difference, *both)
+        pair = _suspect(engine, difference, *both, errors)
         if best is None or pair.explained > best.explained + 1e-9:
             best = pair
     single = suspects[0].explained if suspects else 0.0
@@ -361,15 +336,15 @@ def _doubtful(engine: Engine, fault: Fault) -> float:
     return min(abs(fault.size) / whole, 1.0) if whole > 0 else 1.0
 
 
-def _alike(suspects: Sequence[Suspect]) -> tuple[Suspect, ...]:
+def _alike(suspects: Sequence[Suspect], errors: Real) -> tuple[Suspect, ...]:
     """Those whose vibration has the same pattern as that of the first."""
     if not suspects:
         return ()
-    first = suspects[0].rows
+    first = suspects[0].rows / errors
     return tuple(
         each
         for each in suspects[1:]
-        if np.linalg.norm(each.rows) > 0 and _cosine(first, each.rows) >= ALIKE
+        if np.linalg.norm(each.rows) > 0 and _cosine(first, each.rows / errors) >= ALIKE
     )
 
 

@@ -114,7 +114,7 @@ def bobweights(engine: Engine, factor: float, *, notes: Sequence[str] = ()) -> T
         Column(_("cylinders"), kind="list", key="cylinders"),
         Column(_("rotating"), scale.unit, key="rotating"),
         Column(_("reciprocating"), scale.unit, key="reciprocating"),
-        Column(_("bobweight"), scale.unit, key="bobweight"),
+        Column(_bobweight_head(engine), scale.unit, key="bobweight"),
     )
     rows: list[tuple[Value, ...]] = []
     for pin in pins:
@@ -122,11 +122,7 @@ def bobweights(engine: Engine, factor: float, *, notes: Sequence[str] = ()) -> T
         cells = (pin_name(engine, pin), tuple(pin.cylinders))
         rows.append((*cells, *(mass * scale.factor for mass in masses)))
     own = (
-        _(
-            "Bobweight = rotating + {factor} × reciprocating, of all cylinders on the pin, at the "
-            "crank radius.",
-            factor=number(factor),
-        ),
+        *(_without_rotating(engine) or [_bobweight_law(factor)]),
         *(
             _(
                 "As a share of the reciprocating mass of one of the {count} cylinders on "
@@ -141,7 +137,38 @@ def bobweights(engine: Engine, factor: float, *, notes: Sequence[str] = ()) -> T
         *_own(pins),
     )
     title = _("Bobweights")
+    if _lacks_rotating(engine):
+        title = _("No bobweights: the rotating masses are missing")
     return Table(title, columns, tuple(rows), notes=(*own, *notes), key="bobweights")
+
+
+def _bobweight_law(factor: float) -> str:
+    return _(
+        "Bobweight = rotating + {factor} × reciprocating, of all cylinders on the pin, at the "
+        "crank radius.",
+        factor=number(factor),
+    )
+
+
+def _lacks_rotating(engine: Engine) -> bool:
+    """Whether the file has masses in kg, and none that turns with a crank pin."""
+    return "mass" not in engine.relative and not any(pin.rotating for pin in loads(engine))
+
+
+def _bobweight_head(engine: Engine) -> str:
+    return _("share of the reciprocating mass") if _lacks_rotating(engine) else _("bobweight")
+
+
+def _without_rotating(engine: Engine) -> list[str]:
+    if not _lacks_rotating(engine):
+        return []
+    return [
+        _(
+            "The file gives no rotating mass: these are shares of the reciprocating mass, and no "
+            "bobweights. Add cylinder.rotating_mass, or cylinder.parts with big_end and "
+            "bearing_shells."
+        )
+    ]
 
 
 def pin_name(engine: Engine, pin: Load) -> str:
@@ -197,7 +224,7 @@ def overbalance(engine: Engine, factor: float) -> Table:
         Column(_("balance factor"), "%", key="factor_percent"),
     ]
     for place, pins in enumerate(kinds.values(), 1):
-        heading = _("bobweight")
+        heading = _bobweight_head(engine)
         if len(kinds) > 1:
             names = plain(", ".join(pin_name(engine, pin) for pin in pins))
             heading = _("bobweight, pin {names}", names=names)

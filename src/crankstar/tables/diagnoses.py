@@ -13,7 +13,8 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Complex, Real
-from crankstar.studies.diagnosis import AXES, FEW, Diagnosis, Suspect
+from crankstar.studies.diagnosis import EXPLAINS, FEW, Diagnosis, Suspect
+from crankstar.studies.readings import AXES
 from crankstar.studies.single_faults import Fault, Shaken, fault_text, limits
 from crankstar.tables.gas_words import load_words
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
@@ -176,8 +177,14 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
         parts += [_suspects(found, every=every), _readings(found)]
     notes = [
         _(
-            "Explained: share of the mean square of the difference, as velocity, that the fault of "
-            "its likeliest size has."
+            "Explained: share of the mean square of the difference, as velocity over its error, "
+            "that the fault of its likeliest size has. Errors are those of the list."
+        )
+        if all(each.error > 0 for each in found.readings)
+        else _(
+            "Explained: share of the mean square of the difference, as velocity over the size of "
+            "the reading, that the fault of its likeliest size has. Without a column error a "
+            "reading is taken to be as uncertain as it is great."
         ),
         _("The difference is that to the measurement before.")
         if before
@@ -235,6 +242,36 @@ def _percent(share: float) -> str:
     return number(float(f"{100 * share:.4g}"), 100.0)
 
 
+def _likeliest(found: Diagnosis) -> list[str]:
+    """The likeliest fault, how sure it is, and the next that can be told from it."""
+    first = found.suspects[0]
+    lines = [
+        _(
+            "Likeliest: {fault}, which explains {share} %.",
+            fault=suspect_text(first, found),
+            share=_percent(first.explained),
+        )
+    ]
+    if first.explained < EXPLAINS:
+        lines.append(
+            _(
+                "Its size is {times} times its error; the rest is noise, or not in the model.",
+                times=f"{first.certainty:.3g}",
+            )
+        )
+    alike = [id(each) for each in found.alike]
+    others = [each for each in suspects_of(found)[1:] if id(each) not in alike]
+    if others:
+        lines.append(
+            _(
+                "Next: {fault}, {share} %.",
+                fault=suspect_text(others[0], found),
+                share=_percent(max(others[0].explained, 0.0)),
+            )
+        )
+    return lines
+
+
 def _verdict(found: Diagnosis) -> list[str]:
     if found.healthy:
         return [
@@ -253,24 +290,7 @@ def _verdict(found: Diagnosis) -> list[str]:
             )
         ]
     else:
-        first = found.suspects[0]
-        lines = [
-            _(
-                "Likeliest: {fault}, which explains {share} %.",
-                fault=suspect_text(first, found),
-                share=_percent(first.explained),
-            )
-        ]
-        alike = [id(each) for each in found.alike]
-        others = [each for each in suspects_of(found)[1:] if id(each) not in alike]
-        if others:
-            lines.append(
-                _(
-                    "Next: {fault}, {share} %.",
-                    fault=suspect_text(others[0], found),
-                    share=_percent(max(others[0].explained, 0.0)),
-                )
-            )
+        lines = _likeliest(found)
     if found.found and found.alike:
         lines.append(
             _(

@@ -42,5 +42,5 @@ def errata_document(errata: Sequence[Erratum]) -> Document:
 
 
 def _columns() -> tuple[Column, ...]:
-    heads = {"of": _("formula"), "printed": _("printed"), "true": _("true")}
+    heads = {"of": _("formula"), "printed": _("printed"), "true": _("correct formula")}
     return tuple(Column(head, kind="text", key=key, wraps=True) for key, head in heads.items())

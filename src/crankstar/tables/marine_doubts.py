@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
-from crankstar.mechanics.doubts import GREATEST_IMEP
+from crankstar.mechanics.doubts import GREATEST_IMEP, point_doubts
 from crankstar.studies.marine import MarineAnalysis
+from crankstar.tables.torque import charge_sentences
 
 LEAST_RATED = 1e5
 """Pa, of the brake mean effective pressure of any rating: no more than friction takes."""
@@ -33,6 +34,9 @@ def doubts(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[s
         )
     if guide is not None and not guide.pitch_known:
         lines.append(_("X needs the distance of the cylinders: give layout.bore_pitch."))
+    if found.cycle is not None:
+        lines += charge_sentences(found.cycle)
+        lines += [fault.sentence for fault in point_doubts(found.engine, found.cycle)]
     return [*lines, missing_units(found), *_strange(found, bracing)]
 
 

@@ -85,7 +85,7 @@ def balancing_sheet(job: Job) -> Document:
 
 def parts(job: Job) -> Iterator[Table | Remarks]:
     """The sheet without its title."""
-    yield from remarks(job.description)
+    yield from remarks(job.description, *_greater_left(job))
     if job.weighted:
         yield _bobweights(job)
     if job.best is not None:
@@ -98,6 +98,27 @@ def parts(job: Job) -> Iterator[Table | Remarks]:
         yield from placing_lines(job.after, job.placings, speed=job.speed)
     yield _remaining(job)
     yield from _needed(job)
+
+
+def _greater_left(job: Job) -> Iterator[str]:
+    """A sentence where what remains of one order is greater than all that is removed of another."""
+    before, after = (balance(each, speed=job.speed) for each in (job.before, job.after))
+    sums = summed(before), summed(after)
+    left = {abs(float(need.ratio)) for need in needs(job.after, zero=OPTIMISED)}
+    for name, word in (("force", _("force")), ("couple", _("couple"))):
+        for order, other in ((1.0, 2.0), (2.0, 1.0)):
+            (_was, stays), (old, new) = (
+                [float(bounds.greatest(*p)) for p in _vectors(sums, name, k, after.units)]
+                for k in (order, other)
+            )
+            if order in left and stays > old - new > OPTIMISED * old:
+                yield _(
+                    "The {quantity} of order {order} remains, and is greater than that of order "
+                    "{other}, which is removed or reduced.",
+                    quantity=word,
+                    order=order_text(order),
+                    other=order_text(other),
+                )
 
 
 def _bobweights(job: Job) -> Table:
@@ -276,9 +297,8 @@ def _remaining(job: Job) -> Table:
     """The orders in which something was put on the engine, or remains, before and after."""
     before, after = (balance(engine, speed=job.speed) for engine in (job.before, job.after))
     sums = summed(before), summed(after)
-    fitted = [shaft for shaft in job.after.shafts if shaft.weights]
-    left = [need.ratio for need in needs(job.after, zero=OPTIMISED)]
-    ratios = [*(shaft.speed_ratio for shaft in fitted), *left]
+    ratios = [shaft.speed_ratio for shaft in job.after.shafts if shaft.weights]
+    ratios += [need.ratio for need in needs(job.after, zero=OPTIMISED)]
     orders = sorted({1.0} | {abs(float(ratio)) for ratio in ratios})
     rows: list[tuple[Value, ...]] = []
     worse: list[str] = []

@@ -86,7 +86,8 @@ def _peaks_sentence(engine: Engine, result: Balance, sums: Sums) -> str:
     if result.speed is None or engine.block is None or not force:
         return text
     share = _(
-        "The peak force is {share} times the weight of the engine.",
+        "The peak force is {share} times the weight of the block of the file, {mass}.",
+        mass=quantity_text(engine.block.mass, "kg"),
         share=number(force * (1 / (engine.block.mass * GRAVITY)), digits=3),
     )
     return passage((text, share))

@@ -99,6 +99,8 @@ def torque_document(
         "imep": cycle.imep,
         "bmep": cycle.bmep if turning is not None else None,
         "peak_pressure": cycle.peak,
+        "air_fuel_ratio": cycle.air_fuel_ratio,
+        "charge_estimated": cycle.boosted,
         "irregularity": None if running is None else running.irregularity,
         "flywheel": None if wheel is None else {**wheel._asdict(), "unit": "kg*m^2"},
         "off": list(cycle.off),
@@ -151,6 +153,21 @@ def load_sentence(cycle: Cycle) -> str:
     return _("At {pressure} indicated mean effective pressure.", pressure=pressure)
 
 
+def charge_sentences(cycle: Cycle) -> list[str]:
+    """The charge pressure that was estimated from the load, with the air-fuel ratio that it has."""
+    if not cycle.boosted or cycle.air_fuel_ratio is None:
+        return []
+    return [
+        _(
+            "The charge pressure, {pressure}, is estimated from the load: with it the air-fuel "
+            "ratio is {ratio}, of a charge at {temperature} K. gas.intake_pressure gives it.",
+            pressure=quantity_text(cycle.values["intake_pressure"], "Pa"),
+            ratio=number(float(f"{cycle.air_fuel_ratio:.3g}")),
+            temperature=number(cycle.values["intake_temperature"]),
+        )
+    ]
+
+
 def friction_torque(cycle: Cycle) -> float:
     """The mean torque that friction takes, N m."""
     places = cycle.volumes
@@ -192,6 +209,8 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
         (_("peak pressure"), cycle.peak, "Pa"),
         (_("mean gas torque"), mean, "N*m"),
     ]
+    if cycle.air_fuel_ratio is not None:
+        rows.insert(2, (_("air-fuel ratio"), float(f"{cycle.air_fuel_ratio:.4g}"), ""))
     if cycle.speed is not None:
         rows += [
             (_("friction mean effective pressure"), cycle.friction, "Pa"),
@@ -282,6 +301,7 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
                 values=", ".join(assumed),
             )
         )
+    lines += charge_sentences(cycle)
     if "ignition" in cycle.assumed:
         lines.append(_(IGNITIONS[cycle.values["ignition"]]))
     if "imep" in cycle.assumed:

@@ -1,3 +1,5 @@
+import { degreesOf, halfWidth } from '../angle'
+
 /** A number with its unit; '' for a bare number, in SI or in the engine's own units. */
 export interface Quantity {
   readonly number: number
@@ -17,7 +19,9 @@ export interface Scale {
 export function parsed(value: unknown): Quantity | null {
   if (typeof value === 'number') return Number.isFinite(value) ? { number: value, unit: '' } : null
   if (typeof value !== 'string') return null
-  const match = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S.*?)?\s*$/.exec(value)
+  const match = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S.*?)?\s*$/.exec(
+    halfWidth(value),
+  )
   return match ? { number: Number(match[1]), unit: match[2] ?? '' } : null
 }
 
@@ -32,7 +36,7 @@ export function rewritten(number: number, was: unknown, usual: string): unknown 
 
 /** Typed text as a value: a bare number as a number, all else as text. */
 export function typed(text: string): unknown {
-  const trimmed = text.trim()
+  const trimmed = halfWidth(text).trim()
   return /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/.test(trimmed) ? Number(trimmed) : text
 }
 
@@ -43,19 +47,9 @@ export function textOf(value: unknown): string {
   return String(value)
 }
 
-const TURN: Record<string, number> = {
-  deg: 360,
-  degree: 360,
-  degrees: 360,
-  '°': 360,
-  turn: 1,
-  turns: 1,
-  '': 2 * Math.PI,
-}
-
-/** How much a full turn is in the unit of an angle. */
+/** How much a full turn is in the unit of an angle; without one, in radians. */
 export function turn(unit: string): number {
-  return TURN[unit] ?? (unit.startsWith('rad') ? 2 * Math.PI : 360)
+  return unit === '' ? 2 * Math.PI : 360 / (degreesOf(unit) ?? 1)
 }
 
 /** An angle in degrees, for a dial; null where it is no angle. */
