@@ -179,9 +179,11 @@ def _built(
     because: Literal["unknown", "relative"],
 ) -> _Draft:
     """Check a tree against its record and build the engine; corrected copies find more faults."""
-    context = {"reader": units.reader(relative, because=because, measured=measured_scales(tree))}
+    reader = partial(units.reader, relative, because=because)
+    context = {"reader": reader()}  # of corrected copies, whose numbers are bare
+    strict = {"reader": reader(measured=measured_scales(tree))}
     try:
-        record = model.model_validate(tree, context=context, by_alias=True, by_name=False)
+        record = model.model_validate(tree, context=strict, by_alias=True, by_name=False)
     except ValidationError as error:
         faults = faults_of(error, model, tree)
         if then is not None:

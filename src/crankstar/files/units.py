@@ -200,11 +200,15 @@ def reader(
 
 def _refuse_bare(value: Any, quantity: Quantity, measured: Mapping[str, tuple[str, float]]) -> None:
     """Refuse a bare length that may be metres, or times what the file counted in before."""
-    if isinstance(value, bool) or not isinstance(value, int | float) or value == 0:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return
+    if not 0 < abs(value) <= _KINDS[quantity.dimension].greatest_bare:
         return
     for scale in sorted(quantity.relative_to & measured.keys()):
         if quantity.dimension in _LENGTHS:
             key, size = measured[scale]
+            if quantity.least and value < GREATEST_SIZE * size:
+                continue  # of a bore or a rod that is plainly metres, or no size at all
             raise ValueFaultError(
                 f"unit.bare-beside-{scale}",
                 value=seen(value),
@@ -214,6 +218,8 @@ def _refuse_bare(value: Any, quantity: Quantity, measured: Mapping[str, tuple[st
             )
 
 
+GREATEST_SIZE = 10.0
+"""Crank radii or bore pitches: more than any bore, rod or pitch has."""
 _LENGTHS = frozenset({"length", "length along the crankshaft"})
 
 
