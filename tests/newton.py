@@ -144,7 +144,7 @@ def bodies_of(engine: Engine, theta: Array) -> Iterator[Body]:
                 centre,
                 axis,
                 z,
-                cylinder.rod.inertia,
+                cylinder.rod.turning_inertia(cylinder.rod_length),
                 cylinder.bearing - leaning,
             )
     for shaft in engine.shafts:

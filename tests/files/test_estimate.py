@@ -269,6 +269,7 @@ def test_the_inertia_of_a_rod_moves_with_its_mass_and_centre(form: str) -> None:
     assert after.rod is not None
     mass, centre = 1.3 * before.rod.mass, 0.9 * before.rod.centre
     two = mass * centre * (before.rod_length - centre)
+    assert before.rod.inertia is not None
     own = before.rod.mass * before.rod.centre * (before.rod_length - before.rod.centre)
     assert after.rod.mass == pytest.approx(mass)
     assert after.rod.centre == pytest.approx(centre)

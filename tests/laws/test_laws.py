@@ -132,7 +132,10 @@ def of_masses(engine: Engine, share: Callable[[], float]) -> Engine:
             return {}
         return {
             "rod": c.rod.model_copy(
-                update={"mass": c.rod.mass * share(), "inertia": c.rod.inertia * share()}
+                update={
+                    "mass": c.rod.mass * share(),
+                    "inertia": c.rod.turning_inertia(c.rod_length) * share(),
+                }
             )
         }
 
@@ -335,7 +338,7 @@ def test_forces_grow_with_mass_length_and_speed_squared(
             update = {
                 "mass": rod.mass * heavier,
                 "centre": rod.centre * longer,
-                "inertia": rod.inertia * heavier * longer**2,
+                "inertia": rod.turning_inertia(cylinder.rod_length) * heavier * longer**2,
             }
             rod = rod.model_copy(update=update)
         if link:

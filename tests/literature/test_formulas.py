@@ -214,6 +214,7 @@ def test_force_moment_and_torque_of_moving_parts(moving: Moving) -> None:
     found = np.real(spectra.value(sums.axis_moment, moving.theta))
     assert moment == pytest.approx(scale * found, abs=1e-9)
     turned = np.imag(np.conj(moving.direction.place) * moving.direction.first)
+    assert moving.rod.inertia is not None
     energy = sum(mass / 2 * np.abs(path.first) ** 2 for mass, path in pairs)
     energy = scale * (energy + moving.rod.inertia / 2 * turned**2)
     rate = np.fft.irfft(np.fft.rfft(energy) * 1j * np.arange(STEPS // 2 + 1), STEPS)

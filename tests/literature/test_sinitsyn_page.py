@@ -245,7 +245,7 @@ def test_the_double_cross_of_the_chapter_reaches_5_5009_in_eight_stars() -> None
             if star[0] == 0 and len(set(star)) == 8:
                 arms = np.arange(3.5, -4, -1)
                 assert abs(np.exp(2j * np.pi * 2 * np.array(star) / 8) @ arms) < FINE
-                size = abs(np.exp(2j * np.pi * np.array(star) / 8) @ arms)
+                size = float(abs(np.exp(2j * np.pi * np.array(star) / 8) @ arms))
                 moments.setdefault(doubled, []).append(size)
     assert [len(sizes) for sizes in moments.values()] == [8, 8]
     found = PAGE.search(8, without=2)

@@ -83,7 +83,7 @@ def test_the_forces_on_the_crank_pins_of_facing_pistons_give_their_torque() -> N
     force = spectra.value(loads.pin, theta)
     by_pins = np.imag(np.conj(pins) * force).sum(axis=0)
     assert by_pins.mean() == pytest.approx(gas_torque(found).mean, rel=1e-4)
-    wave = spectra.value(gas_torque(found).total, theta).real
+    wave = np.real(spectra.value(gas_torque(found).total, theta))
     assert by_pins - by_pins.mean() == pytest.approx(wave, abs=2e-3 * np.abs(wave).max())
     heads = spectra.value(head_forces(engine, found), theta).sum(axis=0)
     assert np.abs(heads).max() < 1e-9 * np.abs(force).max()  # the chamber has no head

@@ -120,7 +120,7 @@ def test_the_series_carried_far_is_exact(ratio: float) -> None:
 @given(engines())
 def test_each_cylinder_may_have_angles_of_its_own(engine: Engine) -> None:
     theta = np.linspace(0, 2 * np.pi, 7)
-    links, _place, lag, ratio = pistons(engine)
+    links, _place, lag, ratio, *_ = pistons(engine)
     together = motion.rods(links, ratio[:, None] * theta + lag[:, None])
     for index in range(len(engine.cylinders)):
         own = motion.parted(links, motion.chain(links.master, index))

@@ -239,5 +239,5 @@ def test_a_worker_has_one_thread_for_matrices_and_its_maker_keeps_its_own_number
     async def work(pool: Workers) -> bytes:
         return await pool.do(chores.threads)
 
-    assert with_workers(work, seconds=20.0) == b"OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=3"
+    assert with_workers(work) == b"OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=3"
     assert "OPENBLAS_NUM_THREADS" not in os.environ

@@ -56,6 +56,7 @@ def pictures(engine: Engine) -> dict[str, str]:
 
 def assert_clear(drawings: dict[str, str], page: Page) -> list[Measured]:
     """No text collides or is cut in any of the fonts; the pictures in those that they name."""
+    seen: list[Measured] = []
     for family in (*FAMILIES[1:], ""):
         seen = measured(page, [*drawings.values()], family)
         faults = {

@@ -39,7 +39,7 @@ def text_width(text: str, size: float = TEXT) -> float:
     """About how wide the longest line of a text is, px.
 
     >>> text_width("1.1", 100), text_width("mm", 10)
-    (163.0, 19.6)
+    (164.0, 19.6)
     """
     return round(size * max(sum(map(_width, line)) for line in text.split("\n")), 6)
 
