@@ -338,7 +338,7 @@ def test_forces_grow_with_mass_length_and_speed_squared(
             update = {
                 "mass": rod.mass * heavier,
                 "centre": rod.centre * longer,
-                "inertia": rod.turning_inertia(cylinder.rod_length) * heavier * longer**2,
+                "inertia": rod.inertia and rod.inertia * heavier * longer**2,
             }
             rod = rod.model_copy(update=update)
         if link:
