@@ -31,7 +31,7 @@ from crankstar.tables.by_order import (
     star_sums,
     turning_vectors,
 )
-from crankstar.tables.conditions import conditions, missing_parts, unverified_sentence
+from crankstar.tables.conditions import conditions, missing_parts
 from crankstar.tables.headings import heading
 from crankstar.tables.peaks import peak_lines
 from crankstar.tables.summary import summary
@@ -112,7 +112,7 @@ def document(
         summary(shown.engine, shown.best, summed(shown.best)),
         Remarks(("", *heading(shown.engine).lines)),
         *remarks(*conditions(shown.engine, shown.best), kind="note"),
-        *remarks(unverified_sentence(shown.engine), missing_parts(shown.engine), kind="doubt"),
+        *remarks(missing_parts(shown.engine), kind="doubt"),
     )
     body = tables(shown, angles=angles, by=by, vectors=vectors)
     return Document(shown.engine.name, (*heads, *body, *_with_gas(shown)))
