@@ -142,7 +142,7 @@ def assumptions(
     >>> first.path, first.status, first.moved.quantity, first.moved.order
     ('cylinder.rotating_mass', 'missing', 'couple', 1.0)
     >>> [round(each) for each in (first.moved.now, first.moved.low, first.moved.high)]
-    [418, 747, 1260]
+    [418, 747, 1259]
     """
     figures = _Figures(speed, gas if "gas" in uses else None)
     found: list[Assumption] = []
