@@ -108,6 +108,7 @@ def analyze(
 ) -> None:
     """Compute inertia forces, couples, roll and torque of an engine, order by order."""
     from crankstar.mechanics.balance import balance
+    from crankstar.studies.assumptions import assumptions
     from crankstar.tables import analysis as tables
     from crankstar.tables.amplitudes import amplitudes
     from crankstar.tables.balance_orders import answer
@@ -141,7 +142,8 @@ def analyze(
                 return amplitudes(each, result, orders=picked, by=shares)
             return answer(each, result, orders=picked)
 
-        document = ranged(numbers, spread, loaded)
+        rests = assumptions(loaded, speed=turning) if form == "json" else ()
+        document = ranged(numbers, spread, loaded, rests=rests)
         if form != "xlsx":
             give(document, output, form=form)
             return
@@ -155,7 +157,7 @@ def analyze(
         shown = tables.analysis(each, speed=turning, reference=point).of(wanted)
         return tables.document(shown, angles=angles, by=grouping, vectors=vectors)
 
-    document = ranged(sheet, spread, loaded)
+    document = ranged(sheet, spread, loaded, rests=assumptions(loaded, speed=turning))
     if form == "xlsx":
         tree = engine_tree(engine, settings, loaded, estimate=estimate)
         give(replace(document, parts=(*document.parts, *rows)), output, form=form, tree=tree)

@@ -11,6 +11,8 @@
 | `gas_results` | torque, roll, pressure and irregularity of each engine of a sweep |
 | `mount_results` | modes, force and shake on the mounts of each engine of a sweep |
 | `torsion_results` | torsional frequency, stress and amplitude of each engine of a sweep |
+| `changed_values` | an engine with one of its values changed |
+| `assumptions` | what an answer rests on that a file does not give, and how much it matters |
 | `marine` | external and guide-force moments of an engine with weights and compensators |
 | `published_orders` | the firing orders of the catalog that were read in a source |
 | `family_torsion` | the chain of an engine with other numbers of throws, and its vector sums |

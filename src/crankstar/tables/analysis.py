@@ -32,7 +32,7 @@ from crankstar.tables.by_order import (
     star_sums,
     turning_vectors,
 )
-from crankstar.tables.conditions import conditions, missing_parts, unverified_sentence
+from crankstar.tables.conditions import conditions, missing_parts
 from crankstar.tables.headings import heading
 from crankstar.tables.peaks import peak_lines
 from crankstar.tables.summary import summary
@@ -114,7 +114,6 @@ def document(
         Remarks(("", *heading(shown.engine).lines)),
         *remarks(*conditions(shown.engine, shown.best), kind="note"),
         *remarks(
-            unverified_sentence(shown.engine),
             missing_parts(shown.engine),
             *(fault.sentence for fault in rod_doubts(shown.engine)),
             kind="doubt",

@@ -22,7 +22,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -34,6 +34,9 @@ from crankstar.tables.cells import rough
 from crankstar.tables.hulls import distances, greatest_sum
 from crankstar.tables.table import Column, Document, Ranged, Remarks, Table, Value, remarks
 from crankstar.tables.tops import tops
+
+if TYPE_CHECKING:
+    from crankstar.studies.assumptions import Assumption
 
 SAME = 1e-7
 """Share of the greatest value of a column below which values are the same."""
@@ -71,11 +74,32 @@ def facts(*engines: Engine) -> dict[str, Any]:
     return {"estimated": rows} if rows else {}
 
 
-def ranged(build: Callable[[Engine], Document], spread: Spread | None, engine: Engine) -> Document:
-    """The analysis of an engine; with a spread, what rests on estimates has its range."""
-    if spread is None:
-        return with_doubt(build(engine), engine)
-    return with_doubt(merged(alike(build, spread.engines)), engine)
+def ranged(
+    build: Callable[[Engine], Document],
+    spread: Spread | None,
+    engine: Engine,
+    *,
+    rests: Sequence[Assumption] = (),
+) -> Document:
+    """The analysis of an engine; with a spread, what rests on estimates has its range.
+
+    `rests` is what the answer rests on besides, which it says after its first part.
+    """
+    document = build(engine) if spread is None else merged(alike(build, spread.engines))
+    return with_doubt(resting(document, rests), engine)
+
+
+def resting(document: Document, rests: Sequence[Assumption]) -> Document:
+    """The document with what it rests on after its first part, and for machines."""
+    if not rests:
+        return document
+    from crankstar.tables.assumptions import assumption_facts, assumption_remarks
+
+    first, *others = document.parts
+    parts = (first, *assumption_remarks(rests), *others)
+    if not isinstance(first, Remarks):
+        parts = (*assumption_remarks(rests), *document.parts)
+    return replace(document, parts=parts, facts={**document.facts, **assumption_facts(rests)})
 
 
 def ranged_side_by_side(

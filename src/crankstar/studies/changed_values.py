@@ -1,0 +1,148 @@
+"""An engine with one of its values changed: by a factor, or to what it is usually.
+
+`SCALED` multiplies a value of a file by its key path; the others set a value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.engine.gas import OperatingPoint
+from crankstar.mechanics.gas import Cycle
+
+Vary = Callable[[Engine, float], Engine]
+"""From an engine and a factor or a value to the changed engine; raises EngineError."""
+
+
+def with_rotating_mass(engine: Engine, mass: float) -> Engine:
+    """The engine with this mass (kg) per cylinder on its crankpins, where there was none."""
+    counts: dict[tuple[str, int], int] = {}
+    for cylinder in engine.cylinders:
+        key = (cylinder.shaft, cylinder.throw)
+        counts[key] = counts.get(key, 0) + 1
+    shafts = [
+        with_values(
+            shaft,
+            throws=tuple(
+                with_values(throw, rotating_mass=mass * counts.get((shaft.name, number), 0))
+                for number, throw in enumerate(shaft.throws, 1)
+            ),
+        )
+        if shaft.throws
+        else shaft
+        for shaft in engine.shafts
+    ]
+    return with_values(engine, shafts=tuple(shafts))
+
+
+def with_rods_of(engine: Engine, ratio: float) -> Engine:
+    """The engine with rods of l/r = `ratio` on its throws; slave rods stay."""
+    return with_values(
+        engine,
+        cylinders=tuple(
+            cylinder
+            if cylinder.articulated
+            else with_values(cylinder, rod_length=ratio * engine.throw(cylinder).radius)
+            for cylinder in engine.cylinders
+        ),
+    )
+
+
+def with_gas_value(name: str, factor: float) -> Vary:
+    """The change of one value of the table [gas], given in a unit of `factor` SI units."""
+
+    def vary(engine: Engine, value: float) -> Engine:
+        gas = engine.gas
+        assert gas is not None  # noqa: S101  # a cycle was computed
+        return with_values(engine, gas=with_values(gas, **{name: value * factor}))
+
+    return vary
+
+
+def point_value(name: str, gas: Cycle | None) -> Vary | None:
+    """The change of one value of the operating point of the cycle by a factor."""
+    if gas is None or name not in OperatingPoint.model_fields or name in ("name", "speed"):
+        return None
+
+    def vary(engine: Engine, factor: float) -> Engine:
+        own = engine.gas
+        assert own is not None  # noqa: S101  # a cycle was computed
+        points = [
+            with_values(point, **{name: getattr(point, name) * factor})
+            if point.name == gas.name and getattr(point, name) is not None
+            else point
+            for point in own.points
+        ]
+        return with_values(engine, gas=with_values(own, points=tuple(points)))
+
+    return vary
+
+
+def _all(field: str) -> Vary:
+    """The change of one number of every cylinder by a factor."""
+
+    def vary(engine: Engine, factor: float) -> Engine:
+        return with_values(
+            engine,
+            cylinders=tuple(
+                with_values(own, **{field: getattr(own, field) * factor})
+                for own in engine.cylinders
+            ),
+        )
+
+    return vary
+
+
+def _of_throws(field: str) -> Vary:
+    """The change of one number of every throw by a factor."""
+
+    def vary(engine: Engine, factor: float) -> Engine:
+        shafts = [
+            with_values(
+                shaft,
+                throws=tuple(
+                    with_values(throw, **{field: getattr(throw, field) * factor})
+                    for throw in shaft.throws
+                ),
+            )
+            if shaft.throws
+            else shaft
+            for shaft in engine.shafts
+        ]
+        return with_values(engine, shafts=tuple(shafts))
+
+    return vary
+
+
+def _speed(engine: Engine, factor: float) -> Engine:
+    if engine.speed is None:
+        return engine
+    return with_values(engine, speed=engine.speed * factor)
+
+
+def _gas_value(name: str) -> Vary:
+    def vary(engine: Engine, factor: float) -> Engine:
+        gas = engine.gas
+        value = None if gas is None else getattr(gas, name)
+        if gas is None or value is None:
+            return engine
+        return with_values(engine, gas=with_values(gas, **{name: value * factor}))
+
+    return vary
+
+
+SCALED: Mapping[str, Vary] = {
+    "speed": _speed,
+    "cylinder.rod_length": _all("rod_length"),
+    "cylinder.rod_ratio": _all("rod_length"),
+    "cylinder.reciprocating_mass": _all("reciprocating_mass"),
+    "cylinder.rotating_mass": _of_throws("rotating_mass"),
+    "cylinder.throw_mass": _of_throws("throw_mass"),
+    "cylinder.stroke": _of_throws("radius"),
+    "gas.compression_ratio": _gas_value("compression_ratio"),
+    "gas.intake_pressure": _gas_value("intake_pressure"),
+    "gas.gamma": _gas_value("gamma"),
+}
+"""How the engine changes where a value of its file is multiplied by a factor."""

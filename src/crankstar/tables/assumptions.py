@@ -1,0 +1,146 @@
+"""What an answer rests on as sentences and as rows for machines, what matters most first."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from crankstar.language.messages import N_, _, passage
+from crankstar.language.numbers import number, order_text, unit_text
+from crankstar.language.shown_units import quantity_text
+from crankstar.studies.assumptions import Assumption, Moved
+from crankstar.tables.table import Remarks
+
+TOLD = 0.01
+"""Effect from which an assumption has a sentence of its own."""
+MOST_TOLD = 5
+"""Sentences of their own, at most; the others are named."""
+FIGURES = {
+    "force": N_("force of order {order}"),
+    "couple": N_("couple of order {order}"),
+    "roll": N_("rolling moment of order {order}"),
+}
+
+
+def assumption_lines(found: Sequence[Assumption]) -> list[str]:
+    """The sentences on what an answer rests on.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.studies.assumptions import assumptions
+    >>> print(assumption_lines(assumptions(load("audi-25-tfsi")))[0])
+    cylinder.rotating_mass: no rotating mass in the file (big ends, crankpins), counted as zero. \
+With 387 g to 990 g the couple of order 1 is 747 to 1260 N m, not 418 N m.
+    """
+    told = [each for each in found if each.effect >= TOLD][:MOST_TOLD]
+    lines = [_line(each) for each in told]
+    rest = [each for each in found if each not in told]
+    small = [each.path for each in rest if each.moved is not None]
+    open_ones = [each for each in rest if each.moved is None]
+    if small:
+        lines.append(_("Of less effect: {paths}.", paths=", ".join(small)))
+    for status, words in OTHERS.items():
+        paths = [each.path for each in open_ones if each.status == status]
+        if paths:
+            lines.append(_(words, paths=", ".join(paths)))
+    return lines
+
+
+OTHERS = {
+    "missing": N_("Not in the file, counted as zero: {paths}."),
+    "left out": N_("Not modelled: {paths}."),
+    "assumed": N_("Assumed: {paths}."),
+    "estimated": N_("Estimated: {paths}."),
+    "unverified": N_("Unverified, with no known effect here: {paths}."),
+}
+"""Sentences for those of which it is not known how much they move, by status."""
+
+
+def _line(each: Assumption) -> str:
+    """One assumption with what it moves most."""
+    own = each.moved
+    assert own is not None  # noqa: S101  # asked before
+    figure = _(FIGURES[own.quantity], order=order_text(own.order))
+    words = {"path": each.path, "reason": _(each.reason), "figure": figure}
+    if own.trial:
+        share = max(abs(own.low - own.now), abs(own.high - own.now)) / own.now if own.now else 0.0
+        return _(
+            "{path}: {reason}. Each per cent of it moves the {figure} by {share} %.",
+            **words,
+            share=number(100 * share, digits=2),
+        )
+    words |= {"sizes": _span(own), "now": quantity_text(_rounded(own.now), own.unit)}
+    if each.low == each.high:
+        return _("{path}: {reason}. With usual ones the {figure} is {sizes}, not {now}.", **words)
+    words |= {"low": _value(each, each.low), "high": _value(each, each.high)}
+    if each.status == "assumed":
+        return _(
+            "{path}: {value} assumed, {reason}. From {low} to {high} the {figure} is {sizes}, not "
+            "{now}.",
+            **words,
+            value=_value(each, each.value),
+        )
+    return _("{path}: {reason}. With {low} to {high} the {figure} is {sizes}, not {now}.", **words)
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.3g}")
+
+
+def _span(own: Moved) -> str:
+    """The values of a figure over the range of an assumption."""
+    if abs(own.high - own.low) <= 1e-6 * abs(own.high):
+        return quantity_text(_rounded(own.high), own.unit)
+    top = quantity_text(_rounded(own.high), own.unit)
+    if own.high >= 1e4 or own.low <= 0:
+        return _("{low} to {high}", low=quantity_text(_rounded(own.low), own.unit), high=top)
+    return _("{low} to {high}", low=number(_rounded(own.low)), high=top)
+
+
+def _value(each: Assumption, value: float | str | None) -> str:
+    """A value of an assumption with its unit."""
+    if not isinstance(value, float):
+        return "" if value is None else str(value)
+    if each.unit == "kg":
+        return (
+            f"{number(_rounded(1e3 * value))} g" if value < 1 else f"{number(_rounded(value))} kg"
+        )
+    if each.path.endswith(("rod_length", "rod_ratio")):
+        return f"l/r = {number(_rounded(value))}"
+    return f"{number(_rounded(value))} {unit_text(each.unit)}".rstrip()
+
+
+def assumption_facts(found: Sequence[Assumption]) -> dict[str, Any]:
+    """The same for machines, under `rests_on`."""
+    return {"rests_on": [_object(each) for each in found]} if found else {}
+
+
+def _object(each: Assumption) -> Mapping[str, Any]:
+    own = each.moved
+    moves = None
+    if own is not None:
+        moves = {
+            "quantity": own.quantity,
+            "order": own.order,
+            "unit": own.unit,
+            "now": own.now,
+            "low": own.low,
+            "high": own.high,
+            "effect": own.effect,
+            "trial": own.trial,
+        }
+    return {
+        "status": each.status,
+        "path": each.path,
+        "reason": each.reason,
+        "value": each.value,
+        "unit": each.unit,
+        "low": each.low,
+        "high": each.high,
+        "moves": moves,
+    }
+
+
+def assumption_remarks(found: Sequence[Assumption]) -> tuple[Remarks, ...]:
+    """The sentences as a part of a Document; none where nothing is assumed."""
+    lines = assumption_lines(found)
+    return (Remarks((passage([_("This rests on:")]), *lines), kind="doubt"),) if lines else ()
