@@ -351,9 +351,15 @@ def tried(mutation: Mutation, data: Touched, copy: Copy, *, seconds: float, most
                 more, wrong = fresh(place, mutation.tests)
                 ran, names = ran | more, names | wrong
         else:
-            chosen = [one for one in data.tests(mutation.file, span(mutation)) if one in loop.items]
+            lines = span(mutation)
+            chosen = [one for one in data.tests(mutation.file, lines) if one in loop.items]
+            if mutation.kind == "refusal":  # by whom it is refused, which few are, comes first
+                refused = {*data.tests(mutation.file, [lines[-1] + 1])}
+                chosen.sort(key=lambda test: test not in refused)
             cheap = affordable(chosen, data, seconds=seconds, most=most)
-            if in_a_function(mutation):
+            if mutation.tests:
+                ran, names = fresh(place, mutation.tests)
+            elif in_a_function(mutation):
                 ran, names = loop.outcome(
                     session, cheap, lambda: patch(mutation, place, loop.functions)
                 )
@@ -404,6 +410,7 @@ def run(folder: Path, words: list[str], *, seconds: float, most: int, workers: i
     chosen = [each for each in mutations() if not words or any(word in each.name for word in words)]
     out = folder / "caught.json"
     known = {one["name"]: one for one in json.loads(out.read_text())} if out.exists() else {}
+    known = {each.name: known[each.name] for each in mutations() if each.name in known}
     if not words:
         chosen = [each for each in chosen if not known.get(each.name, {}).get("caught")]
     data = touched(folder)
