@@ -392,3 +392,46 @@ throws = ["0 deg", "90 deg"]
     assert "estimated" not in run("derive", "i4", *asked).out
     torque = ["--quantity", "torque", "--orders", order]
     assert "needs rods as two masses" in refused("derive", "guessed.toml", *torque)
+
+
+@pytest.mark.parametrize(
+    "throw", ["101.6986 deg", "1.7749754 rad", "17.25131 deg", "0.30109 rad", "77.000001 deg"]
+)
+def test_what_rounding_leaves_of_fine_angles_is_no_force(throw: str) -> None:
+    """A boxer's pistons move in and out together, whatever its throws: nothing remains."""
+    tree = {
+        "name": "boxer",
+        "cylinder": {"stroke": "80 mm", "rod_length": "130 mm"},
+        "layout": {
+            "type": "boxer",
+            "throws": ["0 deg", throw],
+            "banks": [
+                {"bearing": "-90 deg", "cylinders": [1, 3]},
+                {"bearing": "90 deg", "cylinders": [2, 4]},
+            ],
+            "bore_pitch": "100 mm",
+        },
+    }
+    engine = engine_of(tree)
+    for order in (1, 2):
+        found = derivation(engine, order)
+        text = documents.plain([found])
+        assert "10⁻" not in text
+        assert "Nothing of this order remains" in " ".join(text.split())
+
+
+def test_a_crest_is_said_of_plain_rods_on_centred_cranks_alone() -> None:
+    said = "crest where the piston is at top dead centre"
+    assert said in documents.plain([derivation(crankstar.load("i4"), 2)])
+    offset = crankstar.load("i4", changes={"cylinder.stroke": "80 mm", "cylinder.offset": "5 mm"})
+    for engine in (crankstar.load("radial-9"), offset):
+        assert said not in documents.plain([derivation(engine, 2)])
+
+
+def test_the_pistons_alone_have_a_name_of_their_own_beside_rotating_masses() -> None:
+    """F_up of a derivation is the whole force, from the first line that has the letter."""
+    heavy = crankstar.load("ducati-90", changes={"cylinder.throw_mass": 0.2})
+    found = derivation(heavy, 1)
+    lines = [line for step in found.steps[:-1] for line in step.lines if line.kind == "signal"]
+    assert len({line.chain[-1] for line in lines if line.name.below == "up"}) == 1
+    assert any(line.name.below.startswith("pistons") for line in lines)

@@ -80,7 +80,11 @@ def _each(task: Task, pistons: Sequence[Body]) -> Step:
             name, chain = Symbol(task.letter, str(body.cylinder)), _own(task, body.along, body)
             own, bearing = rows([body]), body.bearing_deg
             lines.append(Line(name, chain, "signal", own, bearing, label, arm=arm))
-    words = [_("The cosine of each piston has its crest where the piston is at top dead centre.")]
+    words: list[str] = []
+    if not any(each.articulated or each.offset for each in task.engine.cylinders):
+        words.append(
+            _("The cosine of each piston has its crest where the piston is at top dead centre.")
+        )
     if task.quantity == "couple":
         words.append(
             _(
@@ -177,7 +181,9 @@ def _resolved(task: Task, banks: Sequence[Row], pistons: Sequence[Body]) -> Step
     note = _("The terms are added as vectors, each with its length and phase.")
     lines = [
         replace(line, note=note) if len(line.chain) == 2 and _several(line.chain[0]) else line
-        for line in sides(task, "", pistons, before=lambda side: resolved(task, parts, side))
+        for line in sides(
+            task, _whole(task), pistons, before=lambda side: resolved(task, parts, side)
+        )
     ]
     angles = sorted({round(row.members[0].bearing_deg, 9) for row in banks})
     words = [
@@ -190,6 +196,11 @@ def _resolved(task: Task, banks: Sequence[Row], pistons: Sequence[Body]) -> Step
         angle = degrees_text(angles[1])
         words.append(_("Here β = ±{angle}, half the bank angle.", angle=angle))
     return Step(_("Upwards and to the right"), tuple(words), tuple(lines))
+
+
+def _whole(task: Task) -> str:
+    """The name of the sum of all pistons; none where there is nothing else that pushes."""
+    return "pistons" if any(body.turning for body in task.moving) else ""
 
 
 def _several(formula: Formula) -> bool:
@@ -223,7 +234,7 @@ def by_pin(task: Task, pistons: Sequence[Body]) -> list[Step]:
     def added(side: int) -> list[Formula]:
         return [summed(*(wave.signal(push[side], task.order) for _, push in pins))]
 
-    every = sides(task, "", pistons, _("all pins"), before=added)
+    every = sides(task, _whole(task), pistons, _("all pins"), before=added)
     lines += [
         replace(line, note=_cancelled([(name, push[side]) for name, push in pins]))
         for side, line in enumerate(every)

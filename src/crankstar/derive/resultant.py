@@ -164,10 +164,10 @@ def _nothing(task: Task) -> str:
     force = task.quantity == "force"
     if task.bodies.why:
         none = (
-            N_("To {digits} digits no couple of this order can be distinguished from zero."),
-            N_("To {digits} digits no force of this order can be distinguished from zero."),
+            N_("No couple of this order can be distinguished from zero."),
+            N_("No force of this order can be distinguished from zero."),
         )
-        return _(none[force], digits=cyclotomic.DIGITS - 5)
+        return _(none[force])
     if force:
         if not task.moving:
             return _("There is no force of this order: no part of the engine exerts one.")

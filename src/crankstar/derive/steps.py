@@ -155,16 +155,20 @@ def _words(task: Task) -> list[str]:
                 "left out; it is not proved to be zero."
             ),
         ]
+    harmonic = task.bodies.harmonic
+    unit = "m r ω²" if harmonic is None or harmonic == 1 else f"m r ω² A_{harmonic}"
     counted = _(
-        "The following lines are of order {order}, counted in the unit below; θ is the crank "
+        "The following lines are of order {order}, counted in the unit {unit}; θ is the crank "
         "angle.",
         order=task.order,
+        unit=unit,
     )
     if task.quantity == "couple":
         counted = _(
-            "The following lines are of order {order}, counted in the unit below, with lengths "
+            "The following lines are of order {order}, counted in the unit {unit}, with lengths "
             "along the crankshaft as letters; θ is the crank angle.",
             order=task.order,
+            unit=unit,
         )
     return [*words, counted]
 

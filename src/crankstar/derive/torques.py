@@ -127,9 +127,10 @@ def _law(k: int) -> Step:
             "torque at constant speed."
         ),
         _(
-            "The following lines are of order {order}, counted in the unit below; θ is the crank "
+            "The following lines are of order {order}, counted in the unit {unit}; θ is the crank "
             "angle.",
             order=k,
+            unit=f"m r² ω² B_{k}",
         ),
     )
     return Step(_("One cylinder"), words, lines)

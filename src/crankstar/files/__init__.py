@@ -17,10 +17,11 @@
 | `columns` | the columns of a list read as values, every mistake told at once |
 | `vibrations` | amplitudes of vibration in a list |
 | `source` | a file to its text and its tree of keys |
+| `parts` | the weighed parts of a cylinder added up to its masses |
+| `references` | what bare numbers count in, before and after a change |
 | `changes` | values of a tree set by key path |
 | `tolerances` | how far each value may be off |
 | `typical_tolerances` | tolerances of pistons and rods as published |
-| `parts` | the weighed parts of a cylinder added up to its masses |
 | `chains` | a drive line without cylinders from a file of its own |
 | `read` | a tree of keys to an Engine, with every fault at once |
 | `box` | the ranges of estimated values, and engines at their ends |

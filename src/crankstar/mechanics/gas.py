@@ -231,8 +231,6 @@ def volumes_of(engine: Engine) -> Volumes:
     return volumes(engine, SAMPLES)
 
 
-ROUNDING = 1e-6
-"""Of a sample: a dead centre so near belongs to it."""
 Law = Callable[[float], Real]
 """From a heat per swept volume (Pa) to the pressure, Pa [sample]."""
 
@@ -285,11 +283,7 @@ def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -
     if process != "heat-release":
         ideal = ideal_cycle(values)
         return lambda heat: ideal_cycles.pressure(
-            ideal,
-            heat,
-            above / swept,
-            bottom=int(bottom / step + ROUNDING),
-            four_stroke=four_stroke,
+            ideal, heat, above / swept, bottom=int(bottom / step + 1e-6), four_stroke=four_stroke
         )
     release = heat_release.Release(
         values["combustion_start"],

@@ -19,7 +19,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from math import ceil, cosh, exp, log, sqrt
+from math import ceil, cosh, exp, log, pi, sqrt
 
 from flint import acb, arb, fmpq
 
@@ -105,17 +105,25 @@ def rotation(turn: Fraction) -> acb:
 def angle_of(radians: float, *, base: float = 0.0) -> acb:
     """exp(i angle) as a ball, from the rational part of a turn where there is one.
 
-    It is counted from zero or from `base`; without one the double itself is taken.
+    It is counted from zero or from `base`; without one the ball has every angle that the double
+    may stand for after a layout's sums, so that what these leave over is not told from zero.
+
+    >>> opposite = angle_of(1.775) + angle_of(1.775 + pi)
+    >>> opposite.contains(acb(0)), float(abs(angle_of(1.775) - acb(0, 1.775).exp()).upper()) < 1e-11
+    (True, True)
     """
     for start in (0.0, base):
         turn = rational.turn(radians - start)
         if turn is not None:
-            return rotation(turn) * _exactly(start)
-    return _exactly(radians)
+            return rotation(turn) * _nearly(start)
+    return _nearly(radians)
 
 
-def _exactly(radians: float) -> acb:
-    return acb(arb(radians).cos(), arb(radians).sin())
+def _nearly(radians: float) -> acb:
+    if radians == 0:
+        return acb(1)
+    angle = arb(radians, 2 * pi * rational.TURN_ROUNDING)
+    return acb(angle.cos(), angle.sin())
 
 
 @dataclass(frozen=True)
