@@ -463,6 +463,7 @@ def chain(count: int) -> dict[str, Any]:
     return tree | {"cylinders": [one, *rest]}
 
 
+@pytest.mark.release
 def test_a_long_loop_and_a_long_chain_of_rods_are_refused_in_short() -> None:
     tree = chain(256)
     assert len(problems(tree)) == 248
@@ -721,7 +722,6 @@ def test_links_that_lead_nowhere_and_names_no_file_can_have_are_told(tmp_path: P
     assert "Not a directory" in str(refusal(Path(__file__) / "x.toml"))
 
 
-@pytest.mark.many(first=9)
 @pytest.mark.parametrize(
     "name",
     [
@@ -941,6 +941,7 @@ def test_a_hundred_thousand_of_anything_are_refused_where_they_are(
     )
 
 
+@pytest.mark.release
 def test_more_cylinders_throws_and_shafts_than_any_engine_has_are_refused() -> None:
     at_most = "; at most {} are allowed"
     crank, cylinder = spoilt(EXPLICIT)["shaft"][0], spoilt(EXPLICIT)["cylinders"][0]
@@ -957,7 +958,6 @@ def test_more_cylinders_throws_and_shafts_than_any_engine_has_are_refused() -> N
     ].endswith(at_most.format(256))
 
 
-@pytest.mark.many(first=4)
 @pytest.mark.parametrize(
     "text",
     [
@@ -979,6 +979,7 @@ def test_a_number_of_thousands_of_digits_is_refused(text: str) -> None:
     assert "holds a number of thousands of digits; " in message
 
 
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize(
     "odd", ODD, ids=repr if sys.version_info >= (3, 14) else lambda value: type(value).__name__
 )

@@ -175,7 +175,7 @@ def test_the_proof_is_printed(run: Run) -> None:
     assert "proved" not in run("balance", "triple-120", "--factor", "0.3", "--prove").out
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["vw-vr6", "napier-deltic", "i4", "harley-45"])
 def test_the_command_that_the_verdict_prints_fits_what_it_recommends(
     run: Run, tmp_path: Path, name: str
@@ -198,6 +198,7 @@ def test_the_command_that_the_verdict_prints_fits_what_it_recommends(
     assert ("what remains:" in rest) == (size(after.force, 2.0) + size(after.couple, 2.0) > 1e-9)
 
 
+@pytest.mark.many(first=48)
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
@@ -293,6 +294,7 @@ def test_the_factor_of_the_file_is_kept_unless_another_is_asked_for(run: Run, kn
     )
 
 
+@pytest.mark.release
 def test_what_is_left_is_told_in_newtons_where_a_speed_is_known(run: Run, known: str) -> None:
     out = run("balance", known).out
     assert "Remaining unbalance at 6000 rpm" in out
@@ -326,6 +328,7 @@ def test_the_longest_engine_has_room_for_weights_on_all_its_webs(run: Run, tmp_p
     assert "counterweights remove" in run("analyze", str(file), "--orders", "1").out
 
 
+@pytest.mark.release
 def test_the_card_tells_the_load_on_the_bearings(run: Run) -> None:
     """Of a flat four the middle bearing has half of each inner pin, which push together.
 
@@ -406,6 +409,7 @@ def test_peaks_of_a_period_too_long_to_follow_are_refused_and_rms_is_not(
     assert "Rms force" in run("balance", str(file), "--minimise", "rms force").out
 
 
+@pytest.mark.release
 def test_weights_that_are_replaced_are_counted(run: Run, known: str, tmp_path: Path) -> None:
     weighted = str(tmp_path / "weighted.toml")
     run("balance", known, "--weights", "ends", "-o", weighted)
@@ -415,6 +419,7 @@ def test_weights_that_are_replaced_are_counted(run: Run, known: str, tmp_path: P
     assert "replaced" not in run("balance", known).out
 
 
+@pytest.mark.release
 def test_loads_and_moments_are_in_newtons_at_a_speed(run: Run, known: str) -> None:
     out = run("balance", known, "--shafts", "-1", "--shaft-place", "-60 mm, 0 mm").out
     assert "m r" not in out[out.index("Balance shafts") :]
@@ -423,6 +428,7 @@ def test_loads_and_moments_are_in_newtons_at_a_speed(run: Run, known: str) -> No
     assert float(line.split()[-2]) == pytest.approx(bearing_load(load(known)) * unit, rel=1e-4)
 
 
+@pytest.mark.release
 def test_weights_that_are_best_are_not_said_to_be_wrong(run: Run) -> None:
     arguments = ("v8-cross-plane", "--weights", "webs", "--minimise", "bearing")
     assert "counterweights" not in run("balance", *arguments).out.partition("Further")[2]
@@ -459,6 +465,7 @@ def test_an_engine_is_written_as_the_name_of_its_file_says(
         assert not place.exists()
 
 
+@pytest.mark.release
 def test_a_shaft_stands_at_a_place_without_rounding_errors(run: Run, tmp_path: Path) -> None:
     file, place = tmp_path / "twin.toml", tmp_path / "out.toml"
     text = KNOWN.replace(

@@ -208,7 +208,6 @@ def test_slips_are_refused_with_what_was_meant(
     assert told in refused("balance", "honda-b18c", *options)
 
 
-@pytest.mark.release
 def test_limits_that_leave_next_to_no_room_still_have_a_best_answer(run: Run) -> None:
     out = words(
         run("balance", "kr250-racer", "--bare", "--minimise", "roll 1", "--limit", "force=100%").out
@@ -220,7 +219,6 @@ def test_limits_that_leave_next_to_no_room_still_have_a_best_answer(run: Run) ->
     assert value - bound < 1e-3 * bare
 
 
-@pytest.mark.release
 def test_a_name_does_not_pile_up_what_was_done(run: Run, twin: str, tmp_path: Path) -> None:
     half, again, other = (str(tmp_path / name) for name in ("half.toml", "again.toml", "o.toml"))
     run("balance", twin, "--factor", "0.5", "-o", half)
@@ -246,7 +244,6 @@ def test_a_limit_that_the_balance_shafts_do_not_keep_is_refused(run: Run, tmp_pa
     assert yaw < 1e-6
 
 
-@pytest.mark.release
 def test_external_moments_are_named_as_makers_of_large_engines_do(run: Run) -> None:
     by_word = run("balance", "triple-120", "--minimise", "pitch 1", "--limit", "yaw 1=1.5").out
     made = run("balance", "triple-120", "--minimise", "M1V", "--limit", "m1h <= 1.5").out

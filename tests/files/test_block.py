@@ -114,6 +114,7 @@ def blocks(draw: st.DrawFn) -> Block:
     return Block.model_validate({"mass": round(mass, 6), **place, **inertia})
 
 
+@pytest.mark.release
 @given(blocks())
 def test_any_block_is_the_same_written_and_read_back(block: Block) -> None:
     engine = engine_of(tree_of(SHORT)).model_copy(update={"block": block})

@@ -74,6 +74,7 @@ def test_a_box_without_a_clear_place_is_kept_and_said(run: Run, tmp_path: Path) 
     assert [clash.crank for clash in clashes(load(place))] == [True]
 
 
+@pytest.mark.release
 def test_a_place_has_one_roll_over_the_ranges_of_estimates(run: Run) -> None:
     """The sentence and the table tell the range of the same shaft at the same place."""
     words = ("--estimate", "--factor", "0.5", "--shafts", "-1", "--box", "-110..-60 mm, 40..100 mm")

@@ -123,7 +123,7 @@ def test_list_can_be_narrowed(run: Run) -> None:
     assert not re.search(r"^(single|v2-90|boxer-6) ", out, re.MULTILINE)
 
 
-@pytest.mark.many(first=18)
+@pytest.mark.many(first=2)
 @EVERY_ENGINE
 def test_every_engine_of_the_catalog_can_be_shown_analyzed_and_checked(run: Run, name: str) -> None:
     title = crankstar.load(name).name
@@ -367,6 +367,7 @@ def test_check_tells_of_sources_whose_entry_was_deleted(run: Run) -> None:
     ]
 
 
+@pytest.mark.release
 def test_one_key_is_set_once(run: Run, refused: Callable[..., str]) -> None:
     both = ["--set", "speed=90 rpm", "--set", "speed = 80 rpm"]
     assert '--set speed = 80 rpm: "speed" is set before; give it once' in refused(
@@ -398,6 +399,7 @@ def test_check_tells_of_every_file_and_fails_if_one_fails(
     assert run("check", file, "single").code == 0
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize("kind", STARTERS)
 def test_new_writes_a_file_that_checks(run: Run, kind: str) -> None:
     text = run("new", kind).out
@@ -419,7 +421,6 @@ def test_new_overwrites_nothing_unless_told(
     assert Path(file).read_text(encoding="utf-8") == STARTERS["vee"]
 
 
-@pytest.mark.release
 def test_schema_prints_the_schema(run: Run) -> None:
     assert json.loads(run("schema").out) == schema()
 
@@ -791,6 +792,7 @@ def test_a_file_that_is_read_is_not_written_over(run: Run, file: str, verb: str)
     assert Path(file).read_bytes() == before
 
 
+@pytest.mark.release
 def test_a_pipe_is_as_wide_as_columns_says_and_always_plain(
     run: Run, file: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -808,6 +810,7 @@ def test_a_pipe_is_as_wide_as_columns_says_and_always_plain(
     assert max(map(len, narrow.splitlines())) <= 60 < max(map(len, plain.splitlines()))
 
 
+@pytest.mark.many(first=14)
 @pytest.mark.parametrize("columns", ["1", "20", "80", "400"])
 @pytest.mark.parametrize("verb", [["list"], ["show", "X"], ["analyze", "X"], ["compare", "X", "X"]])
 def test_on_a_terminal_of_any_width_it_prints_in_bold_dim_and_yellow_only(
@@ -997,6 +1000,7 @@ def test_help_is_printed_in_any_width(columns: str) -> None:
         assert 20 < len(done.stdout.splitlines()) < 700
 
 
+@pytest.mark.release
 def test_a_length_for_couples_is_told_where_there_are_several_places_or_it_is_a_unit(
     run: Run,
 ) -> None:

@@ -106,6 +106,7 @@ def test_sizes_beyond_the_regressions_do_with_all_five_factors() -> None:
     assert mistakes(**thin, fatigue={**STEEL, **four}) != {}
 
 
+@pytest.mark.release
 def test_fatigue_of_an_engine_without_masses_asks_for_them_or_estimates(
     run: Run, tmp_path: Path
 ) -> None:
@@ -166,6 +167,7 @@ def test_the_verdict_says_whether_the_crankshaft_bears_its_stress() -> None:
     assert "1.15" in weak
 
 
+@pytest.mark.release
 def test_why_there_is_no_fatigue_is_said(run: Run, tmp_path: Path) -> None:
     wide = {"dimensions": {**SIZES, "journal_length": "90 mm"}}
     out = run("torsion", written(tmp_path, **wide)).out

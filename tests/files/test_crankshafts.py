@@ -210,7 +210,7 @@ def assert_same(engine: Engine, other: Engine) -> None:
         assert np.abs(a.backward - b.backward).max(initial=0) < 1e-9 * size
 
 
-@pytest.mark.many(first=16)
+@pytest.mark.many(first=11)
 @EVERY_ENGINE
 def test_a_balanced_engine_is_written_in_the_form_of_its_file(name: str) -> None:
     _, tree = catalog_tree(name)
@@ -230,6 +230,7 @@ def test_a_balanced_engine_is_written_in_the_form_of_its_file(name: str) -> None
         assert back.get("layout") == tree.get("layout")
 
 
+@pytest.mark.release
 @settings(max_examples=20, deadline=None)
 @given(angles=st.lists(st.integers(-180, 180), min_size=3, max_size=3))
 def test_turned_throws_are_written_into_the_layout(angles: list[int]) -> None:

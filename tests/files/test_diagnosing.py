@@ -53,7 +53,6 @@ def _files(tmp_path: Path) -> None:
     (tmp_path / "lost.csv").write_text(listed(seen(without_weight(2))), encoding="utf-8")
 
 
-@pytest.mark.release
 def test_a_lost_weight_is_named_with_what_it_cannot_be_told_from(run: Run) -> None:
     said = " ".join(run("diagnose", "four.toml", "lost.csv").out.split())
     assert "Likeliest: weight 2 lost, which explains 100 %." in said
@@ -260,7 +259,6 @@ def noisy(tmp_path: Path, *, share: float) -> None:
     (tmp_path / "noisy.csv").write_text(listed(heard + noise), encoding="utf-8")
 
 
-@pytest.mark.release
 def test_sizes_are_told_as_far_as_their_error_goes(run: Run, tmp_path: Path) -> None:
     noisy(tmp_path, share=0.2)
     found = json.loads(run("diagnose", "four.toml", "noisy.csv", "--json").out)["suspects"]
@@ -276,7 +274,6 @@ def test_sizes_are_told_as_far_as_their_error_goes(run: Run, tmp_path: Path) -> 
     assert float(told) == pytest.approx(1000 * row["size"], abs=0.51 * 10**-places)
 
 
-@pytest.mark.release
 def test_suspects_without_a_size_are_left_out_of_what_is_read(run: Run, tmp_path: Path) -> None:
     """Without weights all suspects are shown, and a share cannot be less than nought."""
     tree = {key: value for key, value in file().items() if key != "crankshaft"}

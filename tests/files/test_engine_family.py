@@ -36,6 +36,7 @@ def both(engine: Engine) -> float:
     return hypot(found.moment(1), found.moment(2))
 
 
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("order", [(1, 4, 3, 2, 5), (1, 8, 3, 4, 7, 2, 5, 6)])
 @pytest.mark.parametrize("changes", [{}, FOUR_STROKE, {"rotation": "counter-clockwise"}])
 def test_a_member_is_the_engine_of_a_file_with_that_order(
@@ -55,7 +56,7 @@ def test_a_member_is_the_engine_of_a_file_with_that_order(
     assert one.guide.x == pytest.approx(other.guide.x, abs=1e-6 * abs(other.guide.x).max())
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("drive", [None, ChainDrive(5, 0.6)])
 @pytest.mark.parametrize("count", [5, 6])
 def test_the_best_is_the_least_of_all_orders(count: int, drive: ChainDrive | None) -> None:
@@ -138,6 +139,7 @@ def written(folder: Path) -> str:
     return str(path)
 
 
+@pytest.mark.release
 def test_the_verb_gives_the_page_of_a_guide(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path)
     asked = ("--numbers", "5..7", "--given", "1-3-5-4-2", "--first-order", "equal")

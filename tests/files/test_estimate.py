@@ -351,6 +351,7 @@ def test_nothing_estimated_is_written_without_its_mark(run: Run, form: str, verb
         assert "(estimated)" in content.read_text()
 
 
+@pytest.mark.release
 def test_sentences_give_the_range_of_each_number() -> None:
     ends = spread(tree_for("bmw-m52b28"))
     assert ends is not None
@@ -443,6 +444,7 @@ def test_a_range_written_as_text_is_a_range() -> None:
 TOO_WIDE = 'provenance."cylinders[1].rod_length".range is too wide: at 0.8 times the value '
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("rod", "radius", "said"),
     [

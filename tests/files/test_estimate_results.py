@@ -149,6 +149,7 @@ def test_weights_of_an_engine_without_estimates_carry_no_such_source(run: Run) -
     assert "estimated" not in Path("after.toml").read_text()
 
 
+@pytest.mark.release
 def test_the_explicit_form_of_a_balanced_engine_says_so_too(run: Run) -> None:
     run("estimate", "kr250-racer", "-o", "whole.toml")
     run("show", "whole.toml", "--explicit", "-o", "parts.toml")
@@ -242,6 +243,7 @@ def test_charts_of_estimated_engines_say_so_under_the_title(
     assert "stimated" not in json.dumps(drawn(run, engine, chart))
 
 
+@pytest.mark.release
 def test_a_resultant_has_the_range_of_any_masses(run: Run) -> None:
     chart = drawn(run, "vw-vr6", "polygon", "--orders", "1", "--quantity", "couple", "--estimate")
     texts = [" ".join(panel["title"]["text"]) for panel in panels(chart)]

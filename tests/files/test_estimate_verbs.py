@@ -82,6 +82,7 @@ def test_what_is_written_for_machines_has_its_range(
         assert told or not any(float(value or 0) for value in values[name]), name
 
 
+@pytest.mark.release
 def test_holes_for_estimated_weights_are_those_for_the_typical_ones(
     run: Run, weighted: str
 ) -> None:

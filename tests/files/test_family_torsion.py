@@ -99,6 +99,7 @@ def test_without_a_chain_a_straight_shape_counts_and_says_so(run: Run, tmp_path:
     assert "the engine file has no table [torsion]." in text
 
 
+@pytest.mark.release
 def test_a_chain_with_unequal_throws_is_that_of_its_own_number_alone(
     run: Run, tmp_path: Path
 ) -> None:

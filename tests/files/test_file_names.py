@@ -121,7 +121,6 @@ FITS: dict[str, Callable[[bytes], bool]] = {
 """Whether what stands in a file is what its name promises, by suffix."""
 
 
-@pytest.mark.release
 def test_every_verb_that_writes_a_file_is_tried() -> None:
     verbs = {shlex.split(line)[0] for line in LINES}
     assert verbs | FOLDERS == {name for name in COMMANDS if "--output" in options(name)}

@@ -122,6 +122,7 @@ def test_many_more_spoilt_trees_are_engines_or_refused(start: int) -> None:
     assert try_trees(range(start, start + 2000)) > 300
 
 
+@pytest.mark.release
 def test_spoilt_texts_are_engines_or_refused() -> None:
     try_texts(range(500))
 
@@ -140,6 +141,7 @@ def test_random_bytes_are_refused() -> None:
             assert accepted(lambda text=text: engine_of(tree_of(text, name="FILE"))) is None
 
 
+@pytest.mark.release
 def test_what_is_accepted_fits_the_schema() -> None:
     validator = jsonschema.Draft202012Validator(schema())
     plain = [
@@ -217,6 +219,7 @@ def try_words(
         assert all(line.isprintable() for line in [*out.split("\n"), *err.split("\n")]), words
 
 
+@pytest.mark.release
 def test_spoilt_command_lines_end_with_0_or_2(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

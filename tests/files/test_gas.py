@@ -253,7 +253,7 @@ def test_an_engine_that_would_stop_within_its_cycle_is_told_of(run: Run, four: s
     assert "would stop" in result.err
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "values",
     [
@@ -361,6 +361,7 @@ def test_a_drive_says_where_the_load_is_and_how_the_inertia_is_shared(run: Run) 
     assert "adds up to 1.2" in " ".join(refused.split())
 
 
+@pytest.mark.release
 def test_the_gears_follow_the_varying_speed_where_the_flywheel_is_known(run: Run) -> None:
     words = (*RACER, "--speed", "3000 rpm", "--set", "cylinder.reciprocating_mass=400 g")
     linear, exact = (
@@ -372,6 +373,7 @@ def test_the_gears_follow_the_varying_speed_where_the_flywheel_is_known(run: Run
     assert exact["greatest"] != pytest.approx(linear["greatest"], rel=1e-4)
 
 
+@pytest.mark.release
 def test_the_gears_are_in_the_spreadsheet(run: Run, tmp_path: Path) -> None:
     assert run("torque", *RACER, "-o", str(tmp_path / "t.xlsx")).code == 0
     sheets = [*openpyxl.load_workbook(tmp_path / "t.xlsx").worksheets]
@@ -394,6 +396,7 @@ def written(tmp_path: Path, text: str) -> str:
     return str(place)
 
 
+@pytest.mark.many(first=8)
 @pytest.mark.parametrize("separator", [",", ";", "\t"])
 @pytest.mark.parametrize(("unit", "factor"), [("bar", 1.0), ("kPa", 100.0), ("MPa", 0.1)])
 def test_a_trace_is_read_from_a_file_in_any_form(
@@ -433,6 +436,7 @@ def test_a_trace_that_is_not_there_is_told(run: Run, tmp_path: Path) -> None:
     assert "nowhere.csv, which is not beside" in run("check", str(place)).err
 
 
+@pytest.mark.release
 def test_the_same_torque_is_told_in_every_language(run: Run) -> None:
     assert "ガストルク" in run("torque", "honda-b18c", "--language", "ja").out
     assert "момент газовых сил" in run("torque", "honda-b18c", "--language", "ru").out

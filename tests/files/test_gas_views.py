@@ -215,7 +215,7 @@ def test_forces_that_the_uneven_speed_changes_are_told_at_idle_alone(run: Run, f
     )
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("quantity", "key"), [("mean_torque", "mean_torque"), ("peak_pressure", "peak_pressure")]
 )

@@ -121,6 +121,7 @@ def test_no_point_of_a_grid_is_better_than_what_is_found() -> None:
     assert found.after == pytest.approx(greatest_force(found.engine, speeds), rel=1e-3)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("what", ["stiffness", "place"])
 def test_roll_is_decoupled_where_stiffness_times_arm_is_even(what: str) -> None:
     limits = {
@@ -172,6 +173,7 @@ def test_places_stay_within_their_shift_and_sliding_axes_slide() -> None:
     assert found.after <= found.before
 
 
+@pytest.mark.release
 def test_a_foundation_that_gives_way_is_told_the_force_below_it() -> None:
     engine = four(UNEVEN, foundation=GROUND)
     found = best(engine, starts=1)
@@ -191,6 +193,7 @@ def test_the_forces_of_all_mounts_are_minimised_together() -> None:
     assert found.after < found.before
 
 
+@pytest.mark.release
 def test_impossible_limits_are_refused_with_how_far_they_are_missed() -> None:
     with pytest.raises(RemedyError, match=r"misses the limit of sag by \d"):
         best(four(UNEVEN), limits=MountLimits(stiffness=(2e4, 3e4), sag=1e-3))

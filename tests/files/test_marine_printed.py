@@ -157,7 +157,7 @@ def moments_of(text: str) -> set[str]:
     } - {"N m/kW", "lbf ft/hp"}
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("units", "moment"), [((), "kN m"), (("--units", "N m"), "N m"), (("--units", "us"), "lbf ft")]
 )
@@ -179,6 +179,7 @@ def test_the_family_is_printed_as_it_is_in_json(
     assert moments_of(text) == {moment}
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("units", "moment"), [((), "kN m"), (("--units", "N m"), "N m"), (("--units", "us"), "lbf ft")]
 )
@@ -200,6 +201,7 @@ def test_marine_moments_are_printed_as_they_are_in_json(
     assert moments_of(text) == {moment}
 
 
+@pytest.mark.release
 def test_a_small_engine_has_the_units_of_a_project_guide_too(run: Run) -> None:
     text = run("marine", "audi-25-tfsi", "--set", "cylinder.reciprocating_mass=0.6 kg").out
     assert moments_of(text) == {"kN m"}

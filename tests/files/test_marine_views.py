@@ -54,6 +54,7 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     assert guide[4]["bracing_x"] == pytest.approx(abs(found.guide.bimoment[3]) / 30)
 
 
+@pytest.mark.release
 def test_readers_are_told_what_is_counted_and_left_out(run: Run, tmp_path: Path) -> None:
     out = " ".join(run("marine", written(tmp_path), "--first-order", "equal").out.split())
     for said in (
@@ -196,6 +197,7 @@ def test_all_orders_are_all_that_do_not_vanish(run: Run, tmp_path: Path) -> None
     assert 8 not in usual[1]
 
 
+@pytest.mark.release
 def test_a_row_that_says_nothing_is_left_out(run: Run) -> None:
     assert told(run, "man-s90mc-c")[1][0] == 7
     assert told(run, "man-s90mc-c", "--orders", "all")[0] == [1, 2, 4, 6, 8, 10, 12, 16, 18]

@@ -137,6 +137,7 @@ def test_a_request_that_cannot_be_met_is_one_sentence(
 PISTONS = "no., piston [g]\na, 500.0\nb, 500.1\nc, 502.1\nd, 504.2\ne, 506.5\n"
 
 
+@pytest.mark.release
 def test_only_what_is_listed_is_spoken_of_with_what_is_left_over(run: Run, tmp_path: Path) -> None:
     (tmp_path / "p.csv").write_text(PISTONS, encoding="utf-8")
     said = " ".join(run("match", "triple.toml", "p.csv").out.split())

@@ -81,6 +81,7 @@ def test_without_mounts_the_verdict_says_nothing_of_them() -> None:
     assert not [fact for fact in crankstar.verdict(crankstar.load("i4")) if fact.about == "mounts"]
 
 
+@pytest.mark.release
 def test_the_first_named_point_is_the_one_that_is_told(run: Run, tmp_path: Path) -> None:
     own = mounted(block={**BLOCK, "points": GRIPS})
     found = crankstar.mounts(own)
@@ -130,6 +131,7 @@ def test_show_lists_mounts_with_how_far_they_are_to_be_trusted(run: Run, tmp_pat
     assert "left grip" in text
 
 
+@pytest.mark.release
 def test_a_sweep_of_stiffness_and_place_is_each_engine_by_itself() -> None:
     made = crankstar.sweep(mounted(), "mounts[1].stiffness[1]=60..240 N/mm/3")
     curves = {
@@ -178,6 +180,7 @@ def test_a_sweep_of_mounts_says_what_is_missing() -> None:
         crankstar.watched(crankstar.sweep(still, "balance_factor=0..1/2"), "mount_velocity")
 
 
+@pytest.mark.release
 def test_the_report_has_a_chapter_on_the_mounts(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path)
     ran = run("report", place, "-o", str(tmp_path / "report.html"))

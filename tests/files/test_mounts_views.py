@@ -115,6 +115,7 @@ def cells(text: str, title: str) -> list[list[str]]:
     return [line.split() for line in lines[rule + 1 :]]
 
 
+@pytest.mark.release
 def test_the_worst_mounts_are_named_by_force_and_by_transmissibility(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -136,6 +137,7 @@ def test_the_worst_mounts_are_named_by_force_and_by_transmissibility(
     assert differ
 
 
+@pytest.mark.release
 def test_each_mount_has_columns_of_its_name_in_csv(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path)
     out = run("mounts", place, "--speeds", SPEEDS, "--csv").out
@@ -156,6 +158,7 @@ def test_orders_that_are_asked_for_are_all_shown(run: Run, tmp_path: Path) -> No
     assert [row[0] for row in cells(out, "By order at 900 rpm")] == ["1", "10.5", "12"]
 
 
+@pytest.mark.release
 def test_the_shares_of_every_mode_with_those_of_the_foundation_make_100(
     run: Run, tmp_path: Path
 ) -> None:
@@ -189,6 +192,7 @@ def test_readers_are_told_what_is_assumed_and_left_out(run: Run, tmp_path: Path)
     assert "The engine file has no [block]" in out
 
 
+@pytest.mark.release
 def test_a_foundation_shows_its_mounts_and_twelve_modes(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path, foundation=GROUND)
     out = json.loads(run("mounts", place, "--speeds", SPEEDS, "--json").out)
@@ -277,6 +281,7 @@ def test_show_tells_products_of_inertia_and_the_middle_is_nought(run: Run, tmp_p
     assert "e-1" not in text.partition("Piston of")[0]
 
 
+@pytest.mark.release
 def test_chosen_units_are_those_of_every_number_and_sentence(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -79,6 +79,7 @@ def test_a_tolerance_lets_slave_rods_fire_evenly(run: Run) -> None:
     )
 
 
+@pytest.mark.release
 def test_orders_within_a_tolerance_are_said_to_fire_evenly_within_it(run: Run) -> None:
     told = "4 orders with each firing within 0.2 deg of its place."
     assert told in run("orders", "vw-vr6", "--tolerance", "0.2").out
@@ -185,6 +186,7 @@ def test_every_row_becomes_an_engine_file(run: Run, name: str) -> None:
         assert firing(mine).even
 
 
+@pytest.mark.release
 def test_a_row_of_uneven_orders_fires_as_the_table_says(run: Run) -> None:
     rows = csv.DictReader(io.StringIO(run("orders", "v4-90", "--csv").out))
     for row in list(rows)[3:]:
@@ -342,6 +344,7 @@ def test_vees_as_json_and_csv_have_every_crank(run: Run) -> None:
     assert float(rows[0]["couple_order_1_forward [m*r*w^2*A_k*a]"]) == pytest.approx(10**0.5)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     "words", [["8"], ["6", "--bank", "90"], ["10", "--bank", "90"], ["4", "--cycle", "two-stroke"]]
 )

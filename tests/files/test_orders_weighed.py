@@ -214,6 +214,7 @@ def _shape(engine: Any, shaft: Any) -> tuple[Fraction, ...]:
     return shape_of(shaft, [Fraction(f"{shape[number]:.6f}") for number in sorted(shape)])
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -260,6 +261,7 @@ def test_a_wrong_request_to_weigh_orders_is_told(
     assert "Traceback" not in result.err
 
 
+@pytest.mark.release
 def test_orders_are_sorted_by_any_function_of_the_engine(six: str) -> None:
     engine = load(six)
     orders = even_orders(engine)

@@ -37,6 +37,7 @@ def held_in(path: Path) -> dict[str, Any]:
     return json.loads(gzip.decompress(b64decode(json.loads(found.group(1))["data"])))
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_a_page_names_the_language_that_it_is_written_in(
     run: Run, tmp_path: Path, language: str
@@ -68,6 +69,7 @@ def test_a_page_holds_the_engine_with_its_figures_and_the_fitted_one(
     assert "<title>V8, cross-plane crank, 90 deg</title>" in title
 
 
+@pytest.mark.release
 def test_two_engines_and_changed_values(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "two.html"
     changes = ("--set", "balance_factor=0.5", "--set", "name=mine & yours")

@@ -42,7 +42,7 @@ def test_a_chart_is_written_as_its_suffix_says(run: Run, tmp_path: Path, kind: s
         assert parameter["value"] == 30
 
 
-@pytest.mark.many(first=22)
+@pytest.mark.many(first=14)
 @pytest.mark.parametrize("chart", CHARTS)
 def test_every_chart_is_drawn_into_a_pipe(run: Run, chart: str) -> None:
     assert run("plot", "gm-3800", chart, "-o", "-").out.startswith("<svg")
@@ -67,6 +67,7 @@ def test_several_engines_are_drawn_side_by_side(run: Run) -> None:
     assert out.count("V8, cross-plane crank") >= 1
 
 
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
@@ -198,6 +199,7 @@ def test_what_cannot_be_swept_is_refused(
     assert told in refused("sweep", "v8-cross-plane", *arguments)
 
 
+@pytest.mark.release
 def test_the_verdict_on_a_cross_plane_eight(run: Run) -> None:
     out = " ".join(run("verdict", "v8-cross-plane").out.split())
     assert "Force of order 4: 0.023182 m r ω², vertical." in out

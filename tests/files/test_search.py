@@ -68,6 +68,7 @@ def directions(order: list[int]) -> Any:
     return np.array([[order.index(number) for number in range(1, len(order) + 1)]])
 
 
+@pytest.mark.release
 def test_exact_values_stand_beside_their_numbers(run: Run) -> None:
     out = run(
         "search", "8", "--cycle", "two-stroke", "--minimise", "M1", "--zero", "M2", "--best", "3"
@@ -168,6 +169,7 @@ positions = ["0 mm", "1020 mm", "2040 mm", "3060 mm", "4080 mm", "5600 mm", "662
 """
 
 
+@pytest.mark.release
 def test_counterweights_turn_with_the_throws_of_a_row(run: Run, tmp_path: Path) -> None:
     (tmp_path / "seven.toml").write_text(BALANCED_SEVEN)
     third = json.loads(run("search", "seven.toml", "--json").out)["rows"][2]
@@ -191,6 +193,7 @@ def test_the_pistons_alone_are_named_and_all_parts_stand_beside(run: Run, tmp_pa
     assert first["M1 (pistons)"] < first["M1"]
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("chart", ["front", "stars"])
 def test_pictures_of_the_front_and_of_the_winners(run: Run, tmp_path: Path, chart: str) -> None:
     place = tmp_path / "picture.svg"
@@ -215,6 +218,7 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(
     assert (tmp_path / "kept").exists()
 
 
+@pytest.mark.many(first=39)
 @pytest.mark.parametrize(
     ("words", "told"),
     [
@@ -287,6 +291,7 @@ def test_every_mistake_is_told_at_once(refused: Callable[..., str]) -> None:
         assert any(f"--{option}" in line for line in said), said
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(
     ("spoil", "told"),
     [
@@ -362,11 +367,13 @@ def test_rows_name_their_units() -> None:
     assert all(len(row) == len(heads) for row in body)
 
 
+@pytest.mark.release
 def test_the_row_of_a_point_is_the_star_with_the_fewest_neighbours(run: Run) -> None:
     (row,) = table(run("search", "12", "--cycle", "two-stroke").out)
     assert row[2:6] == ["0", "0", "0", "36"]
 
 
+@pytest.mark.release
 def test_all_with_lists_nothing_but_what_was_asked(run: Run) -> None:
     out = run("search", "11", "--all-with", "1-2-3-4-5-6-7-8-9-10-11").out
     assert len(table(out)) == 1
@@ -390,6 +397,7 @@ def test_an_engine_is_found_among_the_rows(run: Run) -> None:
     )
 
 
+@pytest.mark.release
 def test_couples_are_counted_with_their_harmonic_where_it_is_not_known(run: Run) -> None:
     out = run(*SEVEN).out
     assert re.search(r"\[m r ω² a\] +\[m r ω² A2 a\]", out)
@@ -508,6 +516,7 @@ def test_a_fault_of_two_options_is_told_once(refused: Callable[..., str]) -> Non
     assert told.count("roll does not depend") == 1
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("weights", [False, True])
 def test_vertical_and_horizontal_moments_are_those_that_analyze_finds(
     run: Run, marine: str, tmp_path: Path, weights: bool

@@ -40,6 +40,7 @@ def test_any_engine_comes_back_from_a_spreadsheet(engine: Engine) -> None:
     assert back(explicit(engine)) == engine_of(explicit(engine))
 
 
+@pytest.mark.many(first=16)
 @EVERY_ENGINE
 def test_every_file_of_the_catalog_comes_back_in_its_own_form(name: str) -> None:
     _shown, tree = tree_of(name)
@@ -161,6 +162,7 @@ MISTAKES: dict[str, tuple[Change, str]] = {
 }
 
 
+@pytest.mark.many(first=25)
 @pytest.mark.parametrize("kind", MISTAKES)
 def test_a_mistake_in_a_spreadsheet_is_one_sentence_with_its_cell(kind: str) -> None:
     change, sentence = MISTAKES[kind]
@@ -219,6 +221,7 @@ def spoilt_sources(*changes: Change) -> bytes:
     return out.getvalue()
 
 
+@pytest.mark.many(first=10)
 @pytest.mark.parametrize("kind", SOURCE_MISTAKES)
 def test_a_mistake_in_a_source_is_the_only_one_and_names_its_cell(kind: str) -> None:
     change, cell, sentence = SOURCE_MISTAKES[kind]
@@ -285,6 +288,7 @@ def test_a_row_of_a_table_names_the_row_it_is_in() -> None:
     )
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("number", [2, 3, True, "two", 1.5])
 def test_a_row_has_the_number_that_it_calls_itself_by(number: Any) -> None:
     book = openpyxl.load_workbook(io.BytesIO(workbook_bytes(sheets_of(explicit(load("i4"))))))
@@ -375,6 +379,7 @@ def test_what_is_no_spreadsheet_is_refused_in_one_line(kind: str, tmp_path: Path
     assert len(str(error.value).splitlines()) == 2
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ["analysis.xlsx", "ANALYSIS.XLSX"])
 def test_the_spreadsheet_of_an_analysis_is_an_engine_and_its_numbers(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

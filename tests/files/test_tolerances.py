@@ -160,6 +160,7 @@ def test_options_have_no_tolerances(refused) -> None:
     assert "--speed" in refused("analyze", "i4", "--speed", "6000 rpm +- 5 rpm")
 
 
+@pytest.mark.release
 def test_every_command_works_with_a_file_that_has_tolerances(run: Run, tmp_path: Path) -> None:
     place, plain = tmp_path / "six.toml", tmp_path / "plain.toml"
     place.write_text(SIX)
@@ -247,12 +248,12 @@ def test_a_fault_of_a_spreadsheet_names_its_cell() -> None:
         engine_of(workbook_tree(out.getvalue(), "book.xlsx"), name="book.xlsx")
 
 
-@pytest.mark.release
 def test_the_schema_allows_tolerances() -> None:
     tree = json.loads(json.dumps(tree_of(SIX)))
     jsonschema.validate(tree, schema())
 
 
+@pytest.mark.release
 def test_tolerances_spoilt_at_random_give_an_engine_or_sentences() -> None:
     pieces = [
         "+-",
@@ -338,6 +339,7 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     assert [float(row["rms"]) for row in rows] == pytest.approx([own.rms for own in found.rows])
 
 
+@pytest.mark.release
 def test_readers_get_sentences_and_what_is_left_out(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "six.toml"
     place.write_text(SIX)
@@ -351,6 +353,7 @@ def test_readers_get_sentences_and_what_is_left_out(run: Run, tmp_path: Path) ->
     assert "as built" not in run("verdict", "i6").out
 
 
+@pytest.mark.release
 def test_published_tolerances_are_marked_as_assumed(run: Run) -> None:
     given = ("honda-b18c", "--estimate", "--typical", "--builds", "2000")
     out = json.loads(run("tolerance", *given, "--json").out)
@@ -376,6 +379,7 @@ def test_a_spreadsheet_and_a_picture_are_written(run: Run, tmp_path: Path) -> No
     assert "layout.throws[2]" in picture
 
 
+@pytest.mark.release
 def test_bearing_loads_are_told_and_drawn_where_they_are_asked_for(
     run: Run, tmp_path: Path
 ) -> None:
@@ -393,6 +397,7 @@ def test_bearing_loads_are_told_and_drawn_where_they_are_asked_for(
     assert "load on main bearing 1" in (tmp_path / "out.svg").read_text()
 
 
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize(
     ("words", "told"),
     [
@@ -463,6 +468,7 @@ def test_standard_input_is_read_once(run: Run, tmp_path: Path) -> None:
     assert "engine" in openpyxl.load_workbook(tmp_path / "out.xlsx").sheetnames
 
 
+@pytest.mark.release
 def test_a_throw_that_is_set_takes_its_weights_along(run: Run, tmp_path: Path) -> None:
     engine = with_counterweights(engine_of(tree_of(SIX)), factor=0.5)
     place = tmp_path / "six.toml"

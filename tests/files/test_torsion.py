@@ -241,6 +241,7 @@ def test_bare_inertias_need_the_masses_of_the_pistons() -> None:
     assert [fault.code for fault in refusal.value.faults] == ["torsion.relative"]
 
 
+@pytest.mark.release
 def test_an_engine_without_masses_twists_by_gas_alone(run: Run, tmp_path: Path) -> None:
     tree = spoilt(SHORT, torsion=TORSION, gas=GAS)
     del tree["cylinder"]["reciprocating_mass"]
@@ -250,6 +251,7 @@ def test_an_engine_without_masses_twists_by_gas_alone(run: Run, tmp_path: Path) 
     assert "gas alone" in run("torsion", str(place)).out
 
 
+@pytest.mark.release
 def test_an_engine_without_masses_and_gas_has_vector_sums(run: Run, tmp_path: Path) -> None:
     tree = spoilt(SHORT, torsion=TORSION, speed="3000 rpm")
     for key in ("reciprocating_mass", "rotating_mass", "bore"):
@@ -283,6 +285,7 @@ def told(run: Run, *arguments: str) -> dict[str, Any]:
     return json.loads(run("torsion", *arguments, "--json").out)
 
 
+@pytest.mark.release
 def test_the_answer_of_torsion_is_the_promised_one(run: Run, eight: str) -> None:
     answer = told(run, eight, "--speeds", "600..6000 rpm/28")
     assert answer["format"] == 1
@@ -309,6 +312,7 @@ def test_the_answer_of_torsion_is_the_promised_one(run: Run, eight: str) -> None
     assert answer["assumed"][0] == "gamma"
 
 
+@pytest.mark.release
 def test_speeds_are_those_of_the_operating_points(run: Run, eight: str) -> None:
     speeds = [row["speed_rpm"] for row in told(run, eight)["response"]]
     assert (min(speeds), max(speeds)) == pytest.approx((700, 6000))
@@ -341,6 +345,7 @@ def test_another_operating_point_twists_it_otherwise(run: Run, eight: str) -> No
     assert full > 2 * idle
 
 
+@pytest.mark.release
 def test_readers_have_chain_modes_criticals_stress_and_heat(run: Run, eight: str) -> None:
     text = run("torsion", eight, "--holzer", "1").out
     for words in (
@@ -406,6 +411,7 @@ def test_each_mistake_of_a_drive_line_has_its_sentence(old: str, new: str, code:
     assert code in [fault.code for fault in refusal.value.faults]
 
 
+@pytest.mark.many(first=9)
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -448,6 +454,7 @@ def test_torsion_in_a_spreadsheet_and_as_csv(run: Run, eight: str, tmp_path: Pat
     assert len(rows) == 5
 
 
+@pytest.mark.release
 def test_masses_that_are_all_rigid_do_not_twist(run: Run) -> None:
     text = run("torsion", "audi-25-tfsi", "--set", 'torsion.inertia="1 kg*m^2"').err
     assert "has no stiffness between the throws" in " ".join(text.split())
@@ -477,6 +484,7 @@ def test_an_engine_without_torsion_raises_in_python() -> None:
 VALUES = ["", "x", -1, 0, 1e300, "1 MN*m/rad", "-3 kg*m^2", [], {}, True, None, "front", 2.5, "1/2"]
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.release)])
 def test_any_spoilt_torsion_is_a_response_or_a_sentence(seed: int) -> None:
     """Tables with wrong values: vibration whose torques are numbers, or a refusal."""

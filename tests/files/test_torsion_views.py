@@ -58,6 +58,7 @@ def printed(run: Run, *words: str) -> str:
     return ran.out
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("kind", ["torsion-modes", "campbell"])
 def test_plot_draws_drive_lines(run: Run, tmp_path: Path, kind: str) -> None:
     place = tmp_path / "fan.toml"
@@ -75,6 +76,7 @@ def test_other_charts_do_not_draw_drive_lines(run: Run, tmp_path: Path) -> None:
     assert not (tmp_path / "x.svg").exists()
 
 
+@pytest.mark.release
 def test_the_verdict_names_mode_and_critical_speed_of_torsion(run: Run, six: str) -> None:
     told = answer(run, "torsion", six)
     first = told["modes"][0]["frequency_hz"]
@@ -102,6 +104,7 @@ def test_compare_has_first_frequencies_and_critical_speeds(run: Run, six: str) -
     assert f"{told['modes'][1]['frequency_hz']:.4g}" in text
 
 
+@pytest.mark.release
 def test_compare_leaves_out_engines_without_the_table(run: Run, six: str) -> None:
     text = printed(run, "compare", six, "i6")
     table = text.partition("\nTorsion\n")[2].partition("\n\n")[0]
@@ -122,7 +125,6 @@ def test_a_sweep_of_the_flywheel_gives_the_first_frequency_of_each() -> None:
     assert np.all(np.diff(curve.values) < 0)
 
 
-@pytest.mark.release
 def test_a_sweep_gives_the_greatest_stress_and_the_free_end() -> None:
     made = crankstar.sweep(own(), "torsion.disc[2].inertia=0.1..0.3 kg*m^2/2")
     stress = crankstar.watched(made, "torsion_stress")

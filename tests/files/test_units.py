@@ -341,6 +341,7 @@ def understood(value: object, quantity: Quantity) -> tuple[float, str]:
         return 0.0, str(error).removeprefix("the value ")
 
 
+@pytest.mark.release
 @given(
     st.sampled_from(QUANTITIES),
     st.text(max_size=80) | st.from_regex(r"[-+]?[0-9.]{0,4}(e[0-9]{1,4})? ?[a-z*/^0-9 ]{0,12}"),

@@ -82,6 +82,7 @@ def test_units_change_csv_and_leave_json_in_si(run: Run) -> None:
         assert float(row["amplitude"]) == pytest.approx(float(other["amplitude"]) * factor)
 
 
+@pytest.mark.release
 @given(st.sampled_from(sorted(LENGTHS)), st.sampled_from(sorted(MASSES)))
 def test_an_engine_is_the_same_in_whatever_units_it_is_given(length: str, mass: str) -> None:
     def engine(length: str, mass: str):

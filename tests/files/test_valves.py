@@ -42,6 +42,7 @@ ORDERS = st.permutations(range(1, 9)).map(tuple)
 SPLITS = st.builds(lambda order, at: (order[:at], order[at:]), ORDERS, st.integers(1, 7))
 
 
+@pytest.mark.release
 @given(st.builds(Valves, **dict.fromkeys(EVENTS, ANGLES), manifolds=st.just(()) | SPLITS))
 def test_any_valves_are_the_same_written_and_read_back(valves: Valves) -> None:
     engine = engine_of(tree_of(SHORT)).model_copy(update={"valves": valves})
@@ -197,6 +198,7 @@ def test_an_intake_that_closes_before_bottom_dead_centre_is_a_miller_cycle() -> 
     assert one.intake.end_deg == pytest.approx(510)
 
 
+@pytest.mark.release
 def test_strokes_are_printed_with_what_is_assumed(run: Run) -> None:
     out = run("strokes", "v8-cross-plane").out
     assert "Exhaust opens 50 deg (assumed) before bottom" in out

@@ -76,6 +76,7 @@ def test_overbalance_and_underbalance_are_rows_of_the_card(run: Run, v8: str) ->
     )
 
 
+@pytest.mark.release
 def test_the_card_of_uneven_cylinders_has_a_column_for_each_kind(run: Run, tmp_path: Path) -> None:
     """Fork-and-blade: the blade's big end is lighter and carries no shells of its own."""
     of = tree()
@@ -123,6 +124,7 @@ def test_a_flat_crank_needs_no_bobweights_and_says_so(run: Run) -> None:
     assert "and without" not in run("bobweight", "v8-cross-plane").out
 
 
+@pytest.mark.release
 def test_heavy_bobweights_have_the_prefix_that_fits(run: Run, tmp_path: Path) -> None:
     of = tree(parts={"piston": "5 t", "small_end": "2 t", "big_end": "4 t"}, stroke="2.5 m")
     of["cylinder"]["rod_length"] = "5 m"
@@ -212,6 +214,7 @@ def test_the_bearings_share_the_unbalance_by_their_levers(run: Run) -> None:
     assert front + rear == pytest.approx(row["unbalance"]["whole"])
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("measured", "met"), [("60 g*mm, 60 g*mm", "6.3"), ("180 g*mm", "16"), ("0.1 oz*in", "6.3")]
 )
@@ -241,6 +244,7 @@ def test_shares_are_lever_rule_within_three_to_seven_tenths() -> None:
     assert all(b / a == pytest.approx(2.5, rel=0.03) for a, b in pairwise(GRADES))
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("typed", "grams_mm"),
     [("38 g at 4 in", 3860.8), ("38 g @ 4in", 3860.8), ("1.3 oz at 10 cm", 3685.4)],
@@ -282,6 +286,7 @@ def test_csv_of_a_measured_unbalance_is_its_result(run: Run) -> None:
     assert [float(row["permissible [kg*m]"]) for row in rows] == pytest.approx([allowed] * 2)
 
 
+@pytest.mark.release
 def test_a_card_in_american_units_is_in_grams(run: Run, v8: str) -> None:
     said = run("bobweight", v8, "--units", "us").out
     assert column(said, "Bobweights", word=r"\d") == [1814] * 4
@@ -297,6 +302,7 @@ def test_a_factor_in_percent_without_its_sign_says_how_it_is_written(
     assert said.endswith("for 52 % write 52% or 0.52")
 
 
+@pytest.mark.many(first=26)
 @pytest.mark.parametrize(
     ("line", "words"),
     [
@@ -352,6 +358,7 @@ def test_crank_angles_that_are_none_are_refused(run: Run) -> None:
         assert "give crank angles, such as" in refused(run, *line, "--theta", ",")
 
 
+@pytest.mark.release
 def test_an_unbalance_without_a_direction_is_corrected_at_the_heavy_spot(run: Run) -> None:
     hole = ("drill", "--diameter", "10 mm", "--at-radius", "70 mm", "--unbalance")
     words = "at the heavy spot that the machine shows"

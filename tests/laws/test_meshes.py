@@ -174,6 +174,7 @@ def test_alike_crankshafts_that_fire_together_pass_on_half_the_load(exact: bool)
     assert mesh.driving == 1.0
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("share", [0.0, 0.1, 0.25, 0.5])
 def test_sharing_the_flywheel_relieves_the_orders_that_both_crankshafts_have(share: float) -> None:
     """By 1 - 2 s: all of them where both fire together, even ones alone at 180 degrees."""
@@ -271,6 +272,7 @@ def sprung(engine: Engine, run: Running, shares: tuple[float, float]) -> tuple[R
     return out.y[0], passed
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("together", [False, True])
 @pytest.mark.parametrize("shares", [(0.5, 0.5), (0.8, 0.2)])
 def test_a_stiff_spring_between_the_crankshafts_feels_the_torque_of_the_mesh(

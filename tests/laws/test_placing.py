@@ -52,6 +52,7 @@ def momentum_roll(engine: Engine, order: float) -> float:
     return float(2 * abs((signal * np.exp(-1j * order * found.theta)).mean()))
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("reverse", [False, True])
 @pytest.mark.parametrize("rod_ratio", [3.0, 4.0, 7.0])
 def test_the_one_shaft_of_a_twin_belongs_half_lambda_above_the_crank(
@@ -66,6 +67,7 @@ def test_the_one_shaft_of_a_twin_belongs_half_lambda_above_the_crank(
     assert momentum_roll(after, 1.0) < 1e-9
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("rod_ratio", [3.0, 4.0, 7.0])
 def test_the_pair_of_a_four_is_nearly_a_rod_length_apart_in_height(rod_ratio: float) -> None:
     """2 m r^2 w^2 (1 + ...) of roll over the force of a shaft, 2 m r w^2 A_2."""

@@ -111,6 +111,7 @@ def test_their_inertia_torques_turn_the_whole_as_those_of_the_engine(ratio: str)
     assert turning == pytest.approx(spectra.amplitude(whole), abs=1e-12)
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("ratio", RATIOS)
 def test_their_inertias_add_up_to_that_of_the_engine(ratio: str) -> None:
     engine = pair(ratio)

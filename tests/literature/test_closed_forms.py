@@ -35,6 +35,7 @@ def closed(name: str, order: int, quantity: Quantity) -> tuple[str, str]:
     return text(lines["up"].chain[-1]), text(lines["right"].chain[-1])
 
 
+@pytest.mark.many(first=11)
 @pytest.mark.parametrize(
     ("name", "order", "quantity", "up", "right"),
     [
@@ -58,6 +59,7 @@ def test_the_v8s_have_these_closed_forms(
     assert closed(name, order, quantity) == (up, right)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("theta", [0.0, 0.7, 2.0, 5.1])
 def test_the_couple_that_the_cross_plane_page_prints_is_ours_in_another_form(theta: float) -> None:
     """The page: -sqrt(10) a cos(t - pi/4 - atan 3) up, and its sine towards the first bank."""

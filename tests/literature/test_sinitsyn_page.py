@@ -287,6 +287,7 @@ def left(engine: crankstar.Engine) -> float:
     )
 
 
+@pytest.mark.many(first=5)
 @EVERY
 def test_weights_and_mechanisms_leave_nothing(part: str) -> None:
     engine = PAGE.cured(SCHEMES[part].file)
@@ -294,6 +295,7 @@ def test_weights_and_mechanisms_leave_nothing(part: str) -> None:
     assert len(engine.shafts) == 1 + 2 * len(PAGE.mechanisms(SCHEMES[part].file))
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("part", [part for part in SCHEMES if part != "8-four-stroke"])
 def test_without_any_one_of_the_weights_something_is_left(part: str) -> None:
     engine = PAGE.cured(SCHEMES[part].file)
@@ -306,6 +308,7 @@ def test_without_any_one_of_the_weights_something_is_left(part: str) -> None:
             assert left(engine.model_copy(update={"shafts": shafts})) > 1e-3
 
 
+@pytest.mark.many(first=4)
 @EVERY
 def test_the_exact_weights_are_those_on_the_engine(part: str) -> None:
     file = SCHEMES[part].file

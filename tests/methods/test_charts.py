@@ -114,6 +114,7 @@ def lanchester(heights: tuple[float, float] = (0.0, 0.0)) -> Engine:
     return with_balance_shaft(first, ratio=-2, planes=[1, -1], up=heights[1], right=-2)
 
 
+@pytest.mark.many(first=82)
 @EVERY_ENGINE
 @pytest.mark.parametrize("order", [1, 2, 4])
 @pytest.mark.parametrize("quantity", ["force", "couple"])
@@ -142,6 +143,7 @@ def test_the_vectors_of_a_star_add_up_to_the_balance(
         assert close(found, [forward, backward], scale)
 
 
+@pytest.mark.release
 def test_only_a_row_of_cylinders_whose_pistons_alone_push_has_the_textbook_star() -> None:
     def count(engine: Engine, order: int) -> int:
         return len(drawn(charts.vector_star(engine, order=order)))
@@ -242,6 +244,7 @@ def from_line(row: Row, start: complex, end: complex) -> float:
     return float(np.hypot(across, upright).min())
 
 
+@pytest.mark.many(first=8)
 @pytest.mark.parametrize(
     ("name", "order", "quantity"),
     [
@@ -285,6 +288,7 @@ def test_a_label_of_a_polygon_is_nearest_to_its_own_side_or_has_a_line_to_it(
     assert seen > 4
 
 
+@pytest.mark.many(first=10)
 @EVERY_ENGINE
 @pytest.mark.parametrize("quantity", ["force", "couple"])
 @pytest.mark.parametrize("speed", [None, pytest.param(500.0, marks=pytest.mark.release)])
@@ -389,7 +393,7 @@ def test_the_length_of_a_semi_axis_stands_at_its_end_and_not_at_the_vector(
         assert abs(complex(text.y3, text.x3)) > length
 
 
-@pytest.mark.many(first=23)
+@pytest.mark.many(first=16)
 @EVERY_ENGINE
 @pytest.mark.parametrize(
     "quantity", ["force", "couple", "roll", pytest.param("torque", marks=pytest.mark.release)]
@@ -439,6 +443,7 @@ def test_each_order_over_a_turn_is_drawn_by_itself() -> None:
     ]
 
 
+@pytest.mark.release
 def test_geared_shafts_are_drawn_over_their_whole_period() -> None:
     engine = with_counterweights(crankstar.load("single"), factor=0.5)
     shaft = engine.shafts[0].model_copy(update={"name": "half", "speed_ratio": Fraction(1, 2)})
@@ -517,6 +522,7 @@ def test_a_balance_shaft_pushes_by_itself() -> None:
     assert abs(complex(sum((one.net[0] for one in found), 0j))) < 1e-12
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize("name", ["v8-cross-plane", "honda-b18c", "napier-deltic", "kr250-racer"])
 @pytest.mark.parametrize("theta", [0.0, 0.9])
 def test_the_pins_of_a_crank_star_are_where_the_crank_angle_turns_them(
@@ -536,6 +542,7 @@ def test_the_pins_of_a_crank_star_are_where_the_crank_angle_turns_them(
     )
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("theta", [0.0, 0.9])
 def test_the_heights_of_the_pins_in_an_elevation_are_true(theta: float) -> None:
     engine = crankstar.load("yamaha-r1-crossplane")

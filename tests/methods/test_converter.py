@@ -20,6 +20,7 @@ def beside(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     converter.end()
 
 
+@pytest.mark.release
 @pytest.mark.usefixtures("beside")
 def test_what_is_drawn_beside_is_what_is_drawn_here() -> None:
     figures = [charts.polygon(load(name), order=1) for name in ("v8-cross-plane", "i4")]

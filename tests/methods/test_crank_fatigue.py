@@ -249,7 +249,6 @@ def test_torsion_is_half_the_range_of_the_greatest_torque_over_the_speeds() -> N
     assert journal.torsion == pytest.approx(16 * greatest.torque / (pi * 0.058**3))
 
 
-@pytest.mark.release
 def test_the_equivalent_stress_is_von_mises_of_the_fillet_with_the_additional_one() -> None:
     _found, fatigue = assessed(six(fatigue={**STEEL, "additional_stress": "30 MPa"}))
     pin, journal = fatigue.fillets[:2]

@@ -38,6 +38,7 @@ CASES = [
 ]
 
 
+@pytest.mark.many(first=34)
 @pytest.mark.parametrize(("name", "ratio"), CASES)
 def test_exact_weights_leave_nothing_and_are_those_of_the_remedy(
     name: str, ratio: Fraction
@@ -70,6 +71,7 @@ def test_exact_weights_leave_nothing_and_are_those_of_the_remedy(
         assert abs((one.forward if ratio > 0 else one.backward)[0]) < 1e-12 * len(engine.cylinders)
 
 
+@pytest.mark.release
 def test_the_cross_plane_eight_in_closed_form() -> None:
     engine = load("v8-cross-plane")
     found = cure(engine, ratio=1, planes=end_webs(engine, engine.shafts[0]))
@@ -78,6 +80,7 @@ def test_the_cross_plane_eight_in_closed_form() -> None:
     assert "∠ (−π + atan 2)" in str(found.chapter)
 
 
+@pytest.mark.release
 def test_what_was_not_cured_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
     """The proof adds up again: with wrong weights it fails."""
     import sys
@@ -107,6 +110,7 @@ def turned(engine: Engine) -> Engine:
     )
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", ["v8-cross-plane", "gm-3800", "harley-45"])
 def test_rotating_masses_and_the_other_way_round_are_counted(name: str) -> None:
     engine = turned(load(name))

@@ -151,6 +151,7 @@ def test_more_than_fits_beside_each_other_is_refused_with_what_fits() -> None:
     assert "100 kg mm" in str(refused.value)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("factor", [0.4, 0.5, 0.56])
 def test_a_crankshaft_drilled_as_said_leaves_the_machine_nothing(factor: float) -> None:
     """Weights cut for 0.5; the holes are weights of their own, taken away at the heavy spot."""

@@ -121,6 +121,7 @@ def test_the_band_is_drawn_and_written(run: Callable[..., str]) -> None:
     assert '"area"' in json.dumps(spec)
 
 
+@pytest.mark.release
 def test_panels_of_one_and_of_two_curves_have_their_own_colours() -> None:
     made = sweep("kr250-racer", "balance_factor=0..1/3", estimate=True)
     curves = [watched(made, name) for name in ("force", "couple", "roll")]

@@ -153,6 +153,7 @@ def test_the_chart_has_a_bar_for_every_order_that_is_there() -> None:
     assert rows[1]["to"] == pytest.approx(HIGH)
 
 
+@pytest.mark.release
 def test_an_engine_without_firing_order_has_no_bars() -> None:
     chart = charts.exhaust_order_chart(crankstar.load("napier-lion"))
     assert "The file gives no firing order." in words_of(charts.saved(chart, "svg", title="x"))

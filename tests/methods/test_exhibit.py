@@ -92,6 +92,7 @@ def test_engines_in_different_units_are_compared_by_their_first_cylinders() -> N
     assert told("v8-cross-plane").scale.length == 1.0
 
 
+@pytest.mark.release
 def test_the_strokes_have_the_same_colours_on_the_stage_and_in_the_chart() -> None:
     engine = load("v8-cross-plane")
     colours = exhibition([engine], relatives=False).stroke_colours
@@ -110,7 +111,7 @@ def at(vectors: Vectors, orders: tuple[float, ...], sense: int, theta: Any) -> A
     )
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", SOME)
 def test_the_sums_are_those_of_the_public_answer(name: str) -> None:
     engine, shown = load(name), told(name)
@@ -126,6 +127,7 @@ def test_the_sums_are_those_of_the_public_answer(name: str) -> None:
                 )
 
 
+@pytest.mark.release
 @settings(max_examples=200 if RELEASE else 3)
 @given(engines(known=True), st.floats(0, 12))
 def test_arrows_are_what_the_bodies_do_but_for_orders_that_are_left_out(
@@ -162,7 +164,7 @@ def test_arrows_are_what_the_bodies_do_but_for_orders_that_are_left_out(
         assert abs(at(cylinder.force, shown.orders, shown.sense, theta) - expected) < 1e-7 * largest
 
 
-@pytest.mark.many(first=17)
+@pytest.mark.many(first=15)
 @EVERY_ENGINE
 def test_orders_that_are_left_out_are_not_missed(name: str) -> None:
     """The page's force, couple and roll are the negative rates of change of momentum, to 0.1 %.
@@ -254,6 +256,7 @@ def test_turns_bring_every_shaft_and_the_firing_back() -> None:
     assert shown.turns == back[0] == 6
 
 
+@pytest.mark.many(first=8)
 @pytest.mark.parametrize("name", [*SOME, "bmw-r1200", "v2-90"])
 def test_ellipses_of_the_table_are_the_paths_of_the_vectors(name: str) -> None:
     shown = told(name)
@@ -276,7 +279,7 @@ def test_ellipses_of_the_table_are_the_paths_of_the_vectors(name: str) -> None:
             assert abs(np.sin(np.angle(far) - row.direction)) < 0.02
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("name", SOME)
 def test_of_each_quantity_the_greatest_order_comes_first_and_what_is_zero_last(name: str) -> None:
     shown = told(name)
@@ -294,7 +297,7 @@ def test_of_each_quantity_the_greatest_order_comes_first_and_what_is_zero_last(n
         assert sizes == sorted(sizes, reverse=True)
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("name", SOME)
 def test_strokes_are_those_of_the_public_answer(name: str) -> None:
     engine, shown = load(name), told(name)
@@ -562,6 +565,7 @@ def tree() -> dict[str, Any]:
     return {"exhibition": shown, "libraries": [{"charts": {}, "derivations": {}}], "fitted": [None]}
 
 
+@pytest.mark.release
 def test_nothing_in_a_name_becomes_an_element_of_the_page(small_bundle: str) -> None:
     found = read(document(tree()))
     tags = [tag for tag, _ in found.elements]
@@ -684,6 +688,7 @@ def names_of(*engines: Engine, sources: tuple[str, ...] = ()) -> list[tuple[str,
     return [(one.name, one.file["name"]) for one in shown.engines]
 
 
+@pytest.mark.release
 def test_engines_of_one_name_side_by_side_are_told_apart() -> None:
     one, other = load("i4"), load("v2-90").model_copy(update={"name": load("i4").name})
     assert names_of(one, load("v2-90")) == [(name, name) for name in (one.name, load("v2-90").name)]
@@ -698,6 +703,7 @@ def test_engines_of_one_name_side_by_side_are_told_apart() -> None:
     assert [name for _, name in names_of(one, other)] == [one.name, one.name]
 
 
+@pytest.mark.release
 def test_the_page_knows_which_weights_turn_with_a_throw() -> None:
     """A file may leave it out; then a weight belongs to the nearest throw."""
     engine = load("v8-cross-plane")
@@ -710,7 +716,7 @@ def test_the_page_knows_which_weights_turn_with_a_throw() -> None:
         assert len(numbers) == len(of.shafts[0].weights)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ["v8-cross-plane", "napier-deltic", "kr250-racer"])
 def test_weights_have_no_part_in_the_derivation_of_an_order_they_do_not_exert(name: str) -> None:
     """Derived for the page without them; here with them, as the command line does."""

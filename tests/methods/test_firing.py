@@ -70,6 +70,7 @@ def test_crank_and_rod_are_in_line_where_a_search_finds_the_piston_farthest(engi
             assert found.period_deg == known[number].period_deg
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("ratio", [1, -1])
 def test_two_pistons_that_share_a_chamber_fire_where_its_volume_is_least(ratio: int) -> None:
     lag = radians(11)
@@ -128,6 +129,7 @@ def test_slave_rods_shift_the_dead_centres_of_a_radial_engine_by_a_few_degrees()
     )  # mirror-image about the master rod
 
 
+@pytest.mark.release
 def test_firing_angles_are_the_most_even_that_brute_force_finds() -> None:
     random = np.random.default_rng(3)
     for _ in range(60):

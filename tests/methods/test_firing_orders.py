@@ -253,7 +253,7 @@ def test_the_possible_orders_are_the_permutations_that_fit(engine: Engine) -> No
         assert again.intervals_deg == pytest.approx(one.firing.intervals_deg, abs=1e-6)
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("layout", OF_LAYOUT)
 def test_every_order_of_every_layout_can_be_fired(layout: str) -> None:
     @given(OF_LAYOUT[layout])
@@ -443,6 +443,7 @@ def test_two_rows_of_nine_with_slave_rods_are_offered_as_near_to_even_as_can_be(
     )
 
 
+@pytest.mark.release
 def test_a_shaft_of_256_throws_is_answered_in_a_sentence() -> None:
     engine = inline(
         Basis(name="x"), throws=tuple(0.0245 * place**1.1 for place in range(256)), bore_pitch=0.1

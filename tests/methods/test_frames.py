@@ -63,7 +63,7 @@ def test_a_frame_has_one_row_for_each_amplitude_of_the_engine(name: str) -> None
     assert frame.attrs.get("speed") == result.speed
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("by", ["cylinder", "bank", "kind", "shaft"])
 def test_a_frame_by_a_label_has_the_share_of_each(by: Grouping) -> None:
     result = at_speed("napier-deltic")

@@ -65,7 +65,6 @@ def test_weighted_acceleration_is_that_of_each_order_filtered() -> None:
     assert np.all(rms(over.hand_arm(GRIP)) < rms(over.acceleration(GRIP)))
 
 
-@pytest.mark.release
 def test_acceleration_is_the_second_derivative_of_the_course() -> None:
     over = crankstar.mounts(mounted(), speeds=SPEEDS[:1]).over
     assert over is not None

@@ -36,7 +36,6 @@ ENGINES = [
 ANGLES = [0.0, 0.3, np.pi / 2, 2.5, -0.5235987755982988, 7.853981633974483, 11.0, -19.7]
 
 
-@pytest.mark.release
 def test_typescript_moves_and_adds_up_as_python_does(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

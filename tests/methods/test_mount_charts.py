@@ -115,6 +115,7 @@ def test_the_layout_shows_every_mount_where_it_is_in_all_views() -> None:
             assert any((d["atUp"], d["atRight"]) == pytest.approx(wanted) for d in dots), place
 
 
+@pytest.mark.release
 def test_drawn_axes_go_through_their_points_in_their_directions() -> None:
     engine = mounted(block={**BLOCK, "product_up_z": "-0.5 kg*m^2"})
     found = crankstar.mounts(engine)

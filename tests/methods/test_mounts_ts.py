@@ -49,6 +49,7 @@ SHARES = (0.0, 0.013, 0.377, 0.82, 1.0)
 """Of the way from the slowest speed to the fastest."""
 
 
+@pytest.mark.release
 def test_typescript_shakes_the_block_as_python_does(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -74,6 +74,7 @@ def printed_tables(text: str) -> dict[str, tuple[list[str], list[str], list[list
     }
 
 
+@pytest.mark.release
 def test_printed_amplitudes_are_those_of_a_balance_at_each_speed(run: Run, twin: str) -> None:
     out = run("analyze", twin, "--speeds", SPEEDS).out
     tables = printed_tables(out)
@@ -177,6 +178,7 @@ def test_sweeps_as_spreadsheet_and_parquet_hold_every_pair(
     assert len(back.cylinders) == 2
 
 
+@pytest.mark.release
 def test_the_chart_holds_the_amplitudes_and_its_command_is_named(
     run: Run, twin: str, tmp_path: Path
 ) -> None:

@@ -103,6 +103,7 @@ def test_the_turns_of_the_throws_obey_newton_between_the_shafts() -> None:
     assert np.abs(left).max() < 1e-6 * np.abs(driving).max()
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(("name", "place"), [(CLOCKWISE, 2), (COUNTER_CLOCKWISE, 0)])
 def test_a_throw_goes_ahead_while_the_gas_pushes_it(name: str, place: int) -> None:
     """Of a stiff crank on a soft shaft to a huge flywheel the twist is the torque over stiffness.
@@ -124,6 +125,7 @@ def test_a_throw_goes_ahead_while_the_gas_pushes_it(name: str, place: int) -> No
     assert turn == pytest.approx(course, abs=0.01 * np.abs(course).max())
 
 
+@pytest.mark.release
 def test_the_torque_of_a_mode_is_that_of_its_holzer_table() -> None:
     engine = twisting(CLOCKWISE, disc=[HUB, FLYWHEEL])
     shown, found = sent(engine), torsion(engine)
@@ -193,6 +195,7 @@ def test_operating_points_come_first_then_the_strongest_critical_speeds() -> Non
     assert [listed[each.critical].strength for each in met if each.critical] == strengths[:4]
 
 
+@pytest.mark.release
 def test_every_figure_of_torsion_that_is_offered_can_be_drawn() -> None:
     engine = twisting(COUNTER_CLOCKWISE)
     keys = list(torsion_charts(engine))

@@ -174,6 +174,7 @@ def test_a_film_ends_one_step_before_it_begins(name: str) -> None:
     assert np.abs(shown[0] - shown[1]).mean() < 0.02
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("kind", ["gif", "webp", "png"])
 def test_a_film_has_every_picture_and_goes_on_for_ever(kind: str) -> None:
     from PIL import Image, ImageSequence

@@ -114,6 +114,7 @@ def ball(value: Any, digits: int = 14) -> acb:
     return acb(real + wide, imaginary + wide)
 
 
+@pytest.mark.release
 @settings(max_examples=500)
 @given(TREES)
 def test_any_formula_read_back_from_its_print_is_the_formula(tree: Formula) -> None:
@@ -304,7 +305,7 @@ def test_the_share_of_a_whole_bank_to_the_right_is_printed_in_brackets() -> None
     assert "= −(" in documents.equations(right[0]).replace("\n", " ")
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["boxer-6", "v8-cross-plane", "audi-25-tfsi", "napier-lion"])
 def test_derivations_of_a_few_engines_are_true_as_they_are_printed(name: str) -> None:
     for order in (1, 2):
@@ -394,6 +395,7 @@ def test_the_six_signs_are_true_as_they_are_printed(name: str, notation: Notatio
         assert untrue(lines_of(chapter), letters_for(chapter)) == []
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize("notation", [STROKE, SINITSYN], ids=lambda own: own.name)
 @pytest.mark.parametrize("name", ["v8-flat-plane", "audi-25-tfsi", "boxer-6", "v2-90"])
 def test_other_notations_are_true_as_they_are_printed(name: str, notation: Notation) -> None:
@@ -479,6 +481,7 @@ def test_torques_of_random_engines_are_true_as_they_are_printed(
     assert false_torques(engine_of(tree | {"layout": layout}), order) == []
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize("order", range(1, 9))
 def test_a_torque_harmonic_is_its_sum_of_products_and_its_series(order: int) -> None:
     ratio = Fraction(6)

@@ -58,6 +58,7 @@ def added(engine: Engine, found: Fitted) -> list[Fraction]:
     return [shaft.speed_ratio for shaft in found.after.shafts[len(engine.shafts) :]]
 
 
+@pytest.mark.many(first=18)
 @EVERY_ENGINE
 def test_nothing_is_left_of_what_the_verdict_says_can_be_taken_away(name: str) -> None:
     engine, told, found = crankstar.load(name), cured(name), recommended(crankstar.load(name))
@@ -118,6 +119,7 @@ def test_two_crankshafts_that_turn_against_each_other_need_no_half() -> None:
     } == {0.5}
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ["vw-vr6", "napier-deltic"])
 def test_where_no_factor_will_do_the_end_webs_follow_none(name: str) -> None:
     engine, found = crankstar.load(name), recommended(crankstar.load(name))

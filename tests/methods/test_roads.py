@@ -66,6 +66,7 @@ def series_by_expansion(order: int, highest_power: int) -> list[Fraction]:
     return found
 
 
+@pytest.mark.release
 @given(number(1.002, 50.0), st.just(0.0) | number(-0.9, 0.9))
 def test_the_harmonics_of_a_piston_are_those_of_its_travel(clearance: float, offset: float) -> None:
     rod_ratio = clearance * (1 + abs(offset))
@@ -283,6 +284,7 @@ def test_turned_shifted_and_selected_spectra_are_the_turned_delayed_and_filtered
     assert np.abs(one_by_one - before).max() < 1e-13
 
 
+@pytest.mark.release
 @given(SPECTRA)
 def test_a_signal_sampled_over_its_period_has_the_spectrum_it_was_made_of(
     spectrum: Spectrum,
@@ -350,6 +352,7 @@ def test_no_sample_is_longer_than_the_peak(engine: Engine) -> None:
         assert_peak(spectra.selected(spectrum, spectrum.orders[:40]))
 
 
+@pytest.mark.release
 @given(SPECTRA)
 def test_no_sample_of_any_spectrum_is_longer_than_its_peak(spectrum: Spectrum) -> None:
     assert_peak(spectrum)
@@ -394,6 +397,7 @@ def test_the_peak_does_not_hang_on_how_the_orders_are_listed() -> None:
     assert spectra.peak(descending).value == pytest.approx(spectra.peak(ascending).value, rel=1e-9)
 
 
+@pytest.mark.release
 def test_the_peak_of_shafts_of_29_and_31_teeth_is_found_in_the_turn_where_they_meet() -> None:
     weight = Weight(unbalance=1.0, angle=0.0)
     shafts = [

@@ -51,6 +51,7 @@ def two_cranks() -> tuple[Engine, list[Plane]]:
     return bare, [Plane(s.name, s.throws[0].z) for s in bare.shafts if s.throws]
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("aim", AIMS, ids=str)
 def test_an_aim_of_roll_is_that_of_the_engine_with_the_weights(aim: Aim) -> None:
     engine, planes = two_cranks()
@@ -149,6 +150,7 @@ def test_a_shaft_in_the_sweep_of_the_crank_or_in_another_is_told(run: Run) -> No
     assert "would be inside it" in " ".join(done.out.split())
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", ["i6", "sinitsyn-7-first", "sinitsyn-8-two-stroke"])
 def test_every_star_of_an_engine_has_the_same_roll(name: str) -> None:
     engine = crankstar.load(name)

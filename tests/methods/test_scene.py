@@ -281,6 +281,7 @@ def test_forks_and_blades_slaves_and_masters_are_told_apart() -> None:
     assert set(kinds["napier-lion"].values()) == {"plain"}
 
 
+@pytest.mark.release
 @settings(max_examples=150)
 @given(st.one_of(*OF_ANY_KIND.values()))
 def test_any_engine_at_all_can_be_drawn(engine: Engine) -> None:

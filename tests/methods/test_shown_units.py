@@ -322,6 +322,7 @@ def sentences(name: str) -> list[str]:
     return said
 
 
+@pytest.mark.release
 def test_every_quantity_in_a_sentence_is_the_same_in_all_units() -> None:
     count = 0
     for name in names()[::2]:

@@ -33,7 +33,7 @@ def set_to(tree: dict[str, Any], control: Control, value: float) -> dict[str, An
     return changed(tree, changes)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["v2-90", "i2-270", "subaru-ej25", "gm-3800", "square-four"])
 def test_a_curve_is_what_the_command_line_sweeps(name: str) -> None:
     listed = sliders(tree_of(name))
@@ -52,7 +52,7 @@ def test_a_curve_is_what_the_command_line_sweeps(name: str) -> None:
             assert ours == pytest.approx(own.values, rel=1e-9, abs=1e-12 * max(own.values))
 
 
-@pytest.mark.many(first=18)
+@pytest.mark.many(first=5)
 @EVERY_ENGINE
 def test_every_slider_begins_at_the_engine_that_is_there(name: str) -> None:
     """The result at the present value is that of the analysis."""
@@ -71,6 +71,7 @@ def test_every_slider_begins_at_the_engine_that_is_there(name: str) -> None:
             assert curve.present == pytest.approx(size, rel=1e-6, abs=1e-9 * max(curve.results))
 
 
+@pytest.mark.many(first=18)
 @EVERY_ENGINE
 def test_every_control_sets_its_number_and_makes_an_engine(name: str) -> None:
     tree = tree_of(name)

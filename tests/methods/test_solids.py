@@ -91,6 +91,7 @@ def test_pins_and_weights_turn_with_their_shafts(name: str) -> None:
         assert sums[0] == pytest.approx(sums[1], abs=1e-12)
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", TURNING)
 def test_a_rod_reaches_from_its_pin_to_its_piston_whose_crown_is_outward(name: str) -> None:
     engine = load(name)

@@ -280,6 +280,7 @@ def test_crankshafts_of_different_speed_are_refused_in_a_sentence() -> None:
             figure(engine)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("language", "left"), [("ja", "バンク left"), ("ru", "ряд left")])
 def test_exhaust_groups_are_named_in_the_language(language: str, left: str) -> None:
     engine = crankstar.load("toyota-1uz-fe")

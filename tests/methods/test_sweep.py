@@ -127,6 +127,7 @@ def test_a_flat_summit_and_the_two_it_parts_into_are_found() -> None:
     assert spectra.peaks(waves) == pytest.approx(summits, rel=1e-12)
 
 
+@pytest.mark.release
 def test_of_two_summits_beside_a_sample_in_the_hollow_between_them_the_higher_one_is_found() -> (
     None
 ):
@@ -223,7 +224,7 @@ def assert_one_by_one(
             assert_as_alone(sums, make(float(numbers[place])), point, row)
 
 
-@pytest.mark.many(first=11)
+@pytest.mark.release
 @pytest.mark.parametrize(("name", "path", "unit", "low", "high", "lawful"), FIELDS, ids=str)
 def test_a_sweep_is_as_its_engines_one_by_one(
     name: str, path: str, unit: str | None, low: float, high: float, lawful: bool
@@ -313,6 +314,7 @@ CROOKED: dict[str, Callable[[float], Engine]] = {
 LAWFUL = {"turns", "a weight that changes sides", "another last one", "another nought", "nothing"}
 
 
+@pytest.mark.many(first=9)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=[pytest.mark.release] * (name == LATE)) for name in CROOKED]
 )
@@ -375,6 +377,7 @@ def test_what_is_wrong_at_an_end_or_anywhere_is_said_as_the_engine_says_it() -> 
         of("radial-9", "layout.knuckle_radius=0.3..3.2/20")
 
 
+@pytest.mark.release
 def test_a_slave_rod_that_cannot_reach_in_the_middle_of_the_range_is_found() -> None:
     """The rod is too short where its knuckle pin, on the master's big end, is far away."""
     tree = files.explicit(crankstar.load("radial-9").model_copy(update={"firing_order": ()}))
@@ -410,6 +413,7 @@ def test_gear_ratios_are_swept_in_groups() -> None:
 # What sweeps must find
 
 
+@pytest.mark.release
 def test_a_single_is_best_with_half_balance_and_then_it_is_a_pure_backward_circle() -> None:
     found = best_of("single", "balance_factor=0..1", "force", 1)
     assert (found.value, found.result) == (
@@ -444,6 +448,7 @@ def test_a_90_degree_twin_has_no_first_order_at_a_half() -> None:
     assert (found.value, found.result) == (pytest.approx(0.5, abs=1e-6), pytest.approx(0, abs=1e-6))
 
 
+@pytest.mark.release
 def test_90_degrees_is_the_bank_angle_at_which_half_balance_leaves_a_twin_no_first_order() -> None:
     sweep = of(
         "v2-90",
@@ -494,6 +499,7 @@ def test_a_90_degree_v6_is_left_a_pure_backward_couple_with_30_degree_split_pins
     )
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("factor", [0.5, 0.75])
 @pytest.mark.parametrize("phase", [0, 180])
 def test_the_kr250_over_the_lag_of_its_rear_crank_passes_through_the_rows_of_the_essay(
@@ -527,6 +533,7 @@ def test_the_kr250_at_half_balance_shakes_as_much_in_first_order_at_any_lag() ->
     assert found.result == pytest.approx(1.0, abs=1e-12)
 
 
+@pytest.mark.release
 def test_explicit_paths_work_on_short_files_and_give_the_same() -> None:
     short = of("v8-cross-plane", "layout.throws[2]=0..360/50 deg")
     explicit = of(
@@ -592,7 +599,7 @@ def test_a_number_that_makes_lengths_known_is_counted_in_them() -> None:
 # What is watched
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(("what", "quantity", "part"), [
     ("force.up", "force", "vertical"), ("force.right", "force", "horizontal"),
     ("couple.up", "couple", "vertical"), ("couple.pitch", "couple", "vertical"),
@@ -615,6 +622,7 @@ def test_a_component_is_the_amplitude_of_that_component(
         assert watched(sweep, what).values[row] == pytest.approx(brute, rel=1e-6, abs=1e-12)
 
 
+@pytest.mark.release
 def test_greatest_of_an_order_and_of_all_orders_are_those_of_the_balance() -> None:
     sweep = of("v4-90", "layout.banks[1].bearing=-60..0/7 deg", reference=Reference(0.4, 0.1, 0.2))
     for row, bearing in enumerate(sweep.values):

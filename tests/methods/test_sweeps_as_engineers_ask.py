@@ -113,6 +113,7 @@ def test_charts_of_sweeps_have_the_words_of_the_field_and_marks_of_a_clock() -> 
     assert angle_ticks(low=0, high=720)[1] == 90
 
 
+@pytest.mark.release
 def test_every_number_of_an_engine_file_has_a_name() -> None:
     paths = {
         path for name in names() for path in _numeric(form_of(tree_of(name)[1]), tree_of(name)[1])

@@ -92,7 +92,6 @@ def test_engines_over_two_numbers_are_those_built_one_by_one(
             assert_as_alone(sums, make(float(a[place[0]]), float(b[place[1]])), POINT, int(row))
 
 
-@pytest.mark.release
 def test_values_of_two_numbers_may_be_in_any_order_and_come_twice() -> None:
     names = [Varied("balance_factor"), Varied("layout.throws[2]", "deg")]
     make = subject(source_of("v8-cross-plane"), names).make
@@ -187,7 +186,6 @@ def test_a_range_that_ends_where_it_began_is_closed(name: str, text: str, closed
         assert np.array_equal(first.forward, last.forward)
 
 
-@pytest.mark.release
 def test_the_best_of_a_closed_range_lies_across_its_ends_and_comes_once() -> None:
     made = sweep("i2-360", "layout.throws[2]=7..367 deg by 12")
     least = best(made, watched(made, "couple", order=1))
@@ -197,7 +195,6 @@ def test_the_best_of_a_closed_range_lies_across_its_ends_and_comes_once() -> Non
     assert {round(value) % 360 for value in (second.value, *second.also)} == {0, 180}
 
 
-@pytest.mark.release
 def test_both_axes_of_a_pair_may_be_closed() -> None:
     over = ["shaft[1].throw[2].angle=0..360 deg/19", "shaft[1].throw[3].angle=-90..270 deg/25"]
     made = sweep("triple-120", over)
@@ -234,7 +231,6 @@ def test_a_best_pair_at_an_end_says_of_which_range() -> None:
     assert (found.values[0], found.at_edge[0]) == (0.4, True)
 
 
-@pytest.mark.release
 def test_no_pair_beats_one_of_the_front_and_every_other_is_beaten() -> None:
     over = ["balance_factor=0..1/15", "layout.throws[2]=0..360 deg/25"]
     made = sweep("i2-360", over)

@@ -467,6 +467,7 @@ def test_without_gas_no_critical_speed_is_called_the_strongest() -> None:
     assert "strongest critical speed is that" not in said
 
 
+@pytest.mark.release
 def test_one_speed_and_some_orders_change_neither_the_range_nor_the_vibration() -> None:
     engine = six_that_twists()
     whole = torsion(engine)

@@ -58,6 +58,7 @@ def told(one: Vee) -> list[float]:
     return [size for part in (one.force, one.couple) for vector in part for size in vector]
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize(
     ("cylinders", "bank_angle", "cycle"),
     [
@@ -97,6 +98,7 @@ def test_the_stars_are_those_of_all_that_give_an_engine_that_fires_evenly(
         assert {star for one in mine for star in one.stars} <= set(even)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("cylinders", "bank_angle", "split"),
     [(6, 90.0, 30.0), (6, 60.0, 60.0), (4, 90.0, 90.0), (8, 72.0, 18.0)],
@@ -111,7 +113,7 @@ def test_no_lesser_split_makes_an_engine_fire_evenly(
         assert even_orders(tried(bank_angle=bank_angle, split=lesser, throws=throws)) == ()
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize(
     ("cylinders", "bank_angles", "cycle"),
     [
@@ -227,7 +229,6 @@ def test_the_v12_of_60_deg_on_the_crank_of_a_six_is_free_of_all() -> None:
     assert best.left == 0
 
 
-@pytest.mark.release
 def test_a_v16_of_45_deg_and_of_135_deg_is_found() -> None:
     found = vees(cylinders=16, bank_angles_deg=(45, 135), greatest_split_deg=0)
     for angle in (45.0, 135.0):

@@ -128,6 +128,7 @@ def test_figures_and_tables_are_numbered_through_and_referred_to() -> None:
     assert 'class="refs"' in page
 
 
+@pytest.mark.release
 def test_figures_leave_the_name_of_the_engine_to_the_page_but_not_its_sense() -> None:
     page = report(subject("man-s90mc-c", full=False))
     drawn = re.findall(r"<figure[^>]*>(.*?)<figcaption[^>]*>(.*?)</figcaption>", page, re.DOTALL)

@@ -47,7 +47,6 @@ def pages(content: bytes) -> int:
     return len(re.findall(rb"/Type\s*/Page\b(?!s)", content))
 
 
-@pytest.mark.release
 def test_a_page_becomes_a_pdf_with_its_pages_and_title_and_without_a_date(chromium: str) -> None:
     content = pdf(PAGE, by=chromium)
     assert content.startswith(b"%PDF")

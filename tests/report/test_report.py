@@ -102,7 +102,7 @@ def size_of(order: dict[str, Any], quantity: str) -> float:
     return sum(abs(complex(*order[quantity][way])) for way in ("forward", "backward"))
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ENGINES)
 def test_the_table_of_orders_says_what_the_machine_readable_answer_says(name: str) -> None:
     """Table values times the harmonic of the first piston are the answer of --json."""
@@ -162,6 +162,7 @@ def test_loads_with_gas_are_those_of_the_bearings_with_the_cycle_of_the_report()
     assert "over a cycle, with gas" not in written("v8-cross-plane")
 
 
+@pytest.mark.release
 def test_a_short_report_of_many_bearings_draws_the_greatest_loads_and_says_so() -> None:
     page = report(subject("man-s90mc-c", full=False))
     words = re.sub(r"<[^>]+>", " ", page[page.index('<section id="bearings"') :])
@@ -329,6 +330,7 @@ def test_remedies_leave_what_a_balance_says_they_leave() -> None:
     assert couple[heads.index("now")] == "0"
 
 
+@pytest.mark.release
 def test_the_file_in_the_report_is_the_engine() -> None:
     """What is printed at the end can be read again and is the same engine."""
     import tomllib
@@ -346,6 +348,7 @@ def test_a_cross_plane_crankshaft_whirls_in_a_circle() -> None:
     assert rows[1][1] == rows[1][3] == "circle with the crank"
 
 
+@pytest.mark.release
 def test_a_file_that_toml_has_no_words_for_is_shown_as_json(tmp_path: Path) -> None:
     tree = {**catalog.tree_of("single")[1], "speed": None}
     place = tmp_path / "x.json"

@@ -20,6 +20,7 @@ def sections(tree: dict[str, Any]) -> tuple[str, list[str], dict[str, list[list[
     return text, [tag.attributes.get("id", "") for tag in read.tags], read.tables
 
 
+@pytest.mark.release
 def test_the_report_of_an_engine_with_tolerances_says_how_engines_scatter() -> None:
     text, names, tables = sections(TOLERANT)
     assert "tolerances" in names

@@ -71,7 +71,6 @@ def of(argument: str) -> list[str]:
     ]
 
 
-@pytest.mark.many(first=18)
 @pytest.mark.parametrize("name", of_engines())
 def test_a_name_a_path_and_an_engine_give_the_same(name: str, tmp_path: Path) -> None:
     function, more = getattr(crankstar, name), MORE.get(name, {})
@@ -184,7 +183,6 @@ def test_engines_of_one_name_are_told_apart_in_a_comparison(names: list[str]) ->
     assert heads[1 : len(names) + 1] == own
 
 
-@pytest.mark.many(first=29)
 @pytest.mark.parametrize("name", of("orders"))
 @pytest.mark.parametrize(
     ("orders", "words"),
@@ -269,7 +267,6 @@ def test_a_speed_in_rpm_or_without_unit_is_refused(
     assert why in str(refused.value)
 
 
-@pytest.mark.many(first=4)
 @pytest.mark.parametrize("name", of("reference"))
 def test_a_point_as_text_is_the_point(name: str, tmp_path: Path) -> None:
     function, more = getattr(crankstar, name), MORE.get(name, {})

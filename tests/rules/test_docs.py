@@ -103,7 +103,7 @@ def printed(command: str, folder: Path) -> str:
     return screens.trimmed(out.getvalue())
 
 
-@pytest.mark.many(first=39)
+@pytest.mark.many(first=24)
 @pytest.mark.parametrize(
     "page",
     [
@@ -129,7 +129,7 @@ def test_screens_fit_the_column_of_their_page(page: Path) -> None:
                 assert line.startswith("$ ") or len(line) <= int(screens.WIDTH), command
 
 
-@pytest.mark.many(first=53)
+@pytest.mark.many(first=51)
 @EVERY_PAGE
 def test_every_python_example_prints_what_it_says(
     page: Path, monkeypatch: pytest.MonkeyPatch
@@ -270,7 +270,7 @@ def test_a_bare_number_nobody_can_have_meant_is_refused(bare: float) -> None:
         assert error.value.code in ("unit.missing", "unit.implausible")
 
 
-@pytest.mark.many(first=43)
+@pytest.mark.many(first=39)
 @EVERY_PAGE
 def test_what_the_program_makes_is_in_the_text_as_it_is_now(page: Path) -> None:
     """If this fails: `python docs/tables.py` updates pages."""
@@ -333,6 +333,7 @@ def headings() -> set[str]:
     return out
 
 
+@pytest.mark.release
 def test_every_heading_of_a_table_is_in_the_glossary() -> None:
     known = {word.lower() for term in glossary.terms() for word in (term.term, *term.also)}
     assert {"aₖ", "rolling moment", "balance shafts"} <= headings()
@@ -592,6 +593,7 @@ def test_the_answer_of_make_demo_is_of_an_engine_in_the_catalog() -> None:
     assert set(used) <= set(crankstar.names())
 
 
+@pytest.mark.release
 def test_screens_reports_what_a_command_complains_of(tmp_path: Path) -> None:
     assert screens.shown("crankstar check nothing.toml; echo $?", tmp_path).splitlines()[-1] == "2"
 

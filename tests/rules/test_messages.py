@@ -101,7 +101,6 @@ def test_the_extractor_sees_every_sentence_in_python() -> None:
                 assert set(said) <= known, path
 
 
-@pytest.mark.release
 def test_the_extractor_sees_every_call_in_typescript() -> None:
     page = DOMAINS["page"]
     sources = [path for path in page.sources.rglob("*.ts*") if path.name != "messages.ts"]
@@ -233,7 +232,6 @@ def test_sentences_name_their_placeholders(name: str) -> None:
             assert all(name.isidentifier() for name in placeholders(form)), form
 
 
-@pytest.mark.release
 @pytest.mark.parametrize(
     ("language", "said"),
     [
@@ -251,7 +249,6 @@ def test_numbers_of_pistons_take_their_plural(language: str, said: list[str]) ->
         ] == said
 
 
-@pytest.mark.release
 @pytest.mark.parametrize(
     ("language", "said"),
     [("en", "No primary force."), ("ja", "一次慣性力なし。"), ("ru", "Силы 1-го порядка нет.")],

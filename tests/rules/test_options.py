@@ -87,7 +87,6 @@ def test_every_other_name_of_an_option_suggests_it(command: str) -> None:
         )
 
 
-@pytest.mark.many(first=6)
 @pytest.mark.parametrize(
     ("line", "suggested"),
     [
@@ -110,7 +109,6 @@ def test_a_deleted_or_usual_name_is_refused_with_the_right_one(
     assert f"Did you mean {suggested}?" in said.err
 
 
-@pytest.mark.release
 def test_the_page_of_the_command_line_has_every_option_with_its_commands() -> None:
     page = docs.hooks.filled(docs.text_of("docs/reference/command-line.md"))
     rows = re.findall(r"^\| `(--[\w-]+)` \| ([\w ]+) \| (.+) \| (.+) \|$", page, re.MULTILINE)

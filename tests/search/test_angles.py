@@ -78,6 +78,7 @@ def test_gradients_are_those_of_finite_differences(name: str) -> None:
     )
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("forces", [{}, {1: 0.7, 2: 0.4}, {1: 3.0}])
 @pytest.mark.parametrize(("name", "steps"), [("three", 401), ("four", 61)])
 def test_the_optimum_is_that_of_a_grid_over_all_angles(
@@ -99,7 +100,7 @@ def test_the_optimum_is_that_of_a_grid_over_all_angles(
     assert found.value > least - 0.02
 
 
-@pytest.mark.many(first=9)
+@pytest.mark.many(first=2)
 @EVERY
 @pytest.mark.parametrize("forces", [{}, {1: 1.0}])
 def test_no_angles_near_the_optimum_are_better(name: str, forces: dict[int, float]) -> None:
@@ -157,6 +158,7 @@ def test_nothing_moves_where_intervals_must_be_even(name: str) -> None:
     assert "as in the even star" in sentence(found)
 
 
+@pytest.mark.many(first=1)
 @EVERY
 def test_more_freedom_never_ends_worse_and_what_it_brings_is_true(name: str) -> None:
     stars, star = STARS[name]
@@ -180,6 +182,7 @@ def test_more_freedom_never_ends_worse_and_what_it_brings_is_true(name: str) -> 
         assert [term.sum.name for term in one.terms] == ["M1", "M2", "F1", "F2"]
 
 
+@pytest.mark.many(first=4)
 @EVERY
 def test_the_engine_with_uneven_angles_fires_and_shakes_as_they_say(name: str) -> None:
     stars, star = STARS[name]
@@ -222,6 +225,7 @@ def test_limits_of_the_free_forces_are_kept_and_cost_something() -> None:
     assert free.value < held.value < none.value < none.value_before
 
 
+@pytest.mark.release
 def test_two_cylinders_of_a_direction_may_part_but_not_in_a_symmetric_crank() -> None:
     stars, star = STARS["eight, four-stroke"]
     found = uneven(stars, star, terms(stars, couples={1: 1.0}), deviation_deg=5.0)
@@ -254,6 +258,7 @@ def test_torsion_follows_firing_angles_in_half_orders_too() -> None:
     assert true < 0.96 * found.before[0]
 
 
+@pytest.mark.release
 def test_it_is_said_to_be_a_local_optimum_and_the_same_every_time() -> None:
     stars, star = STARS["seven"]
     wanted = terms(stars, couples={1: 1.0})

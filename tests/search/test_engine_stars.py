@@ -33,7 +33,7 @@ def amplitude(spectrum, order):
     return abs(complex(found.forward[0])) + abs(complex(found.backward[0]))
 
 
-@pytest.mark.many(first=7)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", ["i6", "audi-25-tfsi", "sinitsyn-7-first", "sinitsyn-6-loop"])
 @pytest.mark.parametrize("turn", [1, 5])
 def test_forces_and_couples_are_those_of_the_balance_at_every_star(name, turn):

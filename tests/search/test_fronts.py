@@ -69,6 +69,7 @@ def layers(chart: Any) -> tuple[dict[str, list[Any]], Any]:
     return rows, key
 
 
+@pytest.mark.many(first=12)
 @EVERY
 @pytest.mark.parametrize("logarithmic", [False, True, None])
 def test_points_stand_at_the_values_of_the_findings_and_zeros_apart(
@@ -157,6 +158,7 @@ def test_the_line_goes_through_what_nothing_betters_and_all_stars_are_beyond_it(
         assert min(corner[1] for corner in beyond) <= two
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", ["7 with neighbours", "8 with neighbours", "seven, three couples"])
 def test_a_third_objective_leaves_no_line_that_would_make_good_points_look_bettered(
     name: str,
@@ -216,7 +218,7 @@ def placing(chart: Any) -> Callable[[float, float], np.ndarray]:
     return place
 
 
-@pytest.mark.many(first=9)
+@pytest.mark.many(first=8)
 @pytest.mark.parametrize("logarithmic", [False, True])
 @pytest.mark.parametrize(
     "name", ["6", "7", "9 with neighbours", "5 four-stroke", "seven, three couples"]
@@ -252,6 +254,7 @@ def test_a_number_stands_nearest_to_its_own_point_or_has_a_line_to_it(
     assert alone + len(leaders) == len(rows["texts"])
 
 
+@pytest.mark.release
 def test_where_a_number_is_left_out_the_figure_says_so() -> None:
     assert "numbers where there is room" in words_of(
         charts.saved(charts.pareto_front(found("9 with neighbours")), "svg", title="nine")
@@ -261,6 +264,7 @@ def test_where_a_number_is_left_out_the_figure_says_so() -> None:
     )
 
 
+@pytest.mark.many(first=9)
 @pytest.mark.parametrize("logarithmic", [False, True])
 @pytest.mark.parametrize(
     "name", ["6", "7", "8 with neighbours", "5 four-stroke", "seven, three couples"]
@@ -306,6 +310,7 @@ def test_a_third_objective_gives_the_colour() -> None:
         sound(charts.saved(chart, "svg", title=name))
 
 
+@pytest.mark.release
 def test_a_list_is_called_one_and_of_very_many_stars_those_that_are_covered_are_not_drawn() -> None:
     stars = space(9)
     every = answer_to(
@@ -333,6 +338,7 @@ def test_a_third_objective_that_is_the_same_for_all_gives_no_colour() -> None:
     )
 
 
+@pytest.mark.release
 def test_a_crowd_is_listed_as_far_as_it_can_be_read_and_the_rest_is_counted() -> None:
     picture = charts.saved(charts.pareto_front(found("seven, three couples")), "svg", title="seven")
     assert f"and {len(found('seven, three couples').rows) - 20} more" in words_of(picture)
@@ -350,7 +356,7 @@ def test_long_firing_orders_are_folded() -> None:
     sound(charts.saved(charts.best_stars(answer), "svg", title="24"))
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("draw", [charts.pareto_front, charts.best_stars])
 @pytest.mark.parametrize(
     ("suffix", "begins"),
@@ -374,6 +380,7 @@ def test_their_description_is_the_chart() -> None:
     }
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("name", ["7", "5 four-stroke", "8"])
 @pytest.mark.parametrize("theta", [0.0, 0.7])
 def test_the_winners_have_their_throws_where_they_say_and_their_values_above(
@@ -424,6 +431,7 @@ def test_where_two_cylinders_share_a_throw_both_are_named() -> None:
     assert texts == {"1, 8", "2, 7", "3, 6", "4, 5"}
 
 
+@pytest.mark.release
 def test_what_python_judged_is_drawn_too() -> None:
     stars = space(7)
     judge = FunctionObjective("spread", lambda star: float(abs(star[0] - star[6])), unit="steps")

@@ -31,7 +31,7 @@ def stars(cylinders: int) -> list[Star]:
     return [(0, *rest) for rest in permutations(range(1, cylinders))]
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize("order", [1, 2, 3, 4, 6])
 def test_x_of_a_star_is_x_of_the_engine_with_it(order: int) -> None:
     own = stars_of(FIVE)
@@ -41,7 +41,7 @@ def test_x_of_a_star_is_x_of_the_engine_with_it(order: int) -> None:
         assert goal.length(star) == pytest.approx(wanted, rel=1e-5)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("cycle_name", ["two-stroke", "four-stroke"])
 def test_the_best_by_x_is_the_best_of_all_engines(cycle_name: str) -> None:
     engine = marine_engine(firing_order=[1, 2, 4, 5, 3], cycle=cycle_name)
@@ -53,6 +53,7 @@ def test_the_best_by_x_is_the_best_of_all_engines(cycle_name: str) -> None:
     assert row.values[0] == pytest.approx(min(everything), rel=1e-5)
 
 
+@pytest.mark.release
 def test_a_limit_on_x_leaves_only_what_keeps_it() -> None:
     words = SearchWords(minimise="M2", limit=["X3=300 kN m"], all=True)
     search = search_of(FIVE, words, speed=FIVE.speed)

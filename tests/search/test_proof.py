@@ -14,6 +14,7 @@ from crankstar.search.stars import Stars
 from crankstar.search.sums import VectorSum, couple, torsion
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("cylinders", [5, 6, 8])
 def test_zeros_of_many_stars_are_those_of_one_at_a_time(cylinders):
     stars = Stars(cylinders, "two-stroke", exhaustive.halves(cylinders))
@@ -23,6 +24,7 @@ def test_zeros_of_many_stars_are_those_of_one_at_a_time(cylinders):
         assert proof.vanishing(vector, rows).tolist() == [vector.exact(row).zero for row in rows]
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("cylinders", [5, 6, 7])
 def test_equal_lengths_of_many_stars_are_those_of_one_at_a_time(cylinders):
     stars = Stars(cylinders, "four-stroke", exhaustive.halves(cylinders))
@@ -50,6 +52,7 @@ def exact_square(vector, row):
     return (exact * exact.conjugate).key
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("cylinders", [6, 7, 8])
 def test_all_stars_alike_are_those_of_all_permutations(cylinders):
     stars = Stars(cylinders, "two-stroke", exhaustive.halves(cylinders))

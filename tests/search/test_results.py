@@ -46,7 +46,6 @@ def plain(found):
     ]
 
 
-@pytest.mark.many(first=1)
 @pytest.mark.parametrize("ask", ASKS)
 @given(rows=finds(), data=st.data())
 def test_any_parts_in_any_order_make_the_same_whole(ask, rows, data):
@@ -64,6 +63,7 @@ def test_any_parts_in_any_order_make_the_same_whole(ask, rows, data):
     assert plain(results.merged([right, results.nothing(2, 4)], ask)) == plain(whole)
 
 
+@pytest.mark.release
 @given(rows=finds(), examples=st.integers(1, 3))
 def test_a_front_has_what_nothing_betters_and_counts_all_of_it(rows, examples):
     found = results.merged([part(rows)], Front(examples))
@@ -82,7 +82,6 @@ def test_a_front_has_what_nothing_betters_and_counts_all_of_it(rows, examples):
     assert all(len(group) <= examples for group in results.groups(found))
 
 
-@pytest.mark.release
 @given(rows=finds())
 def test_a_list_counts_what_it_does_not_keep(rows):
     found = results.merged([part(rows)], All(3))
@@ -90,7 +89,7 @@ def test_a_list_counts_what_it_does_not_keep(rows):
     assert int(found.times.sum()) + found.beyond == sum(times for _, _, times in rows)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("ask", ASKS)
 @given(rows=finds(), data=st.data())
 def test_a_wider_search_that_was_stopped_adds_only_what_is_new(ask, rows, data):
@@ -101,6 +100,7 @@ def test_a_wider_search_that_was_stopped_adds_only_what_is_new(ask, rows, data):
         assert plain(seen)[:4] == plain(whole)[:4]
 
 
+@pytest.mark.release
 @given(rows=finds())
 def test_a_harvest_is_the_same_after_it_was_written(rows):
     found = results.merged([part(rows)], All(5))

@@ -121,13 +121,14 @@ LOSSES = (
 )
 
 
+@pytest.mark.many(first=20)
 @pytest.mark.parametrize("size", [1, 3, 50, 100_000])
 @pytest.mark.parametrize("name", KINDS)
 def test_the_answer_is_the_same_in_pieces_of_any_size(answers, name, size):
     assert answer_to(KINDS[name], range_size=size) == answers[name]
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", KINDS)
 def test_the_answer_is_the_same_by_processes_threads_and_whoever_comes_first(answers, name, two):
     assert answer_to(KINDS[name], workers=two, range_size=4) == answers[name]
@@ -143,6 +144,7 @@ def test_the_answer_is_the_same_by_processes_threads_and_whoever_comes_first(ans
             )
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", KINDS)
 def test_the_answer_is_the_same_by_a_cluster(answers, name, daskers, monkeypatch):
     monkeypatch.setattr(executors, "LOOK_SECONDS", PATIENCE)
@@ -151,6 +153,7 @@ def test_the_answer_is_the_same_by_a_cluster(answers, name, daskers, monkeypatch
         assert answer_to(KINDS[name], workers=workers, range_size=7) == answers[name]
 
 
+@pytest.mark.release
 def test_the_answer_is_the_same_after_several_attempts(monkeypatch, two, answers):
     question, wanted = KINDS["front"], answers["front"]
     monkeypatch.setattr(regions, "WANTED", 1e-3)
@@ -257,7 +260,6 @@ class _Asleep(Workers):
         self.dropped = True
 
 
-@pytest.mark.release
 def test_only_so_many_stretches_are_under_way_and_an_interrupt_drops_them():
     asleep = _Asleep()
     outcome = searched(MIDDLE, workers=asleep, range_size=1)
@@ -267,7 +269,7 @@ def test_only_so_many_stretches_are_under_way_and_an_interrupt_drops_them():
     assert asleep.dropped
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("at", [0, 1, 30])
 def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(
@@ -331,6 +333,7 @@ def test_processes_that_are_gone_before_their_pool_knows_leave_no_fault(monkeypa
     assert joined[0]
 
 
+@pytest.mark.release
 def test_a_search_stopped_in_a_wider_attempt_still_has_what_the_narrower_one_found(monkeypatch):
     monkeypatch.setattr(regions, "WANTED", 1e-3)
     monkeypatch.setattr(regions, "CHEAP", 0.0)

@@ -101,6 +101,7 @@ def test_processes_and_a_cluster_find_the_same_front(whole: SequenceFront) -> No
         assert same(sequence_front(EIGHT, workers=workers), whole)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.usefixtures("many_parts", "interruptible")
 @pytest.mark.parametrize("count", [0, 1, 2])
 def test_an_interrupted_front_goes_on_from_its_checkpoint(
@@ -167,6 +168,7 @@ def test_a_part_that_is_halted_is_shown_and_not_kept(
     assert same(again, whole)
 
 
+@pytest.mark.release
 @pytest.mark.usefixtures("many_parts")
 def test_a_damaged_checkpoint_is_searched_again_where_it_is(
     whole: SequenceFront, tmp_path: Path
@@ -234,6 +236,7 @@ def printed(line: list[str], capsys: pytest.CaptureFixture[str], code: int = 0) 
     return told.err if code else told.out
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -304,6 +307,7 @@ def test_a_function_is_judged_for_every_order(cylinders: int, bank: str | None, 
     assert np.allclose(ours, [values for values, _ in wanted], rtol=0, atol=1e-8)
 
 
+@pytest.mark.release
 def test_a_function_alone_and_its_limit_choose_the_orders() -> None:
     six = shaft_of(6)
     orders, _ = plain.angles(6, 720, 0)
@@ -385,6 +389,7 @@ def test_what_a_function_cannot_do_is_said(monkeypatch: pytest.MonkeyPatch) -> N
         front_of(len)
 
 
+@pytest.mark.release
 def test_limits_leave_few_enough_orders_of_many_for_a_function() -> None:
     """Of a twelve in line 1.2 million stars; without both couples and order 3 they are few."""
     twelve = shaft_of(10)
@@ -411,6 +416,7 @@ def test_a_table_tells_of_a_function_and_of_the_order_that_was_typed() -> None:
     assert "travel is a Python function, called for each of the 120 firing orders" in told
 
 
+@pytest.mark.release
 def test_a_function_that_is_asked_again_goes_on_from_a_checkpoint(tmp_path: Path) -> None:
     about, path = with_travel(asked(6, "M1,twist")), tmp_path / "kept"
     plainly = sequence_front(about)

@@ -32,6 +32,7 @@ def test_every_form_is_sent_as_a_file_to_keep(form: Form, server: Server) -> Non
     assert len(answer.body) > 1000
 
 
+@pytest.mark.release
 def test_solids_stand_at_the_crank_angle_asked_for(server: Server) -> None:
     question = {"engine": ENGINE, "form": "glb", "theta_deg": 30.0}
     sent = server.ask("api/export", question).body

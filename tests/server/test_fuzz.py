@@ -62,6 +62,7 @@ def check(engine: str | dict[str, Any], chance: random.Random) -> bool:
     return True
 
 
+@pytest.mark.release
 @given(engine=ANY_ENGINE, seed=st.integers(0, 1000))
 @settings(max_examples=200 if RELEASE else 2, suppress_health_check=PATIENT)
 def test_all_that_is_asked_of_any_engine_is_answered(engine: Engine, seed: int) -> None:

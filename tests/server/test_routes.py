@@ -32,7 +32,6 @@ def test_the_page_opens_with_the_engine_that_was_named(server: Server) -> None:
     assert found.engines[0].file == V8
 
 
-@pytest.mark.release
 def test_the_schema_and_the_catalog_are_those_of_the_package(server: Server) -> None:
     assert server.ask("api/schema").json == json.loads(json.dumps(files.schema()))
     entries = server.ask("api/catalog").json
@@ -41,6 +40,7 @@ def test_the_schema_and_the_catalog_are_those_of_the_package(server: Server) -> 
     assert server.ask("api/catalog/v8-cross-plane").json == V8
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("engine", ["v8-cross-plane", V8], ids=["by name", "as a tree"])
 def test_an_exhibit_is_what_the_package_makes_of_the_same_engine(
     engine: Any, server: Server
@@ -97,6 +97,7 @@ def test_an_engine_is_fitted_as_its_verdict_advises_or_as_one_likes(server: Serv
     }
 
 
+@pytest.mark.release
 def test_an_engine_is_fitted_with_what_is_asked_for(server: Server) -> None:
     asked = {"factor": 1.0, "weights": "ends", "shafts": "all"}
     shown = server.ask("api/fitted", {"engine": "triple-120", **asked}).json["exhibit"]

@@ -218,7 +218,6 @@ def test_what_is_said_of_a_lost_search_is_in_the_language_of_the_server(
     assert (search.state, search.note) == ("failed", "慣性力")
 
 
-@pytest.mark.release
 def test_a_process_speaks_the_language_of_the_server() -> None:
     with spoken("ja"):
         child = processes.Child(chores.say)

@@ -136,7 +136,6 @@ def test_who_interrupts_until_it_ends_is_told_no_more() -> None:
         assert "".join(server.said) == HINT
 
 
-@pytest.mark.release
 def test_it_opens_with_the_file_and_the_changes_it_is_given(tmp_path: Path) -> None:
     from crankstar.files.catalog import path_of
 

@@ -88,7 +88,6 @@ def test_a_process_that_cannot_say_what_it_found_is_replaced_without_a_word(
     assert capfd.readouterr().err == ""
 
 
-@pytest.mark.release
 def test_a_process_that_is_just_being_started_when_all_ends_is_ended_too(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -133,7 +132,6 @@ def test_refusals_come_through_and_mistakes_of_ours_are_told_without_the_words_o
     assert "secret.py" in capfd.readouterr().err  # for the one who started the server
 
 
-@pytest.mark.release
 def test_a_process_works_on_while_another_is_busy(pipe: Path) -> None:
     async def work(pool: Workers) -> bytes:
         slow = asyncio.ensure_future(pool.do(chores.held, str(pipe)))

@@ -22,7 +22,7 @@ from crankstar.tables.table import Column, Document, Table
 NAMES = ("i4", "vw-vr6", "audi-25-tfsi", "kr250-racer", "napier-deltic")
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", NAMES)
 def test_json_has_torque_rolling_moment_rotation_and_amplitudes(name: str) -> None:
     engine = load(name)
@@ -47,6 +47,7 @@ def test_json_has_torque_rolling_moment_rotation_and_amplitudes(name: str) -> No
             assert row[name_]["greatest"] == pytest.approx(abs(forward) + abs(backward))
 
 
+@pytest.mark.release
 def test_csv_spreadsheet_and_arrow_hold_the_same_rows() -> None:
     engine = load("vw-vr6")
     document = answer(engine, balance(engine))

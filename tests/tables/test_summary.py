@@ -37,6 +37,7 @@ def printed(name: str, *, speed: float | None = None) -> list[str]:
     return [line.rstrip() for line in file.getvalue().splitlines()]
 
 
+@pytest.mark.many(first=4)
 @EVERY_ENGINE
 def test_the_first_ten_lines_say_how_an_engine_shakes(name: str) -> None:
     lines = printed(name)
@@ -63,6 +64,7 @@ def test_a_bare_crankshaft_is_told_with_what_counterweights_would_leave() -> Non
         assert "No counterweights" not in " ".join(printed(weighted))
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(("name", "left"), [("man-s90mc-c", False), ("v12-60", True)])
 def test_a_peak_of_less_than_a_millionth_of_what_is_pushed_is_left_out(
     name: str, left: bool
@@ -73,6 +75,7 @@ def test_a_peak_of_less_than_a_millionth_of_what_is_pushed_is_left_out(
     assert (force > 1e-6 * len(load(name).cylinders)) == left
 
 
+@pytest.mark.release
 def test_the_first_lines_compare_the_peak_force_with_the_weight_where_it_is_known() -> None:
     from crankstar.engine.records import Block
 
@@ -147,7 +150,7 @@ def columns_of(table: Table, order: float) -> dict[str, complex]:
     return out
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["audi-25-tfsi", "subaru-ej25", "v8-cross-plane", "harley-45"])
 def test_printed_amplitudes_are_those_of_the_turning_engine(name: str) -> None:
     engine = with_values(load(name), relative=())
@@ -177,6 +180,7 @@ def test_printed_amplitudes_are_those_of_the_turning_engine(name: str) -> None:
     assert compared > 3
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["audi-25-tfsi", "v8-cross-plane", "kr250-racer", "radial-9"])
 def test_the_peak_of_a_part_is_the_greatest_of_many_angles(name: str) -> None:
     result = balance(load(name), speed=None)
@@ -227,6 +231,7 @@ def test_turning_vectors_are_printed_where_they_are_asked_for() -> None:
         assert vectors == pytest.approx(expected, abs=1e-9)
 
 
+@pytest.mark.release
 def test_a_rod_that_is_assumed_is_told_at_the_head_and_one_that_is_given_is_not() -> None:
     layout = {"type": "inline", "throws": ["0 deg", "180 deg"]}
     bare = engine_of({"name": "twin", "layout": layout})

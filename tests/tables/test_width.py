@@ -118,6 +118,7 @@ def test_optional_columns_are_left_out_before_a_table_is_split() -> None:
     assert len([line for line in lines if "order" in line]) == 1
 
 
+@pytest.mark.release
 def test_the_harmonic_that_turns_a_phase_about_is_shown_in_every_width() -> None:
     """A_4 of a centred crank is negative, and phases of order 4 are counted from it."""
     shown = analysis.analysis(load("v8-flat-plane"), speed=None)

@@ -49,7 +49,6 @@ def test_what_goes_wrong_on_a_page_is_seen(
     assert any(said.startswith(complaint) for said in complaints), complaints
 
 
-@pytest.mark.release
 def test_a_page_that_keeps_to_itself_has_no_complaints(page: Page, tmp_path: Path) -> None:
     (tmp_path / "page.js").write_text(
         "console.log('all well'); fetch('data:text/plain,1'); "
@@ -63,7 +62,6 @@ def test_a_page_that_keeps_to_itself_has_no_complaints(page: Page, tmp_path: Pat
     assert page.locator("h1").inner_text() == "t"
 
 
-@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("body", "complaints"),
     [
@@ -92,7 +90,6 @@ def test_what_is_too_wide_is_seen_unless_it_scrolls_by_itself(
     assert too_wide(page) == complaints
 
 
-@pytest.mark.release
 def test_a_page_is_read_only_once_it_has_settled(page: Page) -> None:
     page.set_content("<p>before</p>")
     page.evaluate("""() => {

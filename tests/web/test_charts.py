@@ -28,7 +28,7 @@ def opened(page: Page, chart: Chart, folder: Path) -> None:
     page.wait_for_selector("svg.marks")
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "name",
     [

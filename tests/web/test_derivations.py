@@ -66,6 +66,7 @@ def test_a_page_fits_and_is_legible_in_any_light(page: Page, tmp_path: Path, sch
     assert (light[1] > 0.5) == (scheme == "light")
 
 
+@pytest.mark.release
 def test_the_page_shows_what_the_derivation_says(page: Page, tmp_path: Path) -> None:
     page.goto(written("v8-flat-plane", tmp_path).as_uri())
     section = page.locator("section", has=page.get_by_role("heading", name="Secondary force"))

@@ -126,6 +126,7 @@ def test_a_change_is_drawn_once(editing: Page) -> None:
         assert editing.evaluate("drawings") == drawings + 1, text
 
 
+@pytest.mark.release
 def test_what_is_wrong_stands_beside_its_field_and_the_engine_stays(editing: Page) -> None:
     before = on_stage(editing)
     field(editing, BEARING).fill("forty five")
@@ -155,6 +156,7 @@ def test_the_list_of_mistakes_leads_to_fields_even_where_they_are_folded(editing
     expect(opens).to_be_focused()
 
 
+@pytest.mark.release
 def test_undo_and_redo_by_buttons_and_keys(editing: Page) -> None:
     undo = editing.get_by_role("button", name="Undo")
     redo = editing.get_by_role("button", name="Redo")

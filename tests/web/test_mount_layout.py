@@ -118,7 +118,6 @@ def test_an_engine_without_mass_is_asked_for_it_and_put_on_mounts(laying: Page) 
     expect(page.get_by_role("tab", name="Mounts")).to_have_count(1)
 
 
-@pytest.mark.release
 def test_a_mount_is_dragged_in_each_view_and_undone(laying: Page) -> None:
     page = laying
     dropped(page, toml(standing()))
@@ -208,6 +207,7 @@ def test_mounts_are_added_removed_and_changed_by_number(laying: Page) -> None:
     assert axes[1] < -0.3
 
 
+@pytest.mark.release
 def test_a_mount_is_dragged_on_the_stage(laying: Page) -> None:
     page = laying
     dropped(page, toml(standing()))

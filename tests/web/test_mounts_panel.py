@@ -322,6 +322,7 @@ def test_every_number_of_the_panel_is_that_of_the_command(
         )
 
 
+@pytest.mark.release
 def test_curves_over_the_speed_have_their_dot_where_the_engine_runs(
     tmp_path: Path, page: Page, told: Told
 ) -> None:

@@ -71,6 +71,7 @@ def test_no_other_script_runs_in_it_and_nothing_is_loaded(
     assert any("Content Security Policy" in complaint for complaint in complaints)
 
 
+@pytest.mark.release
 def test_a_file_read_in_another_language_says_how_it_is_written_in_that(
     built_page: Build, page: Page
 ) -> None:

@@ -127,6 +127,7 @@ def test_on_a_phone_every_button_in_the_head_shows_its_name(
     assert [name for name, shown, size in named if not shown or size < 12] == []
 
 
+@pytest.mark.release
 def test_a_table_says_that_it_scrolls_and_keeps_its_orders(built_page: Build, page: Page) -> None:
     page.set_viewport_size({"width": 320, "height": 640})
     opened(page, built_page(ENGINE), "a=40&tab=orders")

@@ -114,6 +114,7 @@ def test_keys_and_dragging_turn_the_free_view_and_home_puts_it_back(
     assert seen(page) != begun
 
 
+@pytest.mark.release
 def test_on_the_fixed_cameras_the_wheel_scrolls_the_page_and_turns_nothing(
     built_page: Build, page: Page
 ) -> None:

@@ -198,6 +198,7 @@ def test_figures_and_tables_of_the_panel_are_saved(
     assert couple[1:5] == ["1", "circle with the crank", "3.1623", "3.1623 ∠ 63.43°"]
 
 
+@pytest.mark.release
 def test_every_table_to_take_away_has_a_name_of_its_own(
     page: Page, built_page: Callable[..., Path]
 ) -> None:

@@ -244,6 +244,7 @@ def test_an_engine_without_bores_says_what_gas_needs(built_page: Build, page: Pa
     expect(page.get_by_role("checkbox", name="1", exact=True)).to_have_count(0)
 
 
+@pytest.mark.release
 def test_gas_is_in_the_rolling_moment_of_the_stage_where_it_is_chosen(
     built_page: Build, page: Page
 ) -> None:
@@ -304,6 +305,7 @@ def test_the_sound_has_the_orders_of_the_file_that_the_command_writes(
     assert 0.2 < np.abs(heard).max() <= 0.9
 
 
+@pytest.mark.release
 def test_one_click_leads_from_one_sound_to_the_other_and_hiding_ends_it(
     built_page: Build, page: Page
 ) -> None:

@@ -234,6 +234,7 @@ def numbers(row: list[str]) -> list[float]:
     return [float(plain(cell)) for cell in row]
 
 
+@pytest.mark.release
 def test_every_number_of_the_panel_is_that_of_the_command(
     tmp_path: Path, page: Page, told: Told
 ) -> None:

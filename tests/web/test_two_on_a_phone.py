@@ -119,6 +119,7 @@ def test_the_drawing_of_the_frame_has_the_forces_of_the_stage() -> None:
     assert re.findall(r"\.force \{ color: #(\w{6})", drawing) == forces
 
 
+@pytest.mark.release
 def test_the_guide_opens_the_panel_it_speaks_of_and_goes_back(
     built_page: Build, page: Page
 ) -> None:

@@ -106,6 +106,7 @@ def test_a_usual_layout_is_one_click_away(bench: Page) -> None:
     expect(control(bench, "layout.bank_angle")).to_have_count(0)
 
 
+@pytest.mark.release
 def test_a_slider_moves_both_banks_and_its_curve_is_that_of_the_sweep(bench: Page) -> None:
     slider = bench.get_by_role("slider", name="Bank angle")
     slider.focus()
@@ -157,6 +158,7 @@ def test_what_is_no_value_is_said_beside_its_box_and_changes_nothing(bench: Page
     eventually(lambda: file_of(bench)["layout"]["banks"][0]["bearing"].split()[0], "30")
 
 
+@pytest.mark.release
 def test_a_throw_is_dragged_on_the_star_and_rests_at_angles_that_make_sense(bench: Page) -> None:
     pin = bench.get_by_role("slider", name="Crank pin 2")
     pin.scroll_into_view_if_needed()
@@ -222,6 +224,7 @@ def test_the_history_leads_back_to_any_step(bench: Page) -> None:
     expect(steps.nth(1)).to_have_attribute("aria-current", "step")
 
 
+@pytest.mark.release
 def test_back_and_forward_step_through_panels_and_edits(bench: Page) -> None:
     bench.get_by_role("button", name="10 cylinders").click()
     eventually(lambda: len(on_stage(bench)["cylinders"]), 10)
