@@ -302,7 +302,9 @@ def test_the_answer_of_torsion_is_the_promised_one(run: Run, eight: str) -> None
     for row in answer["criticals"]:
         assert 600 <= row["speed_rpm"] <= 6000
     speeds = [row["speed_rpm"] for row in answer["response"]]
-    assert speeds == pytest.approx(np.linspace(600, 6000, 28))
+    apart = np.abs(np.subtract.outer(np.linspace(600, 6000, 28), speeds))
+    assert apart.min(axis=1).max() < 1e-6  # those asked for, and the critical ones
+    assert speeds == sorted(speeds)
     sections = len(answer["sections"])
     for row in answer["response"]:
         assert {len(row[key]) for key in ("torque", "torque_sum", "stress", "heat")} == {sections}

@@ -190,7 +190,8 @@ def test_the_thick_line_is_the_peak_over_the_cycle(six: Any, quantity: Any) -> N
         signal = signal / modulus / 1e6 if quantity == "stress" else signal
     peaks = np.abs(signal).max(axis=1)
     factor = 1e-3 if quantity == "torque" and "kN" in str(drawn.to_dict()) else 1.0
-    assert y[at] == pytest.approx(peaks * factor, rel=1e-4)
+    asked = np.searchsorted(found.speeds, speeds)
+    assert y[at] == pytest.approx((peaks * factor)[asked], rel=1e-4)
     _x, added = curve(drawn, "sum of amplitudes (dashed)")
     assert np.all(added >= y * (1 - 1e-6))
 
@@ -203,7 +204,7 @@ def test_an_order_that_is_asked_for_is_drawn_and_no_other(six: Any) -> None:
     assert whole is not None
     place = whole.orders.tolist().index(4.5)
     x, y = curve(drawn, "order 4.5")
-    wanted = np.degrees(np.abs(whole.turns[:, place, 0]))
+    wanted = np.degrees(np.abs(whole.turns[[0, -1], place, 0]))
     assert y[[0, -1]] == pytest.approx(wanted, rel=1e-5)
     assert x[[0, -1]] == pytest.approx(np.array([400.0, 585.0]) * RPM)
 
@@ -218,9 +219,12 @@ def test_shaded_speeds_are_those_at_which_the_stress_passes_the_limit(six: Any) 
     for shade in shades:
         inside |= (x >= shade["x"]) & (x <= shade["x2"])
     assert inside[y > 25.0].all()
-    whole = torsion(six, speeds=x / RPM).response  # a shade may be of another shaft
+    whole = torsion(six).response  # a shade may be of another shaft
     assert whole is not None
-    assert inside.tolist() == (stresses(whole)[0].max(axis=1) > 25e6).tolist()
+    over = stresses(whole)[0].max(axis=1) / 25e6
+    clear = np.abs(over - 1) > 1e-4  # crossings are found to 1e-6 of the speed
+    assert whole.speeds * RPM == pytest.approx(x)
+    assert inside[clear].tolist() == (over > 1)[clear].tolist()
 
 
 @pytest.mark.parametrize("mode", [1, 2])
