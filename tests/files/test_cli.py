@@ -183,6 +183,7 @@ def test_json_has_the_shape_of_the_design(run: Run, file: str) -> None:
         "speed_rpm",
         "reference",
         "units",
+        "rests_on",
         "orders",
         "peaks",
     ]
@@ -251,7 +252,7 @@ def test_json_of_an_engine_with_a_speed_of_its_own_is_at_that_speed(run: Run) ->
 
 
 def test_json_orders_are_those_asked_for_in_the_order_asked(run: Run, file: str) -> None:
-    for asked, orders in (("2,1", [2, 1]), ("4, 4, 1.5", [4, 1.5]), ("0.5", [0.5]), ("1e0", [1])):
+    for asked, orders in (("2,1", [2, 1]), ("4, 4, 3", [4, 3]), ("1e0", [1])):
         answer = json.loads(run("analyze", file, "--orders", asked, "--json").out)
         assert [row["order"] for row in answer["orders"]] == orders
     every = json.loads(run("analyze", file, "--orders", "all", "--json").out)["orders"]

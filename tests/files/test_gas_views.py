@@ -200,8 +200,10 @@ def test_the_side_thrust_that_is_told_is_the_greatest_of_the_curve(run: Run, fou
     thrust = side_thrust(engine, cycle(engine)).total
     assert [row["cylinder"] for row in told["side_thrust"]] == [1, 2, 3, 4]
     for row, values in zip(told["side_thrust"], thrust, strict=True):
-        assert row["thrust_side"] == pytest.approx(values.max())
-        assert row["other_side"] == pytest.approx(-values.min())
+        # the maximum lies between the samples of the curve
+        assert row["thrust_side"] == pytest.approx(values.max(), rel=1e-3)
+        assert row["other_side"] == pytest.approx(-values.min(), rel=1e-3)
+        assert row["thrust_side"] >= values.max() * (1 - 1e-9)
 
 
 def test_forces_that_the_uneven_speed_changes_are_told_at_idle_alone(run: Run, four: str) -> None:

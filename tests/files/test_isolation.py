@@ -42,7 +42,8 @@ SPEEDS = np.array([70.0, 90.0, 150.0, 400.0])
 
 
 def mount(name: str, right: float, z: float, **more: Any) -> dict[str, Any]:
-    return {"name": name, "right": right, "z": z, "stiffness": ["90 N/mm"], **more}
+    places = {"right": f"{right} m", "z": f"{z} m"}
+    return {"name": name, **places, "stiffness": ["90 N/mm"], **more}
 
 
 CORNERS = [mount(f"{r} {z}", r, z) for r in (-0.3, 0.3) for z in (-0.2, 0.2)]

@@ -146,7 +146,7 @@ def test_a_misfire_compresses_the_charge_of_the_trace_by_its_own_polytrope() -> 
     own = found.pressure[row] * volume ** found.values["gamma"]
     closed = int(np.argmin(np.abs(angle - 4 * pi + 1.0)))  # 57 degrees before the dead centre
     assert own[closed] == pytest.approx(own[0], rel=1e-9)
-    timing = events(engine, found.volumes.above[found.volumes.kind[row]]).closed
+    timing = events(engine, float(found.volumes.bottom[found.volumes.kind[row]])).closed
     start = np.interp(timing % (4 * pi), angle, volume)
     expected = 0.4e5 * (start / volume[0]) ** found.values["gamma"]
     assert found.pressure[row, 0] == pytest.approx(expected, rel=1e-3)

@@ -36,8 +36,8 @@ def mounted(mounts: list[dict[str, Any]], **more: Any) -> crankstar.Engine:
 def corners(**more: Any) -> list[dict[str, Any]]:
     """Four alike mounts in the plane of the centre of mass, about it."""
     at = [(r, z) for r in (-0.3, 0.3) for z in (-0.2, 0.2)]
-    rubber = {"up": 0.112, "stiffness": "150 N/mm", "loss_factor": 0.1}
-    return [{"name": f"{r} {z}", "right": r, "z": z, **rubber, **more} for r, z in at]
+    rubber = {"up": "0.112 m", "stiffness": "150 N/mm", "loss_factor": 0.1}
+    return [{"name": f"{r} {z}", "right": f"{r} m", "z": f"{z} m", **rubber, **more} for r, z in at]
 
 
 def lifted(engine: crankstar.Engine) -> MountResponse:
@@ -51,11 +51,11 @@ def lifted(engine: crankstar.Engine) -> MountResponse:
 def test_a_foundation_and_its_receptance_are_one_under_a_force_straight_up() -> None:
     """A second body below four mounts, against the receptance that each foot of it has."""
     z0 = mounted_block(mounted(corners())).centres[0][2]
-    own = [{**each, "z": each["z"] + z0} for each in corners()]
+    own = [{**each, "z": f"{float(each['z'].split()[0]) + z0} m"} for each in corners()]
     mass, stiffness, eta = 400.0, 4e6, 0.05
-    below = {"up": 0.0, "stiffness": f"{stiffness / 4} N/m", "loss_factor": eta}
+    below = {"up": "0 m", "stiffness": f"{stiffness / 4} N/m", "loss_factor": eta}
     ground = [{**each, **below, "name": f"below {each['name']}"} for each in own]
-    body = {"mass": f"{mass} kg", "z": z0, **BODY}
+    body = {"mass": f"{mass} kg", "z": f"{z0} m", **BODY}
     moving = lifted(mounted(own, foundation={**body, "mounts": ground}))
     at = np.linspace(5.0, 950.0, 1000)
     shared = 4 / (stiffness * (1 + 1j * eta) - at**2 * mass)  # four feet move it together

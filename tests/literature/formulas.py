@@ -190,7 +190,7 @@ class Reader:
 def value(latex: str, names: Mapping[str, Any]) -> Any:
     r"""A formula as a value.
 
-    >>> round(float(value(r"\\frac{1}{2} r \\cos 2\\psi", {"r": 3.0, "psi": 0.0})), 9)
+    >>> round(float(value(r"\frac{1}{2} r \cos 2\psi", {"r": 3.0, "psi": 0.0})), 9)
     1.5
     """
     return Reader(latex, {"pi": np.pi, "i": 1j, "e": np.e, **names}).whole()

@@ -496,7 +496,7 @@ def test_the_charge_of_a_marine_diesel_is_estimated_from_its_load() -> None:
         / (gamma - 1)
     )
     heat = float((work + stored)[burning].sum()) * step
-    closed = events(engine, places.above[0]).closed
+    closed = events(engine, float(places.bottom[0])).closed
     at = round(closed / step) % pressure.size
     air = charge * volume[at] / (287.05 * 340.0)
     assert air / (heat / 42.7e6) == pytest.approx(29.0, rel=0.01)

@@ -56,9 +56,9 @@ def test_the_weighting_is_that_of_the_filter_as_poles_and_zeros() -> None:
 def test_weighted_acceleration_is_that_of_each_order_filtered() -> None:
     over = crankstar.mounts(mounted(), speeds=SPEEDS).over
     assert over is not None
-    total = np.zeros(SPEEDS.size)
+    total = np.zeros(over.speeds.size)
     for place, order in enumerate(over.orders):
-        frequency = order * SPEEDS
+        frequency = order * over.speeds
         size = np.abs(over.displacement(GRIP)[:, place]) * frequency[:, None] ** 2
         total += ((hand_arm_weighting(frequency)[:, None] * size) ** 2).sum(axis=1) / 2
     assert rms(over.hand_arm(GRIP)) == pytest.approx(np.sqrt(total))
@@ -89,6 +89,9 @@ def test_a_point_of_the_frame_moves_with_the_frame() -> None:
 
 def test_stiff_mounts_carry_the_frame_along_with_the_block() -> None:
     stiff = [{**each, "stiffness": "1e6 N/mm", "rubber": []} for each in THREE]
-    over = crankstar.mounts(mounted(mounts=stiff, foundation=GROUND), speeds=SPEEDS).over
+    found = crankstar.mounts(mounted(mounts=stiff, foundation=GROUND), speeds=SPEEDS)
+    over = found.over
     assert over is not None
-    assert rms(over.velocity(GRIP, of=1)) == pytest.approx(rms(over.velocity(GRIP)), rel=2e-2)
+    asked = np.searchsorted(over.speeds, found.asked)  # not at the peaks between them
+    frame, block = rms(over.velocity(GRIP, of=1)), rms(over.velocity(GRIP))
+    assert frame[asked] == pytest.approx(block[asked], rel=2e-2)

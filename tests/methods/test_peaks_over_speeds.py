@@ -32,6 +32,7 @@ bore_pitch = "170 mm"
 [gas]
 ignition = "compression"
 imep = "20 bar"
+intake_pressure = "1 bar"
 [torsion]
 inertia = "0.45 kg*m^2"
 stiffness = "2.5e6 N*m/rad"

@@ -42,6 +42,7 @@ NAMES = {
     "page up, page down",
     "rpm",
     "zero",
+    "{low} to {high}",
     "{angle} deg",
     "{name} of {owner}",
     "{size} at {angle}°",

@@ -167,9 +167,11 @@ def analyze(
 
 def _refuse_foreign(orders: str | None, engines: Sequence[Engine], *, gas: bool) -> None:
     """Refuse orders that none of the engines can have. Raises OrderError, RequestError."""
+    from crankstar.mechanics.balance import balance
     from crankstar.mechanics.occurring_orders import check_orders, foreign_orders
 
-    wanted = request.orders(orders, []) or []
+    present = [order for engine in engines for order in balance(engine).force.orders.tolist()]
+    wanted = request.orders(None if orders == "all" else orders, present) or []
     for engine in engines:
         wanted = foreign_orders(engine, wanted, gas=gas)
     check_orders(engines[0], wanted, gas=gas)

@@ -67,6 +67,7 @@ class Rod(Record):
     )
     inertia: Inertia | None = Field(
         default=None,
+        examples=["2 g*m^2"],
         description=(
             "moment of inertia about the centre of mass; that of two masses at its ends if left out"
         ),

@@ -199,6 +199,8 @@ def lost_shares(
 ) -> dict[int, float]:
     """The share of its combustion that each chamber lacks, by number. Raises GasError.
 
+    What cylinders of one chamber lack adds up, to all of it at most.
+
     >>> from crankstar.files.catalog import load
     >>> lost_shares(load("honda-b18c"), [2], {3: 0.25})
     {1: 0.0, 2: 1.0, 3: 0.25, 4: 0.0}
@@ -212,7 +214,7 @@ def lost_shares(
                 number=number,
                 share=f"{share:g}",
             )
-        lost[chamber] = max(lost[chamber], float(share))
+        lost[chamber] = min(lost[chamber] + float(share), 1.0)
     return lost
 
 

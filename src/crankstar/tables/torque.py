@@ -278,21 +278,7 @@ def _other_points(engine: Engine, cycle: Cycle) -> list[str]:
 
 def notes(engine: Engine, cycle: Cycle) -> list[str]:
     """What a cycle rests on, as sentences: the process, and what is assumed."""
-    lines: list[str] = []
-    if engine.gas is not None and engine.gas.trace is not None:
-        lines.append(_("Pressure as measured."))
-        if cycle.values["charges"]:
-            lines.append(
-                _(
-                    "Cylinders that do not burn all compress a charge of {charge} and push it out "
-                    "against {exhaust}, as the measured pressure has them.",
-                    charge=quantity_text(cycle.values["intake_pressure"], "Pa"),
-                    exhaust=quantity_text(cycle.values["exhaust_pressure"], "Pa"),
-                )
-            )
-    else:
-        process = _(PROCESSES[cycle.values["process"]])
-        lines.append(_("Pressure: {process}.", process=process))
+    lines = _pressure_lines(engine, cycle)
     assumed = [_valued(name, cycle.values[name]) for name in cycle.assumed if name in VALUES]
     if assumed and (engine.gas is None or engine.gas.trace is None or cycle.values["charges"]):
         lines.append(
@@ -338,6 +324,26 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
         lines.append(
             _("Friction takes more than the gas gives: something else has to turn the engine.")
         )
+    return lines
+
+
+def _pressure_lines(engine: Engine, cycle: Cycle) -> list[str]:
+    """Where the pressure comes from."""
+    lines: list[str] = []
+    if engine.gas is not None and engine.gas.trace is not None:
+        lines.append(_("Pressure as measured."))
+        if cycle.values["charges"]:
+            lines.append(
+                _(
+                    "Cylinders that do not burn all compress a charge of {charge} and push it out "
+                    "against {exhaust}, as the measured pressure has them.",
+                    charge=quantity_text(cycle.values["intake_pressure"], "Pa"),
+                    exhaust=quantity_text(cycle.values["exhaust_pressure"], "Pa"),
+                )
+            )
+    else:
+        process = _(PROCESSES[cycle.values["process"]])
+        lines.append(_("Pressure: {process}.", process=process))
     return lines
 
 
