@@ -768,7 +768,7 @@ def test_control_characters_in_a_text_are_refused_and_not_repeated(place: str, t
     assert "contains the control character U+" in told(spoilt(SHORT, **{place: text}))[place]
 
 
-@pytest.mark.many(first=10)
+@pytest.mark.many(first=9)
 @pytest.mark.parametrize("text", [*STARTLING, "a\n  fake: message", "k" * 900_000])
 def test_control_characters_in_keys_and_values_are_not_repeated(text: str) -> None:
     assert problems({text: 1, **spoilt(SHORT)})
@@ -979,7 +979,7 @@ def test_a_number_of_thousands_of_digits_is_refused(text: str) -> None:
     assert "holds a number of thousands of digits; " in message
 
 
-@pytest.mark.many(first=12)
+@pytest.mark.many(first=11)
 @pytest.mark.parametrize(
     "odd", ODD, ids=repr if sys.version_info >= (3, 14) else lambda value: type(value).__name__
 )

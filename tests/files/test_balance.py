@@ -198,7 +198,7 @@ def test_the_command_that_the_verdict_prints_fits_what_it_recommends(
     assert ("what remains:" in rest) == (size(after.force, 2.0) + size(after.couple, 2.0) > 1e-9)
 
 
-@pytest.mark.many(first=48)
+@pytest.mark.many(first=46)
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
@@ -443,7 +443,7 @@ def test_what_counterweights_remove_is_in_newtons_at_a_speed(run: Run, known: st
     assert [float(size) / unit for size in found.groups()] == pytest.approx([0.65, 0.25], rel=1e-4)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("verb", [["balance", "i4"], ["estimate", "toyota-2jz"]])
 def test_an_engine_is_written_as_the_name_of_its_file_says(
     run: Run, verb: list[str], tmp_path: Path

@@ -78,6 +78,7 @@ def test_shafts_alone_leave_the_crankshafts_as_they_are(run: Run, tmp_path: Path
     assert "crank" not in table(out, "Weights").split("Mass:")[0]
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(
     "more", [["--factor", "0.5"], ["--weights", "webs"], ["--bare"], ["--minimise", "force"]]
 )
@@ -114,6 +115,7 @@ def test_a_shaft_with_nothing_to_do_is_left_out_and_told(run: Run, tmp_path: Pat
     assert [str(shaft.speed_ratio) for shaft in load(file).shafts] == ["1", "2", "-2"]
 
 
+@pytest.mark.release
 def test_what_the_recommended_remedy_leaves_is_told_and_cured(run: Run) -> None:
     out = words(run("balance", "single", "--recommended").out)
     assert re.search(r"2 force m r ω² 0.25403 0.25403", out)
@@ -171,6 +173,7 @@ def test_the_tables_and_figures_of_the_page_keep_that_form_too(run: Run, tmp_pat
     assert all([shaft.name for shaft in each.shafts] == names for each in drawn.engines)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("option", ["--shaft-planes", "--weights"])
 def test_lengths_of_an_engine_without_lengths_have_no_unit(
     refused: Callable[..., str], run: Run, option: str
@@ -208,6 +211,7 @@ def test_slips_are_refused_with_what_was_meant(
     assert told in refused("balance", "honda-b18c", *options)
 
 
+@pytest.mark.release
 def test_limits_that_leave_next_to_no_room_still_have_a_best_answer(run: Run) -> None:
     out = words(
         run("balance", "kr250-racer", "--bare", "--minimise", "roll 1", "--limit", "force=100%").out
@@ -219,6 +223,7 @@ def test_limits_that_leave_next_to_no_room_still_have_a_best_answer(run: Run) ->
     assert value - bound < 1e-3 * bare
 
 
+@pytest.mark.release
 def test_a_name_does_not_pile_up_what_was_done(run: Run, twin: str, tmp_path: Path) -> None:
     half, again, other = (str(tmp_path / name) for name in ("half.toml", "again.toml", "o.toml"))
     run("balance", twin, "--factor", "0.5", "-o", half)
@@ -244,6 +249,7 @@ def test_a_limit_that_the_balance_shafts_do_not_keep_is_refused(run: Run, tmp_pa
     assert yaw < 1e-6
 
 
+@pytest.mark.release
 def test_external_moments_are_named_as_makers_of_large_engines_do(run: Run) -> None:
     by_word = run("balance", "triple-120", "--minimise", "pitch 1", "--limit", "yaw 1=1.5").out
     made = run("balance", "triple-120", "--minimise", "M1V", "--limit", "m1h <= 1.5").out

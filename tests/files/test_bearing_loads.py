@@ -130,7 +130,7 @@ def test_bearings_out_of_all_proportion_are_refused_together(refused: Callable[.
     assert "oil.main.length is 200 mm" in told
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("verb", ["bearings", "torque"])
 def test_cylinders_that_are_off_are_named(run: Run, verb: str) -> None:
     words = [verb, "audi-25-tfsi", "--point", "idle", "--off", "2"]

@@ -99,7 +99,7 @@ def test_a_width_that_is_none_is_passed_over(columns: str) -> None:
     assert b"kr250-racer" in told.stdout
 
 
-@pytest.mark.many(first=16)
+@pytest.mark.many(first=15)
 @pytest.mark.parametrize("verb", VERBS)
 def test_every_verb_has_a_help(run: Run, verb: str) -> None:
     shown = run(verb, "--help").out
@@ -123,7 +123,7 @@ def test_list_can_be_narrowed(run: Run) -> None:
     assert not re.search(r"^(single|v2-90|boxer-6) ", out, re.MULTILINE)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @EVERY_ENGINE
 def test_every_engine_of_the_catalog_can_be_shown_analyzed_and_checked(run: Run, name: str) -> None:
     title = crankstar.load(name).name
@@ -400,7 +400,7 @@ def test_check_tells_of_every_file_and_fails_if_one_fails(
     assert run("check", file, "single").code == 0
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("kind", STARTERS)
 def test_new_writes_a_file_that_checks(run: Run, kind: str) -> None:
     text = run("new", kind).out
@@ -672,7 +672,7 @@ def test_faults_of_engines_and_speed_are_reported_together(
     assert all(sum(line.startswith(place) for line in lines) == 1 for place in places), lines
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("place", "reason"),
     [
@@ -811,7 +811,7 @@ def test_a_pipe_is_as_wide_as_columns_says_and_always_plain(
     assert max(map(len, narrow.splitlines())) <= 60 < max(map(len, plain.splitlines()))
 
 
-@pytest.mark.many(first=14)
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize("columns", ["1", "20", "80", "400"])
 @pytest.mark.parametrize("verb", [["list"], ["show", "X"], ["analyze", "X"], ["compare", "X", "X"]])
 def test_on_a_terminal_of_any_width_it_prints_in_bold_dim_and_yellow_only(

@@ -119,7 +119,7 @@ def test_a_comparison_that_cannot_be_is_refused(
     assert why in refused("compare", *words)
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("words", "name"),
     [

@@ -210,7 +210,7 @@ def assert_same(engine: Engine, other: Engine) -> None:
         assert np.abs(a.backward - b.backward).max(initial=0) < 1e-9 * size
 
 
-@pytest.mark.many(first=11)
+@pytest.mark.many(first=7)
 @EVERY_ENGINE
 def test_a_balanced_engine_is_written_in_the_form_of_its_file(name: str) -> None:
     _, tree = catalog_tree(name)

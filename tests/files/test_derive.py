@@ -38,7 +38,7 @@ def formulas(page: str) -> list[str]:
     return re.findall(r"<math.*?</math>", page, re.DOTALL)
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.release
 @pytest.mark.parametrize("name", KINDS)
 def test_every_format_of_a_derivation_is_written(run: Run, name: str) -> None:
     for form, begins in (
@@ -57,7 +57,7 @@ def parsed(formula: str) -> ElementTree.Element:
     return ElementTree.fromstring(formula)  # noqa: S314
 
 
-@pytest.mark.many(first=17)
+@pytest.mark.many(first=15)
 @EVERY_ENGINE
 def test_the_formulas_of_a_page_are_well_formed(name: str) -> None:
     engine = crankstar.load(name)
@@ -366,7 +366,7 @@ def test_masses_that_are_given_stand_before_the_root_of_the_star(run: Run, tmp_p
     assert f"at most {97 / 52 * star * newtons:.6g} N m" in out
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("quantity", "order"), [("force", "4"), ("couple", "2")])
 def test_a_size_that_rests_on_estimates_says_so(
     run: Run, refused: Callable[..., str], quantity: str, order: str

@@ -53,6 +53,7 @@ def _files(tmp_path: Path) -> None:
     (tmp_path / "lost.csv").write_text(listed(seen(without_weight(2))), encoding="utf-8")
 
 
+@pytest.mark.release
 def test_a_lost_weight_is_named_with_what_it_cannot_be_told_from(run: Run) -> None:
     said = " ".join(run("diagnose", "four.toml", "lost.csv").out.split())
     assert "Likeliest: weight 2 lost, which explains 100 %." in said
@@ -74,6 +75,7 @@ def test_a_healthy_engine_is_told_in_one_sentence(run: Run) -> None:
     assert "Nothing is out of order" in before
 
 
+@pytest.mark.release
 def test_what_no_fault_explains_is_told_in_one_sentence(run: Run, tmp_path: Path) -> None:
     rows = (tmp_path / "healthy.csv").read_text(encoding="utf-8").splitlines()
     chance = np.random.default_rng(5)
@@ -219,6 +221,7 @@ def test_a_fault_that_none_of_the_orders_has_is_told_in_a_sentence(run: Run) -> 
     assert len(json.loads(run(*line, "--json").out)["orders"]) == 2
 
 
+@pytest.mark.release
 def test_a_part_that_would_lose_all_of_it_is_told(run: Run, tmp_path: Path) -> None:
     rest = lines(np.zeros(len(SHAPES)))
     healthy = expected(four(), rest)
@@ -259,6 +262,7 @@ def noisy(tmp_path: Path, *, share: float) -> None:
     (tmp_path / "noisy.csv").write_text(listed(heard + noise), encoding="utf-8")
 
 
+@pytest.mark.release
 def test_sizes_are_told_as_far_as_their_error_goes(run: Run, tmp_path: Path) -> None:
     noisy(tmp_path, share=0.2)
     found = json.loads(run("diagnose", "four.toml", "noisy.csv", "--json").out)["suspects"]
@@ -274,6 +278,7 @@ def test_sizes_are_told_as_far_as_their_error_goes(run: Run, tmp_path: Path) -> 
     assert float(told) == pytest.approx(1000 * row["size"], abs=0.51 * 10**-places)
 
 
+@pytest.mark.release
 def test_suspects_without_a_size_are_left_out_of_what_is_read(run: Run, tmp_path: Path) -> None:
     """Without weights all suspects are shown, and a share cannot be less than nought."""
     tree = {key: value for key, value in file().items() if key != "crankshaft"}
@@ -290,6 +295,7 @@ def test_suspects_without_a_size_are_left_out_of_what_is_read(run: Run, tmp_path
     assert len(shown) == len([each for each in found if each["size"]])
 
 
+@pytest.mark.release
 def test_csv_has_the_unit_of_each_size(run: Run) -> None:
     text = run("diagnose", "four.toml", "lost.csv", "--csv").out
     units = {row["kind"]: row["size_unit"] for row in csv_rows(text, "suspects")}

@@ -255,7 +255,7 @@ def test_ranges_are_no_wider_than_masses_alone_can_make_them() -> None:
         assert cell.high == pytest.approx(one.high * size, rel=1e-9, abs=1e-6)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("form", ["layout", "explicit"])
 def test_the_inertia_of_a_rod_moves_with_its_mass_and_centre(form: str) -> None:
     """Roads: the file scaled, and I m' b' (l - b') / m b (l - b) of the engine read from it."""
@@ -309,7 +309,7 @@ def test_a_value_that_is_set_is_no_longer_estimated(run: Run) -> None:
     assert "cylinder.rod.mass" in text.split("What rests")[0]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("verb", "form"),
     [

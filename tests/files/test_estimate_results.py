@@ -99,7 +99,7 @@ def test_angles_at_the_cut_are_not_a_range_of_a_whole_turn(run: Run) -> None:
     assert all(row["peak"]["value_estimated"] for row in tree["bearings"])
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("form", ["json", "csv", "xlsx", "parquet", "txt"])
 def test_bearing_loads_are_written_with_their_marks(run: Run, form: str) -> None:
     run("bearings", "kr250-racer", "--estimate", "-o", f"out.{form}")
@@ -378,7 +378,7 @@ def spans_of(text: str) -> list[list[float]]:
     return [[float(part) for part in parts] for parts in found]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["kr250-racer", "vw-vr6", "triumph-675", "bmw-m52b28"])
 def test_a_roll_has_one_range_in_words_and_in_the_table(run: Run, name: str) -> None:
     """And masses drawn at random leave no roll beyond it."""

@@ -63,7 +63,7 @@ def test_what_is_printed_in_newtons_or_grams_is_marked(
     assert [block for block in weighed if "estimated" not in block] == []
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("words", TABLES, ids=" ".join)
 def test_what_is_written_for_machines_has_its_range(
     words: tuple[str, ...], run: Run, weighted: str

@@ -126,7 +126,7 @@ def test_every_verb_that_writes_a_file_is_tried() -> None:
     assert verbs | FOLDERS == {name for name in COMMANDS if "--output" in options(name)}
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("line", LINES)
 def test_a_file_holds_what_its_name_promises_or_is_refused(
     run: Run, tmp_path: Path, line: str

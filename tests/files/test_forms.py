@@ -81,7 +81,7 @@ def test_an_engine_of_any_kind_is_the_same_written_and_read_back(kind: str) -> N
     same()
 
 
-@pytest.mark.many(first=84)
+@pytest.mark.many(first=82)
 @pytest.mark.parametrize("text", FILES.values(), ids=FILES)
 def test_a_file_is_the_same_engine_in_both_forms_and_both_languages(text: str) -> None:
     engine = engine_of(tree_of(text))
@@ -264,7 +264,7 @@ ELSEWHERE = {
 }
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("kind", STARTERS)
 def test_every_option_of_a_starter_is_right_when_it_is_uncommented(kind: str) -> None:
     text = STARTERS[kind]
@@ -310,7 +310,7 @@ def tables(value: Any) -> Iterator[dict[str, Any]]:
         yield from tables(item)
 
 
-@pytest.mark.many(first=7)
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize("name", ["short", "explicit", *(f"new {kind}" for kind in STARTERS)])
 def test_the_schema_refuses_an_unknown_key_in_any_table(name: str) -> None:
     tree = tomllib.loads(FILES[name])

@@ -253,7 +253,7 @@ def test_an_engine_that_would_stop_within_its_cycle_is_told_of(run: Run, four: s
     assert "would stop" in result.err
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     "values",
     [
@@ -396,7 +396,7 @@ def written(tmp_path: Path, text: str) -> str:
     return str(place)
 
 
-@pytest.mark.many(first=8)
+@pytest.mark.many(first=7)
 @pytest.mark.parametrize("separator", [",", ";", "\t"])
 @pytest.mark.parametrize(("unit", "factor"), [("bar", 1.0), ("kPa", 100.0), ("MPa", 0.1)])
 def test_a_trace_is_read_from_a_file_in_any_form(

@@ -148,7 +148,7 @@ def with_csv(tmp_path: Path, head: str, factor: float = 1.0, turn: float = 1.0) 
     return str(place)
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(
     ("head", "factor", "turn"),
     [

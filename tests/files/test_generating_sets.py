@@ -107,7 +107,7 @@ def test_the_csv_has_uneven_running_too(run: Run, tmp_path: Path) -> None:
     assert 1 / running["one_part_in"] == running["irregularity"] == facts["irregularity"]
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(
     ("options", "said"),
     [

@@ -96,7 +96,7 @@ def test_a_language_that_is_not_there_is_refused_with_those_that_are(
     assert refused("list") == 'crankstar: CRANKSTAR_LANG "fr": the languages are en, ja, ru\n'
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("words", MACHINE)
 def test_what_programs_read_is_the_same_in_every_language(words: str, run: Run) -> None:
     english = run(*words.split()).out

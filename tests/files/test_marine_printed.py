@@ -157,7 +157,7 @@ def moments_of(text: str) -> set[str]:
     } - {"N m/kW", "lbf ft/hp"}
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("units", "moment"), [((), "kN m"), (("--units", "N m"), "N m"), (("--units", "us"), "lbf ft")]
 )

@@ -92,7 +92,7 @@ def test_too_many_ranges_are_named_with_what_to_do(run: Run) -> None:
     assert "leave range out of some of cylinders[1].reciprocating_mass, cylinders[2]." in told
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     "line",
     [

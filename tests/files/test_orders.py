@@ -344,7 +344,7 @@ def test_vees_as_json_and_csv_have_every_crank(run: Run) -> None:
     assert float(rows[0]["couple_order_1_forward [m*r*w^2*A_k*a]"]) == pytest.approx(10**0.5)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "words", [["8"], ["6", "--bank", "90"], ["10", "--bank", "90"], ["4", "--cycle", "two-stroke"]]
 )

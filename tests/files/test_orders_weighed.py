@@ -175,7 +175,7 @@ def test_a_front_weighs_the_engine_s_own_mode_and_judges_each_row(
     assert f"Shear stress {own['stress']:.5g} MPa." in shown
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("judge", JUDGES)
 def test_a_row_shows_the_best_of_all_orders_with_its_sums(run: Run, six: str, judge: Judge) -> None:
     """Every permutation that fires evenly, put into the engine and computed."""
@@ -214,7 +214,7 @@ def _shape(engine: Any, shaft: Any) -> tuple[Fraction, ...]:
     return shape_of(shaft, [Fraction(f"{shape[number]:.6f}") for number in sorted(shape)])
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -192,7 +192,7 @@ def test_the_schema_knows_the_parts_in_both_forms() -> None:
     assert not validator.is_valid(tree(parts={"pistn": "1 g"}))
 
 
-@pytest.mark.many(first=20)
+@pytest.mark.release
 @pytest.mark.parametrize("form", ["short", "own", "explicit"])
 @pytest.mark.parametrize("parts", [{}, {"piston": "510 g"}, PARTS])
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ BEGINS = {
 }
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("kind", BEGINS)
 def test_a_chart_is_written_as_its_suffix_says(run: Run, tmp_path: Path, kind: str) -> None:
     place = tmp_path / f"star.{kind}"
@@ -42,7 +42,7 @@ def test_a_chart_is_written_as_its_suffix_says(run: Run, tmp_path: Path, kind: s
         assert parameter["value"] == 30
 
 
-@pytest.mark.many(first=14)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("chart", CHARTS)
 def test_every_chart_is_drawn_into_a_pipe(run: Run, chart: str) -> None:
     assert run("plot", "gm-3800", chart, "-o", "-").out.startswith("<svg")
@@ -67,7 +67,7 @@ def test_several_engines_are_drawn_side_by_side(run: Run) -> None:
     assert out.count("V8, cross-plane crank") >= 1
 
 
-@pytest.mark.many(first=12)
+@pytest.mark.many(first=10)
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [

@@ -39,7 +39,7 @@ def evenness(engine: Engine) -> float:
     return max(abs(interval - mean) for interval in fired.intervals_deg) / mean
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(
     "name", [each for each in EVERY_NAME if not is_explicit(tree_of(str(each.values[0])))]
 )
@@ -60,7 +60,7 @@ def test_an_engine_with_more_cylinders_is_one_and_fires_evenly_if_it_can(name: s
     assert [offer.tree for offer in made.orders if offer.chosen] == [made.tree]
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=2)
 @EVERY_ENGINE
 def test_there_and_back_again_there_are_as_many_cylinders(name: str) -> None:
     tree = tree_of(name)
@@ -73,7 +73,7 @@ def test_there_and_back_again_there_are_as_many_cylinders(name: str) -> None:
             assert len(engine_of(again.tree).chambers) == here.cylinders
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ["i4", "i5", "v8-cross-plane", "v6-60-six-throws", "harley-45"])
 def test_every_offer_is_an_engine_of_as_many_cylinders(name: str) -> None:
     made = rearranged(tree_of("i4"), cylinders=5) if name == "i5" else rearranged(tree_of(name))

@@ -90,7 +90,7 @@ def test_contradictions_are_proved(run: Run) -> None:
     assert "Proved: no star keeps these limits" in out
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("kind", ["csv", "json", "parquet"])
 def test_results_are_written_with_all_rows(run: Run, tmp_path: Path, kind: str) -> None:
     place = tmp_path / f"eight.{kind}"
@@ -218,7 +218,7 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(
     assert (tmp_path / "kept").exists()
 
 
-@pytest.mark.many(first=39)
+@pytest.mark.many(first=38)
 @pytest.mark.parametrize(
     ("words", "told"),
     [
@@ -291,7 +291,7 @@ def test_every_mistake_is_told_at_once(refused: Callable[..., str]) -> None:
         assert any(f"--{option}" in line for line in said), said
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("spoil", "told"),
     [
@@ -553,7 +553,7 @@ def test_an_estimated_engine_is_searched_in_newtons_and_says_so(
     assert "has no effect without an engine" in refused("search", "7", "--estimate")
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("unit", ["rpm", "RPM", "Rpm"])
 def test_revolutions_per_minute_are_read_in_any_case(run: Run, unit: str) -> None:
     assert (

@@ -107,7 +107,7 @@ def luminance(colour: str) -> float:
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("theme", GROUND)
 @pytest.mark.parametrize("chart", ["front", "stars"])
 def test_its_letters_can_be_read_on_paper(run: Run, marine: str, chart: str, theme: str) -> None:

@@ -40,7 +40,7 @@ def test_any_engine_comes_back_from_a_spreadsheet(engine: Engine) -> None:
     assert back(explicit(engine)) == engine_of(explicit(engine))
 
 
-@pytest.mark.many(first=16)
+@pytest.mark.many(first=13)
 @EVERY_ENGINE
 def test_every_file_of_the_catalog_comes_back_in_its_own_form(name: str) -> None:
     _shown, tree = tree_of(name)
@@ -162,7 +162,7 @@ MISTAKES: dict[str, tuple[Change, str]] = {
 }
 
 
-@pytest.mark.many(first=25)
+@pytest.mark.many(first=24)
 @pytest.mark.parametrize("kind", MISTAKES)
 def test_a_mistake_in_a_spreadsheet_is_one_sentence_with_its_cell(kind: str) -> None:
     change, sentence = MISTAKES[kind]
@@ -379,7 +379,7 @@ def test_what_is_no_spreadsheet_is_refused_in_one_line(kind: str, tmp_path: Path
     assert len(str(error.value).splitlines()) == 2
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["analysis.xlsx", "ANALYSIS.XLSX"])
 def test_the_spreadsheet_of_an_analysis_is_an_engine_and_its_numbers(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -397,7 +397,7 @@ def test_bearing_loads_are_told_and_drawn_where_they_are_asked_for(
     assert "load on main bearing 1" in (tmp_path / "out.svg").read_text()
 
 
-@pytest.mark.many(first=12)
+@pytest.mark.many(first=11)
 @pytest.mark.parametrize(
     ("words", "told"),
     [

@@ -413,7 +413,7 @@ def test_each_mistake_of_a_drive_line_has_its_sentence(old: str, new: str, code:
     assert code in [fault.code for fault in refusal.value.faults]
 
 
-@pytest.mark.many(first=9)
+@pytest.mark.many(first=8)
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -99,7 +99,7 @@ class Rotor:
 """
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("source", [six(), fan_drive()], ids=lambda each: each.name)
 def test_the_ross_script_prints_our_frequencies(source: Any, tmp_path: Path) -> None:
     (tmp_path / "ross.py").write_text(STAND_IN, encoding="utf-8")

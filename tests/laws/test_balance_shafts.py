@@ -38,7 +38,7 @@ def vectors(engine: Engine, quantity: str, order: float) -> np.ndarray:
     return np.array([one.forward[0], one.backward[0]])
 
 
-@pytest.mark.many(first=18)
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize(
     "name",
     [
@@ -150,7 +150,7 @@ def test_half_the_mass_leaves_one_shaft_to_be_wanted() -> None:
         assert [str(need.ratio) for need in left] == ["-1"]
 
 
-@pytest.mark.many(first=7)
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize(
     "name",
     ["single", "i4", "i2-270", "triple-120", "gm-3800", "vw-vr6", "audi-25-tfsi", "v8-cross-plane"],
@@ -183,7 +183,7 @@ def test_a_single_plane_will_do_where_the_force_acts_in_it() -> None:
         with_all_shafts(load("triple-120"), 0.0)
 
 
-@pytest.mark.many(first=8)
+@pytest.mark.many(first=7)
 @pytest.mark.parametrize("name", ["i4", "honda-b18c", "single", "v8-flat-plane", "i2-360"])
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
 def test_unequal_heights_take_away_the_roll_of_the_block(name: str, rotation: str) -> None:

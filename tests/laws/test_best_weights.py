@@ -59,7 +59,7 @@ def ends(engine: Engine) -> list[Plane]:
     return [Plane(shaft.name, z) for shaft in engine.shafts for z in end_webs(engine, shaft)]
 
 
-@pytest.mark.many(first=20)
+@pytest.mark.many(first=16)
 @pytest.mark.parametrize("aim", AIMS.values(), ids=AIMS.keys())
 @pytest.mark.parametrize("name", ENGINES)
 def test_no_weights_are_better(name: str, aim: Aim) -> None:
@@ -172,7 +172,7 @@ def external_moments(engine: Engine) -> tuple[float, float]:
     return vertical, horizontal
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", ["triple-120", "gm-3800", "yamaha-r1-crossplane"])
 @pytest.mark.parametrize("share", [0.3, 1.2, 2.5])
 def test_the_vertical_moment_is_paid_for_with_the_horizontal_one(name: str, share: float) -> None:
@@ -330,7 +330,7 @@ def test_bearing_loads_are_those_of_beams_between_bearings(name: str) -> None:
     assert measured(case, Aim("bearing"), x) == pytest.approx(greatest, rel=1e-9)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("ratio", [2, -2, -1])
 @pytest.mark.parametrize("middle", [0.0, 0.13])
 def test_weights_of_a_setting_push_as_those_of_the_finished_engine(

@@ -44,7 +44,7 @@ def distances(engine: Engine, number: int, theta: np.ndarray) -> np.ndarray:
     return np.hypot(*newton.placed(engine, cylinder, theta.astype(np.longdouble))[1].T)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("rotation", ROTATIONS)
 @pytest.mark.parametrize("master", [1, 3, 4])
 def test_the_first_cylinder_of_a_layout_begins_at_its_dead_centre(
@@ -70,7 +70,7 @@ def test_pistons_of_a_mirrored_star_are_mirror_images_at_the_mirrored_crank(rota
         assert np.allclose((across, height), (-right, up), rtol=0, atol=1e-12)
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", ["v8-cross-plane", "harley-45", "kr250-racer", "audi-25-tfsi"])
 @pytest.mark.parametrize("ahead", [0.0, 0.7])
 def test_a_reversed_engine_fires_when_the_other_would_run_backwards(

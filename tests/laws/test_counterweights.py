@@ -31,7 +31,7 @@ def first(engine: Engine, quantity: str) -> tuple[complex, complex]:
     return complex(one.forward[0]), complex(one.backward[0])
 
 
-@pytest.mark.many(first=46)
+@pytest.mark.many(first=33)
 @pytest.mark.parametrize("name", SINGLE_SHAFT)
 def test_weights_in_planes_do_what_weights_at_the_throws_do(name: str) -> None:
     engine = load(name)
@@ -50,7 +50,7 @@ def test_weights_in_planes_do_what_weights_at_the_throws_do(name: str) -> None:
             assert np.allclose(found, wanted, rtol=0, atol=1e-12 * len(engine.cylinders))
 
 
-@pytest.mark.many(first=48)
+@pytest.mark.many(first=32)
 @pytest.mark.parametrize("name", SINGLE_SHAFT)
 def test_no_counterweight_touches_what_turns_against_the_crank(name: str) -> None:
     engine = load(name)
@@ -62,7 +62,7 @@ def test_no_counterweight_touches_what_turns_against_the_crank(name: str) -> Non
         assert after[1] == pytest.approx(before[1], abs=1e-12 * len(engine.cylinders))
 
 
-@pytest.mark.many(first=65)
+@pytest.mark.many(first=63)
 @pytest.mark.parametrize(
     "name",
     [

@@ -459,7 +459,7 @@ def test_what_is_said_of_the_real_engine_is_what_it_does(name: str) -> None:
                     )
 
 
-@pytest.mark.many(first=8)
+@pytest.mark.many(first=7)
 @pytest.mark.parametrize("name", ["v8-cross-plane", "audi-25-tfsi", "gm-3800", "merlin"])
 @pytest.mark.parametrize("power", [1, 3, 7, 11])
 def test_the_series_is_that_of_the_motion(name: str, power: int) -> None:

@@ -435,7 +435,7 @@ def test_the_energy_of_uneven_running_is_balanced(flywheel: float, exponent: flo
     assert 1 / (1 / found.speed).mean() == pytest.approx(found.mean_speed, rel=1e-9)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("flywheel", "exponent"), [(2.0, 0.0), (2.0, 2.0)])
 def test_uneven_running_is_what_shooting_finds(flywheel: float, exponent: float) -> None:
     """J dw/dt + J' w^2/2 = T_gas - T_load, integrated from a speed that comes back."""

@@ -596,7 +596,7 @@ def flat(record: Record | None) -> dict[str, object]:
     return out
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize("rod_ratio", [1.002, 1.02, 1.2, 2.0, 4.0, 50.0])
 def test_spectra_converge_for_any_rod(rod_ratio: float) -> None:
     shaft = Shaft.model_validate({"name": "crank", "throw": [{"angle": 0.3, "radius": 1.0}]})

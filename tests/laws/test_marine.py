@@ -265,7 +265,7 @@ def burning_on_one_crankshaft() -> list[str]:
     return found
 
 
-@pytest.mark.many(first=18)
+@pytest.mark.many(first=17)
 @pytest.mark.parametrize("name", burning_on_one_crankshaft())
 def test_the_couples_of_any_layout_sum_to_the_roll_of_the_block(name: str) -> None:
     engine = crankstar.load(name)

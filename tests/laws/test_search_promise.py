@@ -228,7 +228,7 @@ def test_uneven_angles_are_those_of_the_file_that_is_written() -> None:
         assert last[name] == pytest.approx(expected[name], rel=1e-9, abs=1e-9 * most[name[0]])
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("factor", [0.0, 0.5, 1.0])
 def test_each_row_of_a_counterweighted_seven_is_kept_by_its_file(factor: float) -> None:
     engine = seven(factor)

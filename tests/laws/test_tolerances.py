@@ -58,7 +58,7 @@ def law(name, changes, *, speed=SPEED):
     return engine, errors, linear(engine, errors, **how), how
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("name", ["i4", "i6", "v8-cross-plane", "v2-90", "boxer-6", "v12-60"])
 def test_mass_errors_add_up_whatever_the_layout(name) -> None:
     engine, errors, lines, _how = law(name, MASSES)
@@ -143,7 +143,7 @@ GIVEN = {
 """What the engine of a case has besides; "parts" is a four whose parts were weighed."""
 
 
-@pytest.mark.many(first=16)
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize(("name", "path", "unit", "step"), SHARED)
 def test_the_errors_of_a_value_together_are_a_change_of_the_value(name, path, unit, step) -> None:
     """Read the file again with the value changed: the sum of all its errors is the same change."""

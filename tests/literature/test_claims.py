@@ -454,7 +454,7 @@ def test_sinitsyn_moments_and_their_planes(name: str) -> None:
             assert abs(claim[f"{moment}_deg"] - claim["printed"][f"{moment}_deg"]) < 1
 
 
-@pytest.mark.many(first=9)
+@pytest.mark.many(first=8)
 @pytest.mark.parametrize("name", SINITSYN)
 def test_sinitsyn_rotating_parts_have_the_moment_of_the_first_order(name: str) -> None:
     engine = crankstar.load(name, changes={"cylinder.rotating_mass": 1})

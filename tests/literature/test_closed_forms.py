@@ -35,7 +35,7 @@ def closed(name: str, order: int, quantity: Quantity) -> tuple[str, str]:
     return text(lines["up"].chain[-1]), text(lines["right"].chain[-1])
 
 
-@pytest.mark.many(first=11)
+@pytest.mark.many(first=10)
 @pytest.mark.parametrize(
     ("name", "order", "quantity", "up", "right"),
     [

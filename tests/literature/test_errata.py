@@ -60,7 +60,7 @@ def engine_of(one: Erratum) -> crankstar.Engine:
 # Results and steps, judged by momentum
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=2)
 @each(JUDGED)
 def test_what_is_printed_is_not_what_momentum_says(one: Erratum) -> None:
     found = curves(one)
@@ -70,7 +70,7 @@ def test_what_is_printed_is_not_what_momentum_says(one: Erratum) -> None:
         assert off > 0.7 * np.nanmax(np.abs(found.printed))
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=1)
 @each(JUDGED)
 def test_what_we_derive_is_what_momentum_says(one: Erratum) -> None:
     found = curves(one)
@@ -99,7 +99,7 @@ def test_by_how_much_a_printed_formula_is_off(name: str, off: float) -> None:
 ROD = {"cylinder.rod": {"mass": 0.5, "centre": 1.2, "inertia": 0.1}, "cylinder.rotating_mass": 0.7}
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize(
     ("engine", "order", "quantity", "changes"),
     [
@@ -151,7 +151,7 @@ def test_moment_about_the_middle_of_two_shafts_is_the_roll_of_the_balance() -> N
     )
 
 
-@pytest.mark.many(first=10)
+@pytest.mark.many(first=3)
 @each([*JUDGED, *SERIES])
 def test_the_step_that_slips_is_a_step_of_our_derivation(one: Erratum) -> None:
     if one.kind == "series":
@@ -164,7 +164,7 @@ def test_the_step_that_slips_is_a_step_of_our_derivation(one: Erratum) -> None:
     assert one.slip
 
 
-@pytest.mark.many(first=7)
+@pytest.mark.many(first=2)
 @each([one for one in ALL.values() if one.printed is not None and one.kind in ("result", "step")])
 def test_the_printed_text_is_the_printed_formula(one: Erratum) -> None:
     assert one.printed is not None
@@ -174,7 +174,7 @@ def test_the_printed_text_is_the_printed_formula(one: Erratum) -> None:
 # Series
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @each(SERIES)
 def test_a_printed_series_misses_the_exact_harmonic_and_the_true_one_misses_it_less(
     one: Erratum,
@@ -186,7 +186,7 @@ def test_a_printed_series_misses_the_exact_harmonic_and_the_true_one_misses_it_l
     assert np.all(np.diff(np.abs(found.ours)) < 0)  # the longer the rod, the better
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @each(SERIES)
 def test_the_true_series_is_that_of_motion(one: Erratum) -> None:
     power = {2: 5, 4: 5, 6: 5}[one.order]
@@ -259,7 +259,7 @@ PRINTED_OF = [
 ]
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize(("name", "claim", "order"), PRINTED_OF, ids=[row[0] for row in PRINTED_OF])
 def test_printed_formulas_are_those_of_the_claims(
     name: str, claim: dict[str, list], order: int
@@ -277,7 +277,7 @@ def claimed(text: float | str) -> float:
     return float(evaluation.value(crankstar.derive.errata.reading.size(str(text))))
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("name", "page"), [("flat", "v8_flat_plane"), ("cross", "v8_cross_plane")])
 def test_true_formulas_have_the_sizes_of_the_claims(name: str, page: str) -> None:
     for order, claim in CLAIMS[page]["force"].items():
@@ -318,7 +318,7 @@ def test_couple_of_the_essay_is_that_of_the_claims() -> None:
     assert np.count_nonzero(~np.isnan(found.printed)) == len(one.points) == 2
 
 
-@pytest.mark.many(first=13)
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize("one", confirmed(), ids=lambda one: f"{one.source}: {one.words}")
 def test_what_is_called_true_is_true(one: Any) -> None:
     found = derivation(crankstar.load(one.engine), one.order, one.quantity)
@@ -334,7 +334,7 @@ def test_what_is_called_true_is_true(one: Any) -> None:
 # Lines that do not follow, and angles
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=2)
 @each(LINES)
 def test_a_line_differs_from_the_one_it_should_equal(one: Erratum) -> None:
     assert one.printed is not None
@@ -343,7 +343,7 @@ def test_a_line_differs_from_the_one_it_should_equal(one: Erratum) -> None:
     assert max(off) > 0.4
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("share", ["flat-share", "cross-share"])
 def test_shares_of_a_push_are_exchanged_unless_the_bank_angle_is_90_degrees(share: str) -> None:
     half = radians(22.5)
@@ -458,7 +458,7 @@ def test_every_source_is_on_the_page_and_in_the_references(page: str) -> None:
     assert all(f"references.md#{source}" in page for source in sources())
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.release
 @each(list(ALL.values()))
 def test_the_page_has_each_erratum_with_both_formulas_and_the_slip(page: str, one: Erratum) -> None:
     assert one.slip in page

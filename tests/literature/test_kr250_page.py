@@ -35,7 +35,7 @@ def script(name: str) -> ModuleType:
 page = script("kr250_page")
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     "row", KR250["rows"], ids=lambda row: f"{row['rotation']}-{row['phase_deg']}-{row['factor']}"
 )

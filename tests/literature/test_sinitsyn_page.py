@@ -308,7 +308,7 @@ def test_without_any_one_of_the_weights_something_is_left(part: str) -> None:
             assert left(engine.model_copy(update={"shafts": shafts})) > 1e-3
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=2)
 @EVERY
 def test_the_exact_weights_are_those_on_the_engine(part: str) -> None:
     file = SCHEMES[part].file

@@ -56,7 +56,7 @@ def blue_paths(chart: charts.Chart) -> list[np.ndarray]:
     return out
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("quantity", QUANTITIES)
 @pytest.mark.parametrize("name", ENGINES)
 def test_farthest_point_of_a_polar_diagram_is_the_peak_in_the_table(
@@ -85,7 +85,7 @@ def test_farthest_point_of_a_polar_diagram_is_the_peak_in_the_table(
         assert farthest == pytest.approx(peak, abs=0.02 / scale + 2e-4 * peak)
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("quantity", ["main-bearing", "main-journal"])
 @pytest.mark.parametrize("name", ENGINES)
 def test_circles_of_a_polar_diagram_are_whole_and_each_has_its_value_on_it(
@@ -145,7 +145,7 @@ def test_of_many_loads_the_greatest_are_drawn_when_few_are_asked_for() -> None:
     assert f"the 3 greatest of {len(loads)}" in " ".join(chart.to_dict()["title"]["subtitle"])
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ENGINES)
 def test_a_journal_sees_the_load_of_its_bearing_turned_back_with_the_shaft(name: str) -> None:
     engine = crankstar.load(name)
@@ -172,7 +172,7 @@ def vector_at(panel: dict[str, Any], theta: float) -> complex:
     return complex(eval(formulas["y2"], known), eval(formulas["x2"], known))  # noqa: S307
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("model", [None, "determinate", "continuous"])
 @pytest.mark.parametrize("name", ["i4", "v8-cross-plane", "i2-270", "radial-9"])
 def test_peak_of_the_bending_picture_is_that_of_the_table(name: str, model: Model | None) -> None:

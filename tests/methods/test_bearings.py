@@ -118,7 +118,7 @@ def test_bearings_and_walls_of_any_engine_carry_what_shakes_it(kind: str) -> Non
     holds()
 
 
-@pytest.mark.many(first=13)
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize("model", [None, *MODELS])
 @pytest.mark.parametrize("name", ["v8-cross-plane", "boxer-6", "i4", "v2-90", "vw-vr6"])
 def test_the_bending_moment_is_the_integral_of_the_shear_force(

@@ -114,7 +114,7 @@ def lanchester(heights: tuple[float, float] = (0.0, 0.0)) -> Engine:
     return with_balance_shaft(first, ratio=-2, planes=[1, -1], up=heights[1], right=-2)
 
 
-@pytest.mark.many(first=82)
+@pytest.mark.many(first=75)
 @EVERY_ENGINE
 @pytest.mark.parametrize("order", [1, 2, 4])
 @pytest.mark.parametrize("quantity", ["force", "couple"])
@@ -244,7 +244,7 @@ def from_line(row: Row, start: complex, end: complex) -> float:
     return float(np.hypot(across, upright).min())
 
 
-@pytest.mark.many(first=8)
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize(
     ("name", "order", "quantity"),
     [
@@ -288,7 +288,7 @@ def test_a_label_of_a_polygon_is_nearest_to_its_own_side_or_has_a_line_to_it(
     assert seen > 4
 
 
-@pytest.mark.many(first=10)
+@pytest.mark.many(first=7)
 @EVERY_ENGINE
 @pytest.mark.parametrize("quantity", ["force", "couple"])
 @pytest.mark.parametrize("speed", [None, pytest.param(500.0, marks=pytest.mark.release)])
@@ -393,7 +393,7 @@ def test_the_length_of_a_semi_axis_stands_at_its_end_and_not_at_the_vector(
         assert abs(complex(text.y3, text.x3)) > length
 
 
-@pytest.mark.many(first=16)
+@pytest.mark.many(first=13)
 @EVERY_ENGINE
 @pytest.mark.parametrize(
     "quantity", ["force", "couple", "roll", pytest.param("torque", marks=pytest.mark.release)]
@@ -522,7 +522,7 @@ def test_a_balance_shaft_pushes_by_itself() -> None:
     assert abs(complex(sum((one.net[0] for one in found), 0j))) < 1e-12
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("name", ["v8-cross-plane", "honda-b18c", "napier-deltic", "kr250-racer"])
 @pytest.mark.parametrize("theta", [0.0, 0.9])
 def test_the_pins_of_a_crank_star_are_where_the_crank_angle_turns_them(

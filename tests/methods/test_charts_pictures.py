@@ -115,7 +115,7 @@ def huge() -> Engine:
     return inline(Basis(name=name), throws=tuple(0.1 * place for place in range(256)))
 
 
-@pytest.mark.many(first=18)
+@pytest.mark.many(first=12)
 @EVERY_CHART
 @pytest.mark.parametrize(
     "engine",
@@ -236,7 +236,7 @@ def test_engines_of_which_only_one_has_an_offset_are_compared_in_one_unit(name: 
     assert " ".join(spec["title"]["text"]).endswith("in m r ω², each in its own m, r and a")
 
 
-@pytest.mark.many(first=24)
+@pytest.mark.many(first=22)
 @pytest.mark.parametrize("name", PLANES)
 @pytest.mark.parametrize("engine", ["v8-cross-plane", "i4", "kr250-racer", "napier-deltic"])
 def test_what_shows_geometry_has_equal_scales(name: str, engine: str) -> None:
@@ -253,7 +253,7 @@ def test_what_shows_geometry_has_equal_scales(name: str, engine: str) -> None:
     assert shown
 
 
-@pytest.mark.many(first=13)
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize("name", PLANES)
 @pytest.mark.parametrize(
     "engine", [*ENGINES, "napier-deltic", pytest.param("huge", marks=pytest.mark.release)]
@@ -315,7 +315,7 @@ def test_nothing_to_draw_is_said(
     assert words in words_of(picture)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     "name",
     [
@@ -406,7 +406,7 @@ def test_axes_write_numbers_as_the_tables_do(engine: str) -> None:
         assert [*plain] == [number(value) for value in plain.values()]
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("theme", THEMES)
 @pytest.mark.parametrize("name", ["spectrum", "bearing-loads", "polygon"])
 def test_letters_of_a_picture_keep_clear_of_the_lines_below_them(
@@ -444,7 +444,7 @@ def vega_lite() -> jsonschema_rs.Validator:
     return jsonschema_rs.validator_for(json.loads(text))
 
 
-@pytest.mark.many(first=51)
+@pytest.mark.many(first=48)
 @pytest.mark.parametrize("engine", ["v2-90", "napier-deltic"])
 @pytest.mark.parametrize("name", charts.CHARTS)
 def test_every_figure_keeps_to_the_schema_of_vega_lite(name: str, engine: str) -> None:

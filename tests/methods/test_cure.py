@@ -38,7 +38,7 @@ CASES = [
 ]
 
 
-@pytest.mark.many(first=34)
+@pytest.mark.many(first=32)
 @pytest.mark.parametrize(("name", "ratio"), CASES)
 def test_exact_weights_leave_nothing_and_are_those_of_the_remedy(
     name: str, ratio: Fraction
@@ -110,7 +110,7 @@ def turned(engine: Engine) -> Engine:
     )
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ["v8-cross-plane", "gm-3800", "harley-45"])
 def test_rotating_masses_and_the_other_way_round_are_counted(name: str) -> None:
     engine = turned(load(name))

@@ -352,6 +352,7 @@ def test_faults_that_an_engine_cannot_have_are_refused() -> None:
         shaken(load("i4"), [Fault("piston", 1)], speed=SPEED)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("of", ["piston", "big_end"])
 def test_no_suspect_has_lost_more_than_it_weighs(of: Any) -> None:
     """A difference that three times the part would have to lose: every suspect can be built."""
@@ -369,6 +370,7 @@ def test_no_suspect_has_lost_more_than_it_weighs(of: Any) -> None:
     assert own.explained == pytest.approx(1 - (2 / 3) ** 2)
 
 
+@pytest.mark.release
 def test_what_a_part_can_lose_is_what_the_engine_can_be_without() -> None:
     """The least size of every fault is one that the records allow, and a little less is not."""
     for name in ("audi-25-tfsi", "subaru-ej25", "man-s90mc-c", "napier-lion"):

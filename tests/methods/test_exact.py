@@ -81,7 +81,7 @@ def as_number(coefficients: np.ndarray) -> Number:
     )
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("count", range(1, 9))
 def test_zero_forces_and_couples_of_all_crank_stars_are_those_of_seventy_digits(count: int) -> None:
     stars = crank_stars(count)
@@ -142,7 +142,7 @@ def test_stars_of_cylinders_at_uneven_places_vanish_exactly_where_seventy_digits
         assert np.array_equal(cyclotomic.vanishing(batch), nothing(batch))
 
 
-@pytest.mark.many(first=8)
+@pytest.mark.many(first=7)
 @pytest.mark.parametrize("part", [24, 40, 21])
 @pytest.mark.parametrize("order", [1, 2, 4])
 def test_bearings_and_star_of_a_vee_vanish_together_exactly_where_seventy_digits_do(
@@ -371,7 +371,7 @@ def test_closed_forms_have_fifty_digits_of_the_number(a: Both) -> None:
         assert abs(2 * MP.pi * mp(turn) - true) < CLOSE
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("order", [5, 8, 10, 12, 16, 24])
 def test_two_vectors_have_the_length_and_bearing_that_they_have(order: int) -> None:
     """Among them square roots of sums that can be taken apart: sqrt(4 - 2 sqrt 3) = sqrt 3 - 1."""

@@ -111,7 +111,7 @@ def at(vectors: Vectors, orders: tuple[float, ...], sense: int, theta: Any) -> A
     )
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", SOME)
 def test_the_sums_are_those_of_the_public_answer(name: str) -> None:
     engine, shown = load(name), told(name)
@@ -164,7 +164,7 @@ def test_arrows_are_what_the_bodies_do_but_for_orders_that_are_left_out(
         assert abs(at(cylinder.force, shown.orders, shown.sense, theta) - expected) < 1e-7 * largest
 
 
-@pytest.mark.many(first=15)
+@pytest.mark.many(first=11)
 @EVERY_ENGINE
 def test_orders_that_are_left_out_are_not_missed(name: str) -> None:
     """The page's force, couple and roll are the negative rates of change of momentum, to 0.1 %.
@@ -256,7 +256,7 @@ def test_turns_bring_every_shaft_and_the_firing_back() -> None:
     assert shown.turns == back[0] == 6
 
 
-@pytest.mark.many(first=8)
+@pytest.mark.many(first=7)
 @pytest.mark.parametrize("name", [*SOME, "bmw-r1200", "v2-90"])
 def test_ellipses_of_the_table_are_the_paths_of_the_vectors(name: str) -> None:
     shown = told(name)
@@ -279,7 +279,7 @@ def test_ellipses_of_the_table_are_the_paths_of_the_vectors(name: str) -> None:
             assert abs(np.sin(np.angle(far) - row.direction)) < 0.02
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", SOME)
 def test_of_each_quantity_the_greatest_order_comes_first_and_what_is_zero_last(name: str) -> None:
     shown = told(name)
@@ -297,7 +297,7 @@ def test_of_each_quantity_the_greatest_order_comes_first_and_what_is_zero_last(n
         assert sizes == sorted(sizes, reverse=True)
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", SOME)
 def test_strokes_are_those_of_the_public_answer(name: str) -> None:
     engine, shown = load(name), told(name)
@@ -373,7 +373,7 @@ def test_the_fitted_engine_is_quiet_in_what_it_was_fitted_for() -> None:
         ]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("name", "unit"), [("audi-25-tfsi", "N"), ("i4", "m r ω²")])
 def test_figures_are_in_the_units_of_the_numbers_beside_them(name: str, unit: str) -> None:
     assert told(name).units.force == unit
@@ -716,7 +716,7 @@ def test_the_page_knows_which_weights_turn_with_a_throw() -> None:
         assert len(numbers) == len(of.shafts[0].weights)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["v8-cross-plane", "napier-deltic", "kr250-racer"])
 def test_weights_have_no_part_in_the_derivation_of_an_order_they_do_not_exert(name: str) -> None:
     """Derived for the page without them; here with them, as the command line does."""

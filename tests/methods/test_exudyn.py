@@ -97,7 +97,7 @@ def expected(engine: Engine) -> dict[str, tuple[np.ndarray, np.ndarray, float]]:
     return out
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", CASES)
 def test_forces_couples_and_moments_of_a_multibody_model_are_ours(
     name: str, tmp_path: Path

@@ -63,7 +63,7 @@ def test_a_frame_has_one_row_for_each_amplitude_of_the_engine(name: str) -> None
     assert frame.attrs.get("speed") == result.speed
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize("by", ["cylinder", "bank", "kind", "shaft"])
 def test_a_frame_by_a_label_has_the_share_of_each(by: Grouping) -> None:
     result = at_speed("napier-deltic")
@@ -92,7 +92,7 @@ def test_a_frame_by_part_names_each_part() -> None:
         assert complex_of(own) == pytest.approx(result.force.backward[row], rel=1e-12)
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", NAMES)
 def test_a_data_set_has_part_and_order_and_survives_netcdf(name: str, tmp_path: Path) -> None:
     result = at_speed(name)

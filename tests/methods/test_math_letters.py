@@ -22,7 +22,7 @@ ITALIC = 0x1D434
 HAS = {chr(code) for low, high in LETTERS for code in range(int(low, 16), int(high, 16) + 1)}
 
 
-@pytest.mark.many(first=12)
+@pytest.mark.many(first=9)
 @EVERY_ENGINE
 def test_every_letter_of_a_formula_is_in_the_font(name: str) -> None:
     engine = load(name)

@@ -54,7 +54,7 @@ def first(name: str) -> str:
     return gas.points[0].name if gas is not None and gas.points else ""
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("name", "waves"),
     [("ferrari-f136", 1), ("kr250-racer", 2), ("pratt-whitney-wasp", 9), ("jumo-205", 6)],

@@ -103,7 +103,7 @@ def test_the_turns_of_the_throws_obey_newton_between_the_shafts() -> None:
     assert np.abs(left).max() < 1e-6 * np.abs(driving).max()
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("name", "place"), [(CLOCKWISE, 2), (COUNTER_CLOCKWISE, 0)])
 def test_a_throw_goes_ahead_while_the_gas_pushes_it(name: str, place: int) -> None:
     """Of a stiff crank on a soft shaft to a huge flywheel the twist is the torque over stiffness.

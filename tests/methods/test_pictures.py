@@ -88,7 +88,7 @@ def test_rods_of_a_motion_have_their_length_and_pistons_their_axes(name: str) ->
             assert moving.big_end[row] == pytest.approx(home + pin)
 
 
-@pytest.mark.many(first=38)
+@pytest.mark.many(first=36)
 @EVERY_ENGINE
 @pytest.mark.parametrize("view", SIGHTS)
 def test_nothing_of_a_drawing_is_cut_off(name: str, view: str) -> None:

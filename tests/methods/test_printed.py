@@ -395,7 +395,7 @@ def test_the_six_signs_are_true_as_they_are_printed(name: str, notation: Notatio
         assert untrue(lines_of(chapter), letters_for(chapter)) == []
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("notation", [STROKE, SINITSYN], ids=lambda own: own.name)
 @pytest.mark.parametrize("name", ["v8-flat-plane", "audi-25-tfsi", "boxer-6", "v2-90"])
 def test_other_notations_are_true_as_they_are_printed(name: str, notation: Notation) -> None:
@@ -481,7 +481,7 @@ def test_torques_of_random_engines_are_true_as_they_are_printed(
     assert false_torques(engine_of(tree | {"layout": layout}), order) == []
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("order", range(1, 9))
 def test_a_torque_harmonic_is_its_sum_of_products_and_its_series(order: int) -> None:
     ratio = Fraction(6)

@@ -51,7 +51,7 @@ def two_cranks() -> tuple[Engine, list[Plane]]:
     return bare, [Plane(s.name, s.throws[0].z) for s in bare.shafts if s.throws]
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("aim", AIMS, ids=str)
 def test_an_aim_of_roll_is_that_of_the_engine_with_the_weights(aim: Aim) -> None:
     engine, planes = two_cranks()

@@ -52,7 +52,7 @@ def test_a_curve_is_what_the_command_line_sweeps(name: str) -> None:
             assert ours == pytest.approx(own.values, rel=1e-9, abs=1e-12 * max(own.values))
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.release
 @EVERY_ENGINE
 def test_every_slider_begins_at_the_engine_that_is_there(name: str) -> None:
     """The result at the present value is that of the analysis."""
@@ -71,7 +71,7 @@ def test_every_slider_begins_at_the_engine_that_is_there(name: str) -> None:
             assert curve.present == pytest.approx(size, rel=1e-6, abs=1e-9 * max(curve.results))
 
 
-@pytest.mark.many(first=18)
+@pytest.mark.many(first=17)
 @EVERY_ENGINE
 def test_every_control_sets_its_number_and_makes_an_engine(name: str) -> None:
     tree = tree_of(name)

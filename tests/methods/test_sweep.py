@@ -314,7 +314,7 @@ CROOKED: dict[str, Callable[[float], Engine]] = {
 LAWFUL = {"turns", "a weight that changes sides", "another last one", "another nought", "nothing"}
 
 
-@pytest.mark.many(first=9)
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize(
     "name", [pytest.param(name, marks=[pytest.mark.release] * (name == LATE)) for name in CROOKED]
 )
@@ -499,7 +499,7 @@ def test_a_90_degree_v6_is_left_a_pure_backward_couple_with_30_degree_split_pins
     )
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("factor", [0.5, 0.75])
 @pytest.mark.parametrize("phase", [0, 180])
 def test_the_kr250_over_the_lag_of_its_rear_crank_passes_through_the_rows_of_the_essay(

@@ -66,7 +66,7 @@ def numbers(request: Request, count: int) -> np.ndarray:
     return np.linspace(request[2], request[3], count)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("name", "first", "second", "lawful"), PAIRS, ids=str)
 def test_engines_over_two_numbers_are_those_built_one_by_one(
     name: str, first: Request, second: Request, lawful: bool
@@ -92,6 +92,7 @@ def test_engines_over_two_numbers_are_those_built_one_by_one(
             assert_as_alone(sums, make(float(a[place[0]]), float(b[place[1]])), POINT, int(row))
 
 
+@pytest.mark.release
 def test_values_of_two_numbers_may_be_in_any_order_and_come_twice() -> None:
     names = [Varied("balance_factor"), Varied("layout.throws[2]", "deg")]
     make = subject(source_of("v8-cross-plane"), names).make
@@ -120,6 +121,7 @@ TWIN = {"cylinder.stroke": "60 mm"}
 TWIN |= {"cylinder.reciprocating_mass": "320 g", "layout.bore_pitch": "90 mm"}
 
 
+@pytest.mark.release
 def test_the_cells_of_a_sweep_are_single_analyses() -> None:
     made = sweep(
         "i2-270",
@@ -186,6 +188,7 @@ def test_a_range_that_ends_where_it_began_is_closed(name: str, text: str, closed
         assert np.array_equal(first.forward, last.forward)
 
 
+@pytest.mark.release
 def test_the_best_of_a_closed_range_lies_across_its_ends_and_comes_once() -> None:
     made = sweep("i2-360", "layout.throws[2]=7..367 deg by 12")
     least = best(made, watched(made, "couple", order=1))
@@ -195,6 +198,7 @@ def test_the_best_of_a_closed_range_lies_across_its_ends_and_comes_once() -> Non
     assert {round(value) % 360 for value in (second.value, *second.also)} == {0, 180}
 
 
+@pytest.mark.release
 def test_both_axes_of_a_pair_may_be_closed() -> None:
     over = ["shaft[1].throw[2].angle=0..360 deg/19", "shaft[1].throw[3].angle=-90..270 deg/25"]
     made = sweep("triple-120", over)
@@ -214,6 +218,7 @@ def test_both_axes_of_a_pair_may_be_closed() -> None:
 # The best pair and the front
 
 
+@pytest.mark.release
 def test_the_best_pair_of_a_twin_is_half_balance_at_a_right_angle() -> None:
     changes = {"layout.banks[1].bearing": "0 deg"}
     over = ["balance_factor=0..1/12", "layout.banks[2].bearing=40..130 deg/14"]
@@ -225,12 +230,14 @@ def test_the_best_pair_of_a_twin_is_half_balance_at_a_right_angle() -> None:
     assert none.flat
 
 
+@pytest.mark.release
 def test_a_best_pair_at_an_end_says_of_which_range() -> None:
     made = sweep("single", ["balance_factor=0..0.4/9", "cylinder.rod_ratio=2.5..6/9"])
     found = best_pair(made, watched(made, "force"))
     assert (found.values[0], found.at_edge[0]) == (0.4, True)
 
 
+@pytest.mark.release
 def test_no_pair_beats_one_of_the_front_and_every_other_is_beaten() -> None:
     over = ["balance_factor=0..1/15", "layout.throws[2]=0..360 deg/25"]
     made = sweep("i2-360", over)
@@ -355,6 +362,7 @@ def test_a_speed_that_is_given_and_varied_is_refused() -> None:
         sweep("i2-360", "speed=1000..2000 rpm", speed=100.0)
 
 
+@pytest.mark.release
 def test_so_many_engines_one_by_one_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(variants_module, "GREATEST_BUILT", 200)
     over = ["layout.knuckle_radius=0.3..0.6/20", "balance_factor=0..1/20"]

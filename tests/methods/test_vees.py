@@ -58,7 +58,7 @@ def told(one: Vee) -> list[float]:
     return [size for part in (one.force, one.couple) for vector in part for size in vector]
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize(
     ("cylinders", "bank_angle", "cycle"),
     [
@@ -98,7 +98,7 @@ def test_the_stars_are_those_of_all_that_give_an_engine_that_fires_evenly(
         assert {star for one in mine for star in one.stars} <= set(even)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("cylinders", "bank_angle", "split"),
     [(6, 90.0, 30.0), (6, 60.0, 60.0), (4, 90.0, 90.0), (8, 72.0, 18.0)],
@@ -113,7 +113,7 @@ def test_no_lesser_split_makes_an_engine_fire_evenly(
         assert even_orders(tried(bank_angle=bank_angle, split=lesser, throws=throws)) == ()
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(
     ("cylinders", "bank_angles", "cycle"),
     [

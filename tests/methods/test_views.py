@@ -41,7 +41,7 @@ def test_rods_have_their_length_and_pistons_are_on_their_axes(name: str) -> None
             assert radius == pytest.approx(engine.throw(cylinder).radius, rel=1e-9)
 
 
-@pytest.mark.many(first=7)
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize("name", ENGINES)
 def test_nothing_is_cut_off_and_numbers_are_there(name: str) -> None:
     engine = crankstar.load(name)

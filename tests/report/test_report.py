@@ -43,7 +43,7 @@ def written(name: str) -> str:
     return report(subject(name))
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ENGINES)
 def test_a_report_is_well_formed_and_nothing_in_it_can_run_or_be_fetched(name: str) -> None:
     read = Reader(written(name))

@@ -103,7 +103,7 @@ def printed(command: str, folder: Path) -> str:
     return screens.trimmed(out.getvalue())
 
 
-@pytest.mark.many(first=24)
+@pytest.mark.many(first=10)
 @pytest.mark.parametrize(
     "page",
     [
@@ -129,7 +129,7 @@ def test_screens_fit_the_column_of_their_page(page: Path) -> None:
                 assert line.startswith("$ ") or len(line) <= int(screens.WIDTH), command
 
 
-@pytest.mark.many(first=51)
+@pytest.mark.many(first=47)
 @EVERY_PAGE
 def test_every_python_example_prints_what_it_says(
     page: Path, monkeypatch: pytest.MonkeyPatch
@@ -270,7 +270,7 @@ def test_a_bare_number_nobody_can_have_meant_is_refused(bare: float) -> None:
         assert error.value.code in ("unit.missing", "unit.implausible")
 
 
-@pytest.mark.many(first=39)
+@pytest.mark.many(first=26)
 @EVERY_PAGE
 def test_what_the_program_makes_is_in_the_text_as_it_is_now(page: Path) -> None:
     """If this fails: `python docs/tables.py` updates pages."""

@@ -182,7 +182,7 @@ def test_more_freedom_never_ends_worse_and_what_it_brings_is_true(name: str) -> 
         assert [term.sum.name for term in one.terms] == ["M1", "M2", "F1", "F2"]
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=3)
 @EVERY
 def test_the_engine_with_uneven_angles_fires_and_shakes_as_they_say(name: str) -> None:
     stars, star = STARS[name]

@@ -54,7 +54,7 @@ def test_a_finished_search_is_answered_without_any_work(tmp_path, written, answe
     assert path.read_bytes() == b"".join(written)
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("size", [1, 3, 7, 1000])
 def test_a_search_goes_on_with_stretches_of_another_size(tmp_path, written, answer, size):
     path = tmp_path / "file"
@@ -78,7 +78,7 @@ def test_a_file_cut_at_any_byte_gives_the_same_answer(tmp_path, written, answer)
             assert resumed(path) == answer
 
 
-@pytest.mark.many(first=18)
+@pytest.mark.many(first=16)
 @pytest.mark.parametrize("seed", range(20))
 def test_a_damaged_line_is_done_again(tmp_path, written, answer, seed):
     chance = random.Random(seed)  # noqa: S311

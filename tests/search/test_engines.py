@@ -53,7 +53,7 @@ def amplitude(spectrum, order):
     return abs(spectra.vertical(spectra.selected(spectrum, order))[0])
 
 
-@pytest.mark.many(first=12)
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize(("cylinders", "cycle"), CASES)
 @pytest.mark.parametrize("unequal", [False, True])
 def test_the_engine_of_a_star_shakes_as_its_vector_sums_say(cylinders, cycle, unequal):
@@ -74,7 +74,7 @@ def test_the_engine_of_a_star_shakes_as_its_vector_sums_say(cylinders, cycle, un
             )
 
 
-@pytest.mark.many(first=7)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(("cylinders", "cycle"), CASES)
 def test_the_engine_of_a_star_fires_evenly_in_the_order_of_its_directions(cylinders, cycle):
     stars = space(cylinders, cycle)

@@ -69,7 +69,7 @@ def layers(chart: Any) -> tuple[dict[str, list[Any]], Any]:
     return rows, key
 
 
-@pytest.mark.many(first=12)
+@pytest.mark.many(first=8)
 @EVERY
 @pytest.mark.parametrize("logarithmic", [False, True, None])
 def test_points_stand_at_the_values_of_the_findings_and_zeros_apart(
@@ -264,7 +264,7 @@ def test_where_a_number_is_left_out_the_figure_says_so() -> None:
     )
 
 
-@pytest.mark.many(first=9)
+@pytest.mark.many(first=8)
 @pytest.mark.parametrize("logarithmic", [False, True])
 @pytest.mark.parametrize(
     "name", ["6", "7", "8 with neighbours", "5 four-stroke", "seven, three couples"]
@@ -356,7 +356,7 @@ def test_long_firing_orders_are_folded() -> None:
     sound(charts.saved(charts.best_stars(answer), "svg", title="24"))
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("draw", [charts.pareto_front, charts.best_stars])
 @pytest.mark.parametrize(
     ("suffix", "begins"),
@@ -380,7 +380,7 @@ def test_their_description_is_the_chart() -> None:
     }
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", ["7", "5 four-stroke", "8"])
 @pytest.mark.parametrize("theta", [0.0, 0.7])
 def test_the_winners_have_their_throws_where_they_say_and_their_values_above(

@@ -89,7 +89,7 @@ def test_a_list_counts_what_it_does_not_keep(rows):
     assert int(found.times.sum()) + found.beyond == sum(times for _, _, times in rows)
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("ask", ASKS)
 @given(rows=finds(), data=st.data())
 def test_a_wider_search_that_was_stopped_adds_only_what_is_new(ask, rows, data):

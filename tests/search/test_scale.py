@@ -121,14 +121,14 @@ LOSSES = (
 )
 
 
-@pytest.mark.many(first=20)
+@pytest.mark.many(first=16)
 @pytest.mark.parametrize("size", [1, 3, 50, 100_000])
 @pytest.mark.parametrize("name", KINDS)
 def test_the_answer_is_the_same_in_pieces_of_any_size(answers, name, size):
     assert answer_to(KINDS[name], range_size=size) == answers[name]
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", KINDS)
 def test_the_answer_is_the_same_by_processes_threads_and_whoever_comes_first(answers, name, two):
     assert answer_to(KINDS[name], workers=two, range_size=4) == answers[name]
@@ -144,7 +144,7 @@ def test_the_answer_is_the_same_by_processes_threads_and_whoever_comes_first(ans
             )
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", KINDS)
 def test_the_answer_is_the_same_by_a_cluster(answers, name, daskers, monkeypatch):
     monkeypatch.setattr(executors, "LOOK_SECONDS", PATIENCE)

@@ -101,7 +101,7 @@ def test_processes_and_a_cluster_find_the_same_front(whole: SequenceFront) -> No
         assert same(sequence_front(EIGHT, workers=workers), whole)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.usefixtures("many_parts", "interruptible")
 @pytest.mark.parametrize("count", [0, 1, 2])
 def test_an_interrupted_front_goes_on_from_its_checkpoint(
@@ -236,7 +236,7 @@ def printed(line: list[str], capsys: pytest.CaptureFixture[str], code: int = 0) 
     return told.err if code else told.out
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -265,7 +265,7 @@ def with_travel(about: SequenceQuestion, **more: Any) -> SequenceQuestion:
     return dataclasses.replace(about, goals=(*about.goals, goal))
 
 
-@pytest.mark.many(first=5)
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize(
     ("cylinders", "bank", "words"),
     [

@@ -136,7 +136,7 @@ def test_without_goals_couples_that_are_alike_are_none(name: str, goals: list[st
     assert [goal.name for goal in asked.question.goals] == goals
 
 
-@pytest.mark.many(first=9)
+@pytest.mark.many(first=7)
 @pytest.mark.parametrize(("cylinders", "bank"), SHAFTS)
 def test_stars_times_sequences_are_all_orders_that_fit(cylinders: int, bank: float) -> None:
     shaft = shaft_of(cylinders, bank_angle_deg=bank or None)
@@ -146,7 +146,7 @@ def test_stars_times_sequences_are_all_orders_that_fit(cylinders: int, bank: flo
         assert shaft.firing_order(shaft.fired_in(order)) == tuple(order)
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize(
     ("cylinders", "bank"), [(6, 120), (8, 90), (8, 180), (10, 72), (12, 60), (12, 120), (16, 45)]
 )
@@ -203,7 +203,7 @@ def random_question(seed: int) -> SequenceQuestion | None:
     return question(cylinders, bank, ",".join(goals), limit=limits, **words)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("block", range(100))
 def test_random_questions_are_answered_as_by_every_order(block: int, seed: int) -> None:
     """Thirty questions in each block."""
@@ -213,7 +213,7 @@ def test_random_questions_are_answered_as_by_every_order(block: int, seed: int) 
             agrees(about)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("cylinders", "bank"), [(5, 0), (6, 0), (7, 0), (8, 90), (10, 72)])
 def test_the_engine_of_a_row_is_what_the_row_promises(cylinders: int, bank: float) -> None:
     """Firing, gas sums, forces and couples of the Engine, by the rooms that know no search."""
@@ -273,7 +273,7 @@ def test_an_engine_keeps_its_star_and_order_through_its_shaft(name: str) -> None
     assert fired_of_engine(turned_engine, shaft) == other
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ["ferrari-f136", "bmw-s65", "porsche-cayenne-48"])
 def test_how_an_engine_is_numbered_does_not_change_its_front(name: str) -> None:
     """Bank after bank, or from side to side; and its own sums are those of its gas torque."""
@@ -299,7 +299,7 @@ def test_threads_and_a_narrow_buffer_change_nothing(monkeypatch: pytest.MonkeyPa
         assert sequence_front(about, workers=workers).points == plainly.points
 
 
-@pytest.mark.many(first=10)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("minimise", ["M1,M2,twist", "M1,twist,neighbours", "M2,T1.5"])
 @pytest.mark.parametrize(("cylinders", "bank"), [(5, 0), (6, 0), (7, 0), (8, 90), (10, 72)])
 def test_ways_are_all_orders_of_a_point(cylinders: int, bank: float, minimise: str) -> None:
@@ -448,7 +448,7 @@ def test_the_command_gives_the_front_as_json(capsys: pytest.CaptureFixture[str])
     assert tree["rows"][2]["M1_after_counterweights"] == 0
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "option", ["--best 3", "--uneven 1", "--speed 3000", "--row 1 --uneven 200"]
 )

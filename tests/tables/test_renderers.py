@@ -22,7 +22,7 @@ from crankstar.tables.table import Column, Document, Table
 NAMES = ("i4", "vw-vr6", "audi-25-tfsi", "kr250-racer", "napier-deltic")
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", NAMES)
 def test_json_has_torque_rolling_moment_rotation_and_amplitudes(name: str) -> None:
     engine = load(name)

@@ -37,7 +37,7 @@ def printed(name: str, *, speed: float | None = None) -> list[str]:
     return [line.rstrip() for line in file.getvalue().splitlines()]
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=2)
 @EVERY_ENGINE
 def test_the_first_ten_lines_say_how_an_engine_shakes(name: str) -> None:
     lines = printed(name)
@@ -64,7 +64,7 @@ def test_a_bare_crankshaft_is_told_with_what_counterweights_would_leave() -> Non
         assert "No counterweights" not in " ".join(printed(weighted))
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("name", "left"), [("man-s90mc-c", False), ("v12-60", True)])
 def test_a_peak_of_less_than_a_millionth_of_what_is_pushed_is_left_out(
     name: str, left: bool

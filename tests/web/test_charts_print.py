@@ -138,7 +138,7 @@ def test_every_cylinder_is_named_in_its_star_and_polygon(name: str, page: Page) 
         assert numbers(picture) >= every
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("name", "kind", "title"),
     [

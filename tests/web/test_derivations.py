@@ -50,7 +50,7 @@ def test_every_formula_is_set(page: Page, tmp_path: Path, name: str) -> None:
         assert formula["told"]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_a_page_fits_and_is_legible_in_any_light(page: Page, tmp_path: Path, scheme: str) -> None:
     page.emulate_media(color_scheme=scheme)  # pyright: ignore[reportArgumentType]

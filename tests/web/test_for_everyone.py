@@ -47,7 +47,7 @@ def test_no_panel_reaches_over_an_edge(built_page: Build, page: Page) -> None:
     assert {name: told for name, told in found.items() if told} == {}
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("language", "width"),
     [
@@ -77,7 +77,7 @@ def test_everything_has_a_name_and_can_be_read(
     assert {name: told for name, told in found.items() if told} == {}
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("colours", "brightness"), [("light", (0.8, 1.0)), ("dark", (0.0, 0.2))])
 def test_it_is_light_or_dark_as_the_system_is(
     colours: Literal["light", "dark"],

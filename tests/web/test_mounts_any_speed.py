@@ -94,7 +94,7 @@ def test_tables_at_any_speed_are_those_of_the_command(tmp_path: Path, page: Page
         assert numbers(row) == pytest.approx([*sizes, order["force_rms"]], rel=6e-4, abs=1e-6)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("based", [True, False])
 def test_the_stage_moves_as_python_says_at_any_speed(
     tmp_path: Path, page: Page, based: bool

@@ -144,7 +144,7 @@ def driven(engine: Engine, shown: dict[str, Any], angles: list[float]) -> tuple[
     return np.real(found.motion[0].T @ turning), np.real(forces)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("rotation", "based", "means"),
     [
@@ -179,7 +179,7 @@ def test_mounts_are_drawn_where_the_block_carries_them(
         checked(engine, rest, drawn, motion, forces)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("based", [True, False])
 def test_in_a_mode_the_block_swings_once_a_turn(tmp_path: Path, page: Page, based: bool) -> None:
     path, engine = written_of(tmp_path, based=based)
@@ -211,7 +211,7 @@ def test_in_a_mode_the_block_swings_once_a_turn(tmp_path: Path, page: Page, base
         checked(engine, rest, read(page), motion, forces)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("means", ["webgl", "flat"])
 def test_the_picture_of_the_block_is_moved_as_much_as_is_said(
     tmp_path: Path, page: Page, means: str
@@ -400,7 +400,7 @@ def test_what_moves_the_block_is_reached_by_keys_and_linked(tmp_path: Path, page
     assert handle(page, "read().mounts") == drawn
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("width", "scheme"), [(390, "light"), (320, "dark"), (1280, "dark")])
 def test_the_panel_of_mounts_is_read_by_everyone_on_every_screen(
     tmp_path: Path, page: Page, width: int, scheme: Scheme

@@ -95,7 +95,7 @@ def served(browser: Browser, language: str, width: int) -> Iterator[Page]:
     assert complaints == []
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("language", "widths"), SERVED)
 def test_nothing_overflows_on_a_served_page(
     language: str, widths: tuple[int, ...], browser: Browser
@@ -117,7 +117,7 @@ def test_nothing_overflows_on_the_page_of_a_file(
         assert faults(page, widths) == {}, language
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("style", BREAKAGES.values(), ids=BREAKAGES)
 def test_a_text_that_overflows_is_found(
     style: str, built_page: Callable[..., Path], page: Page

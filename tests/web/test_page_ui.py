@@ -312,7 +312,7 @@ def test_weights_take_the_couple_from_a_cross_plane_crank_in_all_parts(
     expect(panel.locator("[data-chart=spectrum]")).to_have_count(0)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("language", "play", "roll"),
     [("ja", "再生", "ローリングモーメント"), ("ru", "Пуск", "Опрокидывающий момент")],
@@ -470,7 +470,7 @@ def written() -> str:
     )
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("found", "instead", "told"),
     [

@@ -25,7 +25,7 @@ DRAWN = """() =>
 })"""
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("width", [1440, 1024, 390])
 def test_tabs_stand_in_one_row_and_the_chosen_one_is_seen(
     width: int, built_page: Build, page: Page
@@ -111,7 +111,7 @@ def test_the_guide_points_at_the_parts_of_the_page_one_after_the_other(
     expect(page.locator(".shown-by-guide")).to_have_count(0)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("width", [1440, 390])
 def test_a_word_with_a_dotted_line_is_explained_as_in_the_glossary(
     width: int, built_page: Build, page: Page
@@ -139,7 +139,7 @@ def test_a_word_with_a_dotted_line_is_explained_as_in_the_glossary(
         expect(box).to_have_count(0)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("tab", "word", "term"),
     [
@@ -159,7 +159,7 @@ def test_units_and_words_of_the_verdict_are_explained(
     page.keyboard.press("Escape")
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("language", ["ja", "ru"])
 def test_terms_are_named_and_explained_in_the_language_of_the_page(
     language: str, built_page: Build, page: Page
@@ -213,7 +213,7 @@ def test_the_verdict_begins_with_what_remains_and_says_nothing_twice(
     expect(panel.locator(".doubt")).to_contain_text("cylinder.rod_ratio")
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("width", "words"), [(390, "swipe on a touch screen"), (1440, "Click a")])
 def test_the_guide_speaks_of_the_views_that_are_there(
     width: int, words: str, built_page: Build, page: Page

@@ -114,7 +114,7 @@ NAMED = """() => [...document.querySelectorAll('.tools > button')].map(button =>
 })"""
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("width", [390, 320])
 def test_on_a_phone_every_button_in_the_head_shows_its_name(
     width: int, built_page: Build, page: Page
@@ -145,7 +145,7 @@ def test_a_table_says_that_it_scrolls_and_keeps_its_orders(built_page: Build, pa
     assert box.get_attribute("tabindex") is None
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     "size", [(844, 390), (720, 450)], ids=["a phone held across", "enlarged to 200 %"]
 )

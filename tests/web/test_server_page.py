@@ -157,7 +157,7 @@ def test_every_example_of_the_guide_is_of_engines_that_there_are(state: str) -> 
     assert words.get("of") in (None, ["force"], ["couple"])
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("language", "word"), [("ja", "判定"), ("ru", "Заключение")])
 def test_the_server_tells_of_engines_in_the_language_of_the_page(
     language: str, word: str, page: Page, server: Server

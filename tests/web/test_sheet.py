@@ -145,7 +145,7 @@ def test_a_section_leaves_out_what_is_before_it_and_says_where_it_is(
     assert [text for text, _ in page.evaluate(TEXTS)][:2] == ["7", "8"]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     "name",
     [
@@ -166,7 +166,7 @@ def test_no_label_of_the_sheet_collides(name: str, built_page: Build, page: Page
         assert colliding(texts, box["width"], box["height"]) == [], state
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("camera", ["sheet", "front", "isometric"])
 def test_the_paths_of_the_whirl_stand_beside_the_engine_and_say_how_much_is_exaggerated(
     camera: str, built_page: Build, page: Page

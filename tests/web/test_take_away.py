@@ -212,7 +212,7 @@ def test_every_table_to_take_away_has_a_name_of_its_own(
         page.keyboard.press("Escape")
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
 def test_the_amplitudes_are_those_of_analyze(rotation: str, page: Page, tmp_path: Path) -> None:
     tree = {**catalog.tree_of(ENGINE)[1], "rotation": rotation}

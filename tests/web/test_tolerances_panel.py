@@ -72,7 +72,7 @@ def test_an_engine_without_tolerances_has_no_such_panel(built_page: Any, page: P
     expect(page.get_by_role("tab", name="Tolerances")).to_have_count(0)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("width", "scheme"), SCREENS)
 def test_the_panel_of_tolerances_is_read_by_everyone_on_every_screen(
     path: Path, page: Page, width: int, scheme: Scheme

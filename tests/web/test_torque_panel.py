@@ -351,7 +351,7 @@ def test_the_orders_of_the_exhaust_stand_beside_its_sound(built_page: Build, pag
     assert [order for order, kind, _size in heights if kind == "nought-bar"] == [1, 2, 3, 5, 6, 7]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("language", "width", "colours"),
     [("ru", 320, "dark"), ("ja", 390, "light"), ("en", 1024, "dark"), ("ru", 1440, "light")],

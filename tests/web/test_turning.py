@@ -90,7 +90,7 @@ def test_what_is_no_angle_is_answered_and_moves_nothing(built_page: Build, page:
     assert handle(page, "theta") == 90
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_every_piston_is_where_python_says(name: str, built_page: Build, page: Page) -> None:
     opened(page, built_page(name))

@@ -123,7 +123,7 @@ def checked_places(
             assert (right, up) == pytest.approx((float(x), float(y)), abs=1e-6 * throws[0].radius)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("name", "sense", "means"),
     [(CLOCKWISE, 1, "webgl"), (COUNTER_CLOCKWISE, -1, "webgl"), (COUNTER_CLOCKWISE, -1, "flat")],
@@ -196,7 +196,7 @@ def test_the_picture_has_the_colours_that_are_told(tmp_path: Path, page: Page) -
     assert max(apart) > 0.3
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
 def test_a_twisted_throw_is_drawn_where_a_crank_so_far_ahead_has_it(
     tmp_path: Path, page: Page, rotation: str
@@ -350,7 +350,7 @@ def test_an_edited_engine_twists_as_edited_with_its_figures(page: Page, server: 
         checked_places(engine, read(page, angles), ahead, 1, angles)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("width", "scheme"), [(390, "light"), (320, "dark"), (1280, "dark")])
 def test_the_panel_is_read_by_everyone_on_every_screen(
     tmp_path: Path, page: Page, width: int, scheme: Any

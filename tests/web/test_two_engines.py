@@ -65,7 +65,7 @@ def test_the_orders_of_both_stand_beside_each_other_with_their_difference(
     page.wait_for_function("() => location.hash.includes('panel=2')")
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("tab", ["cylinders", "bearings", "verdict", "whirl", "strokes"])
 def test_a_panel_shows_both_engines_under_their_names(
     tab: str, built_page: Build, page: Page

@@ -44,7 +44,7 @@ def writings(page: Page) -> list[dict[str, Any]]:
     return page.evaluate("() => window.writings")
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("camera", ["front", "isometric", "orbit"])
 @pytest.mark.parametrize("width", [390, 320])
 def test_labels_of_two_small_stages_keep_clear_of_edges_and_each_other(
@@ -140,7 +140,7 @@ def test_the_guide_opens_the_panel_it_speaks_of_and_goes_back(
     expect(panel).to_have_attribute("data-panel", "cylinders")
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("width", "height"), [(320, 640), (812, 375)])
 def test_the_choice_of_views_keeps_its_room_beside_the_section(
     width: int, height: int, built_page: Build, page: Page

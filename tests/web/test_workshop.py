@@ -55,7 +55,7 @@ def control(page: Page, key: str) -> Locator:
     return page.locator(f'[data-control="{key}"]')
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("share", [0.02, 0.98])
 def test_what_a_held_slider_says_covers_no_label(bench: Page, share: float) -> None:
     row = bench.locator(".bench .control:has(.sweep)").first
