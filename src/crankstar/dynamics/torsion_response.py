@@ -65,7 +65,15 @@ class Response:
 
     def peak_turn(self, node: int) -> Real:
         """The greatest turn of a mass over the cycle, rad [speed]."""
-        return spectra.peaks(_signal(self.orders, self.turns[..., [node]]))[:, 0]
+        known = self.peak_turns
+        if node not in known:
+            known[node] = spectra.peaks(_signal(self.orders, self.turns[..., [node]]))[:, 0]
+        return known[node]
+
+    @cached_property
+    def peak_turns(self) -> dict[int, Real]:
+        """The greatest turns of the masses that were asked for, by node, kept."""
+        return {}
 
     def course(self, section: int, theta: Real) -> Real:
         """The torque in a section at crank angles, N m [speed, angle]."""
@@ -104,6 +112,10 @@ def joined(first: Response, second: Response) -> Response:
     fields = {name: both(name) for name in ("turns", "twist", "torque", "driving")}
     out = replace(first, speeds=speeds[order], **fields)
     vars(out)["peak"] = both("peak")
+    vars(out)["peak_turns"] = {
+        node: np.concatenate([known, second.peak_turn(node)])[order]
+        for node, known in first.peak_turns.items()
+    }
     return out
 
 
