@@ -121,7 +121,8 @@ def record(folder: Path, arguments: list[str]) -> None:
     settings.write_text(f"[run]\nsource_pkgs = crankstar\ndata_file = {folder / 'lines'}\n")
     recorder = Recorder()
     coverage = ["--cov=crankstar", f"--cov-config={settings}", "--cov-context=test"]
-    usual = ["-q", "-n", "2", "--dist", "worksteal", "-m", "not long", *coverage, "--cov-report="]
+    workers = ["-n", "2", "--dist", "worksteal"]
+    usual = ["-q", *workers, "-m", "not release", *coverage, "--cov-report="]
     pytest.main([*usual, *arguments], plugins=[recorder])
     seconds = {name: round(value, 4) for name, value in recorder.seconds.items()}
     (folder / "seconds.json").write_text(json.dumps(seconds, indent=0))
@@ -281,7 +282,7 @@ class Loop:
 
 def fresh(place: Path, names: Iterable[str]) -> tuple[set[str], set[str]]:
     """The same of tests of a new session, which sees all that is broken in the copy."""
-    command = [sys.executable, "-m", "pytest", "-q", "-m", "not long", "--tb=no", "-rA", *names]
+    command = [sys.executable, "-m", "pytest", "-q", "-m", "not release", "--tb=no", "-rA", *names]
     environment = {**os.environ, "PYTHONPATH": str(place / "src")}
     said = subprocess.run(
         command, cwd=place, env=environment, capture_output=True, text=True, check=False
@@ -400,7 +401,7 @@ def _work(jobs: Any, results: Any, place: Path, data: Touched, seconds: float, m
         contextlib.redirect_stdout(log),
         contextlib.redirect_stderr(log),
     ):
-        options = ["-q", "-m", "not long", "--tb=no", "-p", "no:cov", "-p", "no:xdist"]
+        options = ["-q", "-m", "not release", "--tb=no", "-p", "no:cov", "-p", "no:xdist"]
         more = ["--timeout=60", f"--basetemp={place}.tests", "--ignore=tests/web"]
         pytest.main([*options, *more], plugins=[Loop(take)])
 

@@ -1,4 +1,5 @@
 import { computed, effect, type ReadonlySignal, type Signal, signal } from '@preact/signals'
+import { afterRest, begin, counted } from './activity'
 import { commonTurns } from './angle'
 import { type Clock, createClock } from './clock'
 import type { Exhibit, Term } from './exhibit'
@@ -24,7 +25,6 @@ import { settingOf, withGasRoll, withoutPower } from './torque'
 import { type TwistChoice, twistChoiceOf } from './torsion'
 import { InUnits, keepUnits, keptUnits } from './units'
 import { visits } from './visits'
-import { afterRest, begin, counted } from './work'
 
 /** What all parts of the page share. */
 export interface App {

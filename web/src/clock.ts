@@ -1,6 +1,6 @@
 import { type ReadonlySignal, type Signal, signal } from '@preact/signals'
+import { begin } from './activity'
 import { withinCycle } from './angle'
-import { begin } from './work'
 
 /** Shows the engine at an angle (radians); a promise is awaited. */
 export type Follower = (theta: number) => unknown

@@ -1,4 +1,4 @@
-import { counted } from './work'
+import { counted } from './activity'
 
 /** No engine file is longer than this; what unpacks to more was not packed here. */
 const LONGEST = 1_000_000

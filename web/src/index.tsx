@@ -1,4 +1,5 @@
 import { render as draw } from 'preact'
+import { revision, settled } from './activity'
 import { type App, createApp } from './app'
 import type { Exhibit } from './exhibit'
 import type { Host } from './host/host'
@@ -11,7 +12,6 @@ import { type State, snapshot } from './state'
 import { Shared } from './ui/context'
 import { Page } from './ui/Page'
 import { adopt } from './ui/sheets'
-import { revision, settled } from './work'
 
 /** What scripts and tests may ask of the element that holds the page, as `element.crankstar`. */
 export interface Handle {

@@ -1,8 +1,8 @@
 import { useRef, useState } from 'preact/hooks'
+import { counted } from '../activity'
 import type { Exhibit } from '../exhibit'
 import type { Tree } from '../host/host'
 import { language, plural, t } from '../language/messages'
-import { counted } from '../work'
 import { choiceText } from './choices'
 import { useSession } from './context'
 import {

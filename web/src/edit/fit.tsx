@@ -1,8 +1,8 @@
 import { useId, useRef, useState } from 'preact/hooks'
+import { begin } from '../activity'
 import type { Fitting } from '../host/host'
 import { message, t } from '../language/messages'
 import { Switch } from '../Switch'
-import { begin } from '../work'
 import { useSession } from './context'
 import { answered } from './session'
 

@@ -1,6 +1,6 @@
+import { begin } from '../activity'
 import type { Problem } from '../exhibit'
 import { language, t } from '../language/messages'
-import { begin } from '../work'
 import type { Answer } from './host'
 
 interface Request {

@@ -1,6 +1,6 @@
 import { Matrix4, OrthographicCamera, Scene, Vector3, WebGLRenderer } from 'three'
+import { afterRest } from '../activity'
 import type { Exhibit, StrokeColours } from '../exhibit'
-import { afterRest } from '../work'
 import { type Batch, detail } from './batch'
 import { materials } from './materials'
 import type { Detail } from './mould'

@@ -1,10 +1,10 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
+import { counted } from '../activity'
 import type { Drawing } from '../drawing/drawing'
 import type { Exhibit } from '../exhibit'
 import { t } from '../language/messages'
 import { reasonOf } from '../reason'
-import { counted } from '../work'
 import { useApp } from './context'
 import { Scroller } from './Scroller'
 

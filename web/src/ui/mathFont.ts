@@ -1,6 +1,6 @@
 import font from 'virtual:math-font'
+import { counted } from '../activity'
 import { bytesOf } from '../base64'
-import { counted } from '../work'
 
 /** The family of the font in which formulas are set. */
 const FAMILY = 'crankstar math'

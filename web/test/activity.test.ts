@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
-import { afterRest, begin, counted, revision, settled } from '../src/work'
+import { afterRest, begin, counted, revision, settled } from '../src/activity'
 
 let frames: (() => void)[] = []
 
