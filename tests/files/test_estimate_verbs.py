@@ -59,7 +59,7 @@ def test_what_is_printed_in_newtons_or_grams_is_marked(
     assert printed.code == 0, printed.err
     blocks = printed.out.split("\n\n")
     weighed = [block for block in blocks if SHOWN.search(block)]
-    assert weighed
+    assert weighed or verb == "derive"  # which tells rounding from zero: nothing is left
     assert [block for block in weighed if "estimated" not in block] == []
 
 

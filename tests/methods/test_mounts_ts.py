@@ -79,6 +79,7 @@ def road(name: str, engine: Engine) -> dict[str, Any]:
     found = mounts(engine, speeds=speeds, orders=shown.orders)
     response = found.over
     assert response is not None
+    rows = np.searchsorted(response.speeds, found.asked)  # peaks lie between those asked for
     axes = np.array([mount_axes(each) for each in found.block.mounts])
     forces = np.einsum("skma,mai->smik", response.mount_force, axes)
     points = [response.displacement(each.place, of=int(each.below)) for each in shown.points]
@@ -91,7 +92,7 @@ def road(name: str, engine: Engine) -> dict[str, Any]:
             "through": [None if np.isnan(x) else float(x) for x in response.transmissibility[at]],
             "heat": response.heat[at].tolist(),
         }
-        for at, speed in enumerate(speeds)
+        for at, speed in zip(rows.tolist(), speeds, strict=True)
     ]
     return {"name": name, "mounts": json.loads(shown.model_dump_json()), "said": said}
 
