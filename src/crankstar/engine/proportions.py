@@ -23,6 +23,7 @@ from functools import cache
 from math import exp, log, pi
 from typing import NamedTuple
 
+from crankstar.engine.assembly import Assembly
 from crankstar.engine.weighed import ENGINES, EngineType, Weighed
 
 STEEL = 7850.0
@@ -188,6 +189,23 @@ class Look(NamedTuple):
     radial: bool = False
     opposed: bool = False
     speed: float | None = None
+
+
+def look_of(engine: Assembly) -> Look | None:
+    """What of an engine tells its type; None where its size is not known."""
+    if "radius" in engine.relative:
+        return None
+    first = engine.first
+    stroke = 2 * engine.throw(first).radius
+    return Look(
+        bore=first.bore or stroke,
+        stroke=stroke,
+        cycle=engine.cycle,
+        cylinders=len(engine.chambers),
+        radial=any(cylinder.articulated for cylinder in engine.cylinders),
+        opposed=len(engine.chambers) < len(engine.cylinders),
+        speed=engine.speed,
+    )
 
 
 GREATEST_TRUNK = 0.65

@@ -25,7 +25,7 @@ from crankstar import spectra
 from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS
-from crankstar.engine.proportions import Look, Proportion, inferred, proportion
+from crankstar.engine.proportions import Look, Proportion, inferred, look_of, proportion
 from crankstar.engine.weighed import EngineType
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import N_
@@ -283,23 +283,6 @@ def _measured(engine: Engine) -> bool:
 def _chambers(engine: Engine) -> list[tuple[int, int]]:
     """The number of each cylinder, and that of its chamber."""
     return [(own.number, key) for key, group in engine.chambers.items() for own in group]
-
-
-def look_of(engine: Engine) -> Look | None:
-    """What of an engine tells its type; None where its size is not known."""
-    if "radius" in engine.relative:
-        return None
-    first = engine.first
-    stroke = 2 * engine.throw(first).radius
-    return Look(
-        bore=first.bore or stroke,
-        stroke=stroke,
-        cycle=engine.cycle,
-        cylinders=len(engine.chambers),
-        radial=any(cylinder.articulated for cylinder in engine.cylinders),
-        opposed=len(engine.chambers) < len(engine.cylinders),
-        speed=engine.speed,
-    )
 
 
 def _usual(part: str, kind: EngineType) -> Proportion | None:

@@ -7,7 +7,7 @@ from math import pi
 
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, ROD_SOURCE
 from crankstar.engine.engine import Engine
-from crankstar.engine.proportions import TWO_MASSES, Look, inferred
+from crankstar.engine.proportions import TWO_MASSES, inferred, look_of
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, unit_mass
@@ -108,20 +108,8 @@ def can_be_estimated(engine: Engine) -> bool:
     """
     several = len({cylinder.z for cylinder in engine.cylinders}) > 1
     missing = {"mass", *(("pitch",) if several else ())} & {*engine.relative}
-    if "radius" in engine.relative or not missing:
-        return False
-    first = engine.first
-    stroke = 2 * engine.throw(first).radius
-    look = Look(
-        bore=first.bore or stroke,
-        stroke=stroke,
-        cycle=engine.cycle,
-        cylinders=len(engine.chambers),
-        radial=any(cylinder.articulated for cylinder in engine.cylinders),
-        opposed=len(engine.chambers) < len(engine.cylinders),
-        speed=engine.speed,
-    )
-    return inferred(look)[0] != "crosshead"
+    look = look_of(engine)
+    return look is not None and bool(missing) and inferred(look)[0] != "crosshead"
 
 
 def _is_explicit(engine: Engine) -> bool:
