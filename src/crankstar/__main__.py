@@ -11,26 +11,41 @@ OBJECTS = 500_000
 
 
 def main() -> None:
-    """Run the command line; an interrupt while it is still being loaded ends it without a word."""
+    """Run the command line; an interrupt while it is being loaded, or ends, ends it silently."""
     gc.set_threshold(OBJECTS)
     # it would read what is known of every installed package, to find plug-ins that none here needs
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     # matrices are small here: a second thread of numpy's waits for the first, at full speed
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
-        if sys.argv[1:] and sys.argv[1] in DRAWN:
-            from crankstar.charts.converter import begin
-
-            begin()
-        from crankstar.cli import main as run
-
-        run()
-    except KeyboardInterrupt:
+        try:
+            _run()
+        finally:
+            _deaf()
+    except KeyboardInterrupt:  # before it was deaf
+        _deaf()
         raise SystemExit(130) from None
     finally:
         if "crankstar.charts.converter" in sys.modules:
             sys.modules["crankstar.charts.converter"].end()
         gc.freeze()  # what is left goes with the process, without being looked through
+
+
+def _run() -> None:
+    if sys.argv[1:] and sys.argv[1] in DRAWN:
+        from crankstar.charts.converter import begin
+
+        begin()
+    from crankstar.cli import main as run
+
+    run()
+
+
+def _deaf() -> None:
+    """Ignore Ctrl-C from here on: all is done, and Python's own ending would print a traceback."""
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import working, write_bytes
-from crankstar.cli.tabulating import give, words_for
+from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.quantities import MASS
 from crankstar.files import units
 from crankstar.files.lists import read_list
@@ -66,8 +66,10 @@ def fault(
 ) -> None:
     """Tell what would be felt of a fault."""
     from crankstar.mechanics.gas_loads import vibrating_state
+    from crankstar.studies.answers import felt
     from crankstar.studies.single_faults import check_faults, known, shaken
     from crankstar.tables.diagnoses import faults_document
+    from crankstar.tables.ranges import resting
 
     form = form_of(output, TABLES, json=json, csv=csv)
     loaded, turning, wanted, *parts = together(
@@ -93,6 +95,8 @@ def fault(
     with working(_("Computing what changes ...")), words_for(form):
         before, after = (shaken(loaded, some, **rest) for some in ((), faults))
         document = faults_document(before, after, faults, point=where, every=form != "txt")
+        answered = partial(felt, loaded, faults, **state._asdict())
+        document = resting(document, resting_on(form, loaded, answered))
     give(document, output, form=form)
 
 
@@ -113,8 +117,10 @@ def diagnose(
 ) -> None:
     """Find the likeliest fault by measured vibration."""
     from crankstar.mechanics.operating_points import operating_state
+    from crankstar.studies.answers import felt
     from crankstar.studies.diagnosis import diagnosed
     from crankstar.tables.diagnoses import diagnosis_document
+    from crankstar.tables.ranges import resting
 
     form = form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
     loaded, turning = together(
@@ -134,6 +140,8 @@ def diagnose(
             return
         every = form != "txt"
         document = diagnosis_document(found, every=every, before=before is not None)
+        answered = partial(felt, loaded, (), **found.states[-1]._asdict())
+        document = resting(document, resting_on(form, loaded, answered))
     give(document, output, form=form)
 
 

@@ -18,7 +18,7 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import working
-from crankstar.cli.tabulating import give, words_for
+from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
@@ -26,6 +26,7 @@ from crankstar.options.gas import degree_of_irregularity, weaker_cylinders
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
+    from crankstar.mechanics.gas import Cycle
     from crankstar.tables.table import Document
 
 MOST_PAIRS = 200
@@ -51,8 +52,10 @@ def genset(
     output: Output = None,
 ) -> None:
     """Compute how evenly a generating set runs, and what several do to one foundation."""
+    from crankstar.mechanics.gas import cycle_or_reason
     from crankstar.mechanics.phase_sums import MOST
     from crankstar.options.marine import inertia
+    from crankstar.studies.answers import torques
     from crankstar.studies.generating_sets import generating_set
     from crankstar.tables.generating_sets import (
         generating_set_document,
@@ -97,6 +100,11 @@ def genset(
             request.refuse_unused({"--engines": engines}, why=lacking)
         return generating_set_document(found, machine=form not in ("txt", "xlsx"))
 
+    def burnt(each: Engine) -> Cycle | None:
+        load = {"off": silent, "weaker": dict(weak)}
+        return cycle_or_reason(each, point=point or "", speed=turning, **load)[0]
+
     with working(_("Computing the cycle ...")), words_for(form):
-        document = ranged(sheet, spread, loaded)
+        answered = partial(torques, loaded, burnt, running=wheel is None)
+        document = ranged(sheet, spread, loaded, rests=resting_on(form, loaded, answered))
     give(document, output, form=form)

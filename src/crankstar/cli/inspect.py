@@ -33,7 +33,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import display, progress
 from crankstar.cli.speed_ranges import over_speeds
-from crankstar.cli.tabulating import give, words_for
+from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import values as request
@@ -42,6 +42,7 @@ from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
+    from crankstar.mechanics.gas import Cycle
     from crankstar.tables.table import Document
 
 
@@ -108,7 +109,7 @@ def analyze(
 ) -> None:
     """Compute inertia forces, couples, roll and torque of an engine, order by order."""
     from crankstar.mechanics.balance import balance
-    from crankstar.studies.assumptions import assumptions
+    from crankstar.studies.answers import amplitudes as of_amplitudes
     from crankstar.tables import analysis as tables
     from crankstar.tables.amplitudes import amplitudes
     from crankstar.tables.balance_orders import answer
@@ -130,6 +131,7 @@ def analyze(
     )
     point = request.reference(reference, loaded)
     _refuse_foreign(orders, [loaded], gas=False)
+    answered = partial(of_amplitudes, loaded, speed=turning)
     if form != "txt":
         first = balance(loaded, reference=point)
         picked = request.orders(orders, first.force.orders.tolist())
@@ -142,7 +144,7 @@ def analyze(
                 return amplitudes(each, result, orders=picked, by=shares)
             return answer(each, result, orders=picked)
 
-        rests = assumptions(loaded, speed=turning) if form == "json" else ()
+        rests = resting_on(form, loaded, answered) if form == "json" else None
         document = ranged(numbers, spread, loaded, rests=rests)
         if form != "xlsx":
             give(document, output, form=form)
@@ -157,7 +159,7 @@ def analyze(
         shown = tables.analysis(each, speed=turning, reference=point).of(wanted)
         return tables.document(shown, angles=angles, by=grouping, vectors=vectors)
 
-    document = ranged(sheet, spread, loaded, rests=assumptions(loaded, speed=turning))
+    document = ranged(sheet, spread, loaded, rests=resting_on(form, loaded, answered))
     if form == "xlsx":
         tree = engine_tree(engine, settings, loaded, estimate=estimate)
         give(replace(document, parts=(*document.parts, *rows)), output, form=form, tree=tree)
@@ -196,6 +198,7 @@ def bearings(
     """Compute loads on main bearings and crank pins, guide forces, bending of the crankshaft."""
     from crankstar.dynamics.bearings import Model
     from crankstar.mechanics.gas import cycle
+    from crankstar.studies.answers import bearing_peaks
     from crankstar.tables.bearings import bearing_document
     from crankstar.tables.ranges import ranged
 
@@ -213,20 +216,21 @@ def bearings(
 
     def sheet(each: Engine) -> Document:
         advance(next(engines), several, "")
-        found = None
-        if burning:
-            found = cycle(each, point=point or "", speed=turning, off=silent)
         return bearing_document(
             each,
             speed=each.speed if turning is None else turning,
             model=cast("Model", model),
             orders=lambda present: request.orders(orders, present),
             machine=form != "txt",
-            cycle=found,
+            cycle=burnt(each),
         )
 
+    def burnt(each: Engine) -> Cycle | None:
+        return cycle(each, point=point or "", speed=turning, off=silent) if burning else None
+
+    answered = partial(bearing_peaks, loaded, burnt, speed=turning, model=model)
     with progress(_("Computing the loads ...")) as advance, words_for(form):
-        document = ranged(sheet, spread, loaded)
+        document = ranged(sheet, spread, loaded, rests=resting_on(form, loaded, answered))
     give(document, output, form=form)
 
 

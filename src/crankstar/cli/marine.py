@@ -22,7 +22,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import working
 from crankstar.cli.speed_ranges import speeds_of
-from crankstar.cli.tabulating import give, words_for
+from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
@@ -61,6 +61,7 @@ def marine(
 ) -> None:
     """Compute external and guide-force moments as project guides have them, and compensators."""
     from crankstar.options import marine as asked
+    from crankstar.studies.answers import external
     from crankstar.studies.marine import marine as analysis
     from crankstar.tables.marine import marine_document
     from crankstar.tables.marine_doubts import missing_guide, missing_units
@@ -108,7 +109,8 @@ def marine(
         return marine_document(made, bracing=braced, machine=form not in ("txt", "xlsx"))
 
     with working(_("Computing the moments ...")), words_for(form):
-        document = ranged(sheet, spread, loaded)
+        rests = resting_on(form, loaded, partial(external, loaded, found))
+        document = ranged(sheet, spread, loaded, rests=rests)
     if save is not None:
         write_engine(found(loaded).engine, tree, save, option="--save")
     give(document, output, form=form)

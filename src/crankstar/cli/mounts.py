@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import Parameter
 
@@ -20,7 +20,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import working
 from crankstar.cli.speed_ranges import speeds_of
-from crankstar.cli.tabulating import give, words_for
+from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
@@ -45,7 +45,9 @@ def mounts(
 ) -> None:
     """Compute how an engine shakes on its mounts: modes, motion of a point, forces passed on."""
     from crankstar.dynamics.mount_analysis import mounts as analysis
+    from crankstar.studies.answers import on_mounts
     from crankstar.tables.mounts import mounts_document
+    from crankstar.tables.ranges import resting
 
     if speed is not None and ".." in speed and speeds is None:
         speed, speeds = None, speed
@@ -66,4 +68,6 @@ def mounts(
         document = mounts_document(
             loaded, found, machine=machine, every=form != "txt", every_order=wanted is not None
         )
+        state: dict[str, Any] = {"point": point or "", "speed": turning, "speeds": over}
+        document = resting(document, resting_on(form, loaded, partial(on_mounts, loaded, **state)))
     give(document, output, form=form)

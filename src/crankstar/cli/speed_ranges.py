@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from crankstar.cli.options import command_text, engine_tree, loaded_values, together
-from crankstar.cli.tabulating import give
+from crankstar.cli.tabulating import give, resting_on
 from crankstar.options import values as request
 from crankstar.options.values import RequestError, refusal
 
@@ -62,6 +62,7 @@ def over_speeds(
     """Print the amplitudes at each of the speeds in a form of TABLES."""
     from crankstar.mechanics.balance import balance
     from crankstar.mechanics.occurring_orders import check_orders
+    from crankstar.studies.answers import amplitudes
     from crankstar.studies.sweep import sweep
     from crankstar.tables import over_speeds as tables
     from crankstar.tables.ranges import ranged
@@ -85,9 +86,10 @@ def over_speeds(
             return tables.document(each, swept, orders=wanted, chart=chart)
         return (tables.answer if build == "json" else tables.tidy)(each, swept, orders=wanted)
 
-    document = ranged(partial(made, form), spread, loaded)
+    rests = resting_on(form, loaded, partial(amplitudes, loaded))
+    document = ranged(partial(made, form), spread, loaded, rests=rests)
     if form == "xlsx":
-        readable = ranged(partial(made, "txt"), spread, loaded)
+        readable = ranged(partial(made, "txt"), spread, loaded, rests=rests)
         document = replace(readable, parts=(*readable.parts, *document.tables))
     tree = engine_tree(engine, settings, loaded, estimate=estimate) if form == "xlsx" else None
     give(document, output, form=form, tree=tree)

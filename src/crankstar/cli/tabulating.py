@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +10,8 @@ from crankstar.cli.output import display, write, write_bytes
 from crankstar.language.messages import language, spoken
 
 if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
+    from crankstar.studies.assumptions import Answer, Assumption
     from crankstar.tables.table import Document
 
 MACHINE = ("json", "csv", "parquet")
@@ -21,6 +23,21 @@ def words_for(form: str) -> Iterator[None]:
     """Have words in the reader's language, or in English in a form that programs read."""
     with spoken("en" if form in MACHINE else language()):
         yield
+
+
+def resting_on(
+    form: str, engine: Engine, answer: Callable[[], Answer]
+) -> Callable[[], Sequence[Assumption]] | None:
+    """What an answer rests on, to be computed once it stands; None in a form of tables alone."""
+    if form in ("csv", "parquet"):
+        return None
+
+    def rests() -> Sequence[Assumption]:
+        from crankstar.studies.answers import rests_on
+
+        return rests_on(engine, answer())
+
+    return rests
 
 
 def give(

@@ -18,7 +18,7 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import working
-from crankstar.cli.tabulating import give, words_for
+from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.quantities import INERTIA, PRESSURE, Quantity
 from crankstar.files import units
 from crankstar.language.messages import _
@@ -68,6 +68,7 @@ def torque(
     """Compute gas and inertia torque, half orders included, and how evenly the engine runs."""
     from crankstar.mechanics.gas import cycle
     from crankstar.mechanics.occurring_orders import check_orders
+    from crankstar.studies.answers import torques
     from crankstar.tables.ranges import ranged
     from crankstar.tables.torque import torque_document
 
@@ -97,8 +98,8 @@ def torque(
     if wanted and (orders or "").strip() != "all":
         check_orders(loaded, wanted, gas=True)
 
-    def sheet(each: Engine) -> Document:
-        found = cycle(
+    def burnt(each: Engine) -> Cycle:
+        return cycle(
             each,
             point=point or "",
             speed=turning,
@@ -107,6 +108,9 @@ def torque(
             weaker=dict(weak),
             **{names[name]: value for name, value in pressures.items()},
         )
+
+    def sheet(each: Engine) -> Document:
+        found = burnt(each)
         return torque_document(
             each,
             found,
@@ -118,7 +122,8 @@ def torque(
         )
 
     with working(_("Computing the cycle ...")), words_for(form):
-        document = ranged(sheet, spread, loaded)
+        rests = resting_on(form, loaded, partial(torques, loaded, burnt))
+        document = ranged(sheet, spread, loaded, rests=rests)
     give(document, output, form=form)
 
 

@@ -20,7 +20,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import working
 from crankstar.cli.speed_ranges import speeds_of
-from crankstar.cli.tabulating import give, words_for
+from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import _, _n
 from crankstar.options import values as request
@@ -58,6 +58,7 @@ def torsion(
 ) -> None:
     """Compute torsional vibration: modes, critical speeds, response and stress of a crankshaft."""
     from crankstar.dynamics.torsion_analysis import torsion as analysis
+    from crankstar.studies.answers import twist
     from crankstar.tables.ranges import ranged
     from crankstar.tables.table import with_tables
     from crankstar.tables.torsion import torsion_document
@@ -96,7 +97,10 @@ def torsion(
 
     def made(*, machine: bool) -> Document:
         build = partial(sheet, machine=machine)
-        return build(source) if isinstance(source, Chain) else ranged(build, spread, source)
+        if isinstance(source, Chain):
+            return build(source)
+        answered = partial(twist, source, point=point or "", speed=turning, speeds=over)
+        return ranged(build, spread, source, rests=resting_on(form, source, answered))
 
     with working(_("Computing torsional vibration ...")), words_for(form):
         document = made(machine=form not in ("txt", "xlsx"))

@@ -229,7 +229,7 @@ def mount_numbers(engine: Engine) -> MountNumbers | None:
     forces = [float(rms(each.response.ground_force[..., :3])[0]) for each in driven]
     notes, doubts = (
         tuple(line for part in plain.sentences if part.kind == kind for line in part.lines)
-        for kind in ("note", "doubt")
+        for kind in ("note", "doubt", "assumed")
     )
     return MountNumbers(
         displacement_unit=_small("um", 1e6),

@@ -33,7 +33,7 @@ from crankstar.spectra import Complex, Real, Spectrum
 from crankstar.tables.large_engines import large_engine_table
 from crankstar.tables.meshes import mesh_table
 from crankstar.tables.table import Table
-from crankstar.tables.torque import friction_torque, notes
+from crankstar.tables.torque import assumed_notes, friction_torque, notes
 from crankstar.tables.torque_parts import side_thrust_table
 
 MOST_LOADS = 12
@@ -194,7 +194,7 @@ def _loads(
     """The loads, with the waves of these chambers."""
     for both in found:
         burning = both.burning
-        lines = list(notes(engine, burning))
+        lines = [*notes(engine, burning), *assumed_notes(engine, burning)]
         running = None
         try:
             running = driven(engine, burning)

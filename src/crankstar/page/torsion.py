@@ -246,7 +246,7 @@ def torsion_numbers(engine: Engine) -> TorsionNumbers | None:
     )
     notes, doubts = (
         tuple(line for part in plain.sentences if part.kind == kind for line in part.lines)
-        for kind in ("note", "doubt")
+        for kind in ("note", "doubt", "assumed")
     )
     return TorsionNumbers(
         stress_unit=Unit(label=unit_text(stress.unit), factor=1e-6 * stress.factor),

@@ -5,11 +5,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.engine.gas import OperatingPoint
+from crankstar.engine.gas import Gas, OperatingPoint
+from crankstar.engine.main_bearings import main_bearings
 from crankstar.mechanics.gas import Cycle
 
 Vary = Callable[[Engine, float], Engine]
@@ -54,11 +56,63 @@ def with_gas_value(name: str, factor: float) -> Vary:
     """The change of one value of the table [gas], given in a unit of `factor` SI units."""
 
     def vary(engine: Engine, value: float) -> Engine:
-        gas = engine.gas
-        assert gas is not None  # noqa: S101  # a cycle was computed
+        gas = engine.gas or Gas()
         return with_values(engine, gas=with_values(gas, **{name: value * factor}))
 
     return vary
+
+
+def with_bearings_moved(engine: Engine, share: float) -> Engine:
+    """The engine with its assumed main bearings further forward by `share` (%) of the pitch."""
+    shift = share / 100 * engine.pitch
+    shafts = [
+        with_values(
+            shaft,
+            bearings=tuple(z + shift for z in main_bearings(engine, shaft)),
+            bearing_count=None,
+        )
+        if shaft.throws and not shaft.bearings
+        else shaft
+        for shaft in engine.shafts
+    ]
+    return with_values(engine, shafts=tuple(shafts))
+
+
+def with_torsion_value(path: str, factor: float = 1.0) -> Vary:
+    """The change of one value of the table [torsion], or of one below it, given in `factor`."""
+    *above, name = path.split(".")
+
+    def vary(engine: Engine, value: float) -> Engine:
+        records: list[Any] = [engine.torsion]
+        for key in above:
+            records.append(getattr(records[-1], key))
+        changed: Any = with_values(records[-1], **{name: value * factor})
+        for key, record in zip(reversed(above), reversed(records[:-1]), strict=True):
+            changed = with_values(record, **{key: changed})
+        return with_values(engine, torsion=changed)
+
+    return vary
+
+
+def with_block_inertia(inertia: Sequence[float]) -> Vary:
+    """The block with these moments of inertia times a factor."""
+
+    def vary(engine: Engine, factor: float) -> Engine:
+        names = ("inertia_up", "inertia_right", "inertia_z")
+        values = {name: own * factor for name, own in zip(names, inertia, strict=True)}
+        block = engine.block
+        assert block is not None  # noqa: S101  # its inertia is estimated
+        return with_values(engine, block=with_values(block, **values))
+
+    return vary
+
+
+def with_mount_loss(engine: Engine, loss: float) -> Engine:
+    """The engine with this loss factor of those mounts whose damping is not given."""
+    mounts = [
+        with_values(mount, loss_factor=loss) if mount.assumed else mount for mount in engine.mounts
+    ]
+    return with_values(engine, mounts=tuple(mounts))
 
 
 def point_value(name: str, gas: Cycle | None) -> Vary | None:

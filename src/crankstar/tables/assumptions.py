@@ -19,6 +19,19 @@ FIGURES = {
     "force": N_("force of order {order}"),
     "couple": N_("couple of order {order}"),
     "roll": N_("rolling moment of order {order}"),
+    "velocity": N_("velocity of order {order}"),
+    "H moment": N_("H moment of order {order}"),
+    "mean torque": N_("mean torque"),
+    "peak pressure": N_("peak pressure"),
+    "irregularity": N_("degree of irregularity"),
+    "main bearing": N_("greatest load of a main bearing"),
+    "crank pin": N_("greatest load of a crank pin"),
+    "cylinder wall": N_("greatest side thrust"),
+    "natural frequency": N_("first natural frequency"),
+    "torsional amplitude": N_("torsional amplitude"),
+    "mount force": N_("greatest force on the ground"),
+    "bobweight": N_("bobweight"),
+    **{f"mode {number}": N_("frequency of mode {number}") for number in range(1, 13)},
 }
 
 
@@ -26,8 +39,9 @@ def assumption_lines(found: Sequence[Assumption]) -> list[str]:
     """The sentences on what an answer rests on.
 
     >>> from crankstar.files.catalog import load
-    >>> from crankstar.studies.assumptions import assumptions
-    >>> print(assumption_lines(assumptions(load("audi-25-tfsi")))[0])
+    >>> from crankstar.studies.answers import amplitudes, rests_on
+    >>> engine = load("audi-25-tfsi")
+    >>> print(assumption_lines(rests_on(engine, amplitudes(engine)))[1])
     cylinder.rotating_mass: no rotating mass in the file (big ends, crankpins), counted as zero. \
 With 387 g to 990 g the couple of order 1 is 747 to 1260 N m, not 418 N m.
     """
@@ -47,7 +61,7 @@ With 387 g to 990 g the couple of order 1 is 747 to 1260 N m, not 418 N m.
 
 OTHERS = {
     "missing": N_("Not in the file, counted as zero: {paths}."),
-    "left out": N_("Not modelled: {paths}."),
+    "left out": N_("Not in these numbers: {paths}."),
     "assumed": N_("Assumed: {paths}."),
     "estimated": N_("Estimated: {paths}."),
     "unverified": N_("Unverified, with no known effect here: {paths}."),
@@ -59,7 +73,8 @@ def _line(each: Assumption) -> str:
     """One assumption with what it moves most."""
     own = each.moved
     assert own is not None  # noqa: S101  # asked before
-    figure = _(FIGURES[own.quantity], order=order_text(own.order))
+    order = "" if own.order is None else order_text(own.order)
+    figure = _(FIGURES[own.quantity], order=order, number=own.quantity.rpartition(" ")[2])
     words = {"path": each.path, "reason": _(each.reason), "figure": figure}
     if own.trial:
         share = max(abs(own.low - own.now), abs(own.high - own.now)) / own.now if own.now else 0.0
@@ -69,10 +84,12 @@ def _line(each: Assumption) -> str:
             share=number(100 * share, digits=2),
         )
     words |= {"sizes": _span(own), "now": quantity_text(_rounded(own.now), own.unit)}
+    if each.status == "left out":
+        return _("{path}: {reason}. With it the {figure} is {sizes}, not {now}.", **words)
     if each.low == each.high:
         return _("{path}: {reason}. With usual ones the {figure} is {sizes}, not {now}.", **words)
     words |= {"low": _value(each, each.low), "high": _value(each, each.high)}
-    if each.status == "assumed":
+    if each.status == "assumed" and each.value is not None:
         return _(
             "{path}: {value} assumed, {reason}. From {low} to {high} the {figure} is {sizes}, not "
             "{now}.",
@@ -104,6 +121,10 @@ def _value(each: Assumption, value: float | str | None) -> str:
         return (
             f"{number(_rounded(1e3 * value))} g" if value < 1 else f"{number(_rounded(value))} kg"
         )
+    if each.status == "estimated" and not each.unit:
+        return _("{factor} times", factor=number(_rounded(value)))
+    if each.unit == "% of a pitch":
+        return _("{share} % of the bore pitch", share=number(value))
     if each.path.endswith(("rod_length", "rod_ratio")):
         return f"l/r = {number(_rounded(value))}"
     return f"{number(_rounded(value))} {unit_text(each.unit)}".rstrip()

@@ -161,8 +161,6 @@ def gas_sentences(cycle: Cycle) -> tuple[str, ...]:
                 **values,
             )
         ]
-    if cycle.assumed:
-        lines.append(_("Part of the cycle is assumed: `crankstar torque` names what."))
     if cycle.off:
         lines.append(_("Without combustion: cylinders {numbers}.", numbers=numbers_text(cycle.off)))
     return tuple(lines)

@@ -72,7 +72,7 @@ def part_html(part: Table | Remarks) -> str:
     above = f"<h3>{typeset(part.title)}</h3>" if part.title else ""
     if part.kind == "list":
         return above + listing(part.lines)
-    kind = "" if part.kind == "text" else part.kind
+    kind = {"text": "", "assumed": "doubt"}.get(part.kind, part.kind)
     return above + "".join(paragraph(line, kind) for line in part.lines)
 
 

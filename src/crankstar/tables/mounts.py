@@ -66,6 +66,7 @@ def mounts_document(
     if not machine:
         parts += remarks(*_notes(engine, found, point_told=point_told), kind="note")
         parts += remarks(*_doubts(engine, found), kind="doubt")
+        parts += remarks(*_assumed(found), kind="assumed")
         parts += typical_remarks(engine)
     return Document(engine.name, tuple(parts), _facts(engine, found))
 
@@ -267,16 +268,8 @@ def _notes(engine: Engine, found: MountAnalysis, *, point_told: bool) -> list[st
 
 
 def _doubts(engine: Engine, found: MountAnalysis) -> list[str]:
-    """What is assumed, what is missing, and what is hardly right."""
-    lines = [*found.block.body.assumed, *(fault.sentence for fault in body_doubts(engine))]
-    if any(each.assumed for each in found.block.mounts):
-        lines.append(
-            _(
-                "Loss factor of mounts without damping: {value}, assumed; vibration at resonance "
-                "goes with it.",
-                value=number(RUBBER_LOSS_FACTOR),
-            )
-        )
+    """What is missing, and what is hardly right."""
+    lines = [fault.sentence for fault in body_doubts(engine)]
     if found.block.has_feet:
         lines.append(
             _(
@@ -288,4 +281,18 @@ def _doubts(engine: Engine, found: MountAnalysis) -> list[str]:
     if known is not None and known.excitation.without_gas:
         reason = known.excitation.without_gas.rstrip(".")
         lines.append(_("Without gas: {reason}.", reason=reason))
+    return lines
+
+
+def _assumed(found: MountAnalysis) -> list[str]:
+    """What is assumed of the block and of its mounts."""
+    lines = [*found.block.body.assumed]
+    if any(each.assumed for each in found.block.mounts):
+        lines.append(
+            _(
+                "Loss factor of mounts without damping: {value}, assumed; vibration at resonance "
+                "goes with it.",
+                value=number(RUBBER_LOSS_FACTOR),
+            )
+        )
     return lines

@@ -122,7 +122,7 @@ def document(
     heads = (
         *remarks(passage((speed_note(sweep), missing))),
         *remarks(*conditions(engine, replace(result, speed=None))[1:], kind="note"),
-        *remarks(assumed_sentence(engine), unverified_sentence(engine), kind="doubt"),
+        *remarks(assumed_sentence(engine), unverified_sentence(engine), kind="assumed"),
     )
     draw = _("As a chart: {command}", command=chart) if chart else ""
     return Document(engine.name, (*heads, *tables, *remarks(none), *remarks(draw, kind="note")))

@@ -79,27 +79,36 @@ def ranged(
     spread: Spread | None,
     engine: Engine,
     *,
-    rests: Sequence[Assumption] = (),
+    rests: Callable[[], Sequence[Assumption]] | None = None,
 ) -> Document:
     """The analysis of an engine; with a spread, what rests on estimates has its range.
 
-    `rests` is what the answer rests on besides, which it says after its first part.
+    `rests` gives what the answer rests on besides, which it says after its first part.
     """
     document = build(engine) if spread is None else merged(alike(build, spread.engines))
     return with_doubt(resting(document, rests), engine)
 
 
-def resting(document: Document, rests: Sequence[Assumption]) -> Document:
-    """The document with what it rests on after its first part, and for machines."""
-    if not rests:
+def resting(document: Document, rests: Callable[[], Sequence[Assumption]] | None) -> Document:
+    """The document with what it rests on after its first part, and for machines.
+
+    What it said itself of what is assumed, part for part, gives way to that record.
+    """
+    if rests is None:
         return document
     from crankstar.tables.assumptions import assumption_facts, assumption_remarks
 
-    first, *others = document.parts
-    parts = (first, *assumption_remarks(rests), *others)
-    if not isinstance(first, Remarks):
-        parts = (*assumption_remarks(rests), *document.parts)
-    return replace(document, parts=parts, facts={**document.facts, **assumption_facts(rests)})
+    found = rests()
+    said = assumption_remarks(found)
+    parts = [
+        part
+        for part in document.parts
+        if not (isinstance(part, Remarks) and part.kind == "assumed")
+    ]
+    first = 1 if parts and isinstance(parts[0], Remarks) else 0
+    parts[first:first] = said
+    facts = {**document.facts, **assumption_facts(found)}
+    return replace(document, parts=tuple(parts), facts=facts)
 
 
 def ranged_side_by_side(

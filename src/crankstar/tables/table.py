@@ -106,11 +106,14 @@ class Table:
 
 @dataclass(frozen=True)
 class Remarks:
-    """Sentences outside tables: text, a faint note, a doubt, or a list of points."""
+    """Sentences outside tables: text, a faint note, a doubt, or a list of points.
+
+    What is `assumed` gives way to the record of all that an answer rests on, where that is printed.
+    """
 
     lines: tuple[str, ...]
     title: str = ""
-    kind: Literal["text", "note", "doubt", "list"] = "text"
+    kind: Literal["text", "note", "doubt", "assumed", "list"] = "text"
 
 
 @dataclass(frozen=True)

@@ -65,7 +65,7 @@ def _remarks(part: Remarks) -> list[RenderableType]:
     from rich.padding import Padding
     from rich.text import Text
 
-    style = {"note": "dim", "doubt": "yellow"}.get(part.kind, "")
+    style = {"note": "dim", "doubt": "yellow", "assumed": "yellow"}.get(part.kind, "")
     lines: list[RenderableType] = (
         [Text(), Text(_shown(part.title), style="bold")] if part.title else []
     )

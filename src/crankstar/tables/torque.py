@@ -135,11 +135,8 @@ def torque_document(
             *(() if wheel is None else (wheel_table(wheel),)),
             *more,
             *remarks(*told, kind="note"),
-            *remarks(
-                unverified_gas(engine),
-                *(fault.sentence for fault in point_doubts(engine, cycle)),
-                kind="doubt",
-            ),
+            *remarks(*assumed_notes(engine, cycle), unverified_gas(engine), kind="assumed"),
+            *remarks(*(fault.sentence for fault in point_doubts(engine, cycle)), kind="doubt"),
         ),
         facts,
     )
@@ -276,9 +273,9 @@ def _other_points(engine: Engine, cycle: Cycle) -> list[str]:
     return [_("Other operating points, for --point: {points}.", points=known)]
 
 
-def notes(engine: Engine, cycle: Cycle) -> list[str]:
-    """What a cycle rests on, as sentences: the process, and what is assumed."""
-    lines = _pressure_lines(engine, cycle)
+def assumed_notes(engine: Engine, cycle: Cycle) -> list[str]:
+    """What is assumed of a cycle, as sentences."""
+    lines: list[str] = []
     assumed = [_valued(name, cycle.values[name]) for name in cycle.assumed if name in VALUES]
     if assumed and (engine.gas is None or engine.gas.trace is None or cycle.values["charges"]):
         lines.append(
@@ -287,7 +284,6 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
                 values=", ".join(assumed),
             )
         )
-    lines += charge_sentences(cycle)
     if "ignition" in cycle.assumed:
         lines.append(_(IGNITIONS[cycle.values["ignition"]]))
     if "imep" in cycle.assumed:
@@ -303,6 +299,12 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
         and timing(engine.valves, cycle=engine.cycle).assumed
     ):
         lines.append(_("Valve or port timing is assumed, see `crankstar strokes`."))
+    return lines
+
+
+def notes(engine: Engine, cycle: Cycle) -> list[str]:
+    """What a cycle is, as sentences: the process, and what the charge is."""
+    lines = [*_pressure_lines(engine, cycle), *charge_sentences(cycle)]
     moving = pistons(engine)
     facing = [number for number, row in moving.place.items() if moving.crown[row] < 0]
     if facing:

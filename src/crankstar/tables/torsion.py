@@ -22,6 +22,7 @@ from crankstar.spectra import Real
 from crankstar.tables.crank_fatigue import fatigue_of, fatigue_table
 from crankstar.tables.headings import heading
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+from crankstar.tables.torque import assumed_notes
 from crankstar.tables.torque import notes as cycle_notes
 from crankstar.tables.torsion_chain import (
     has_stress,
@@ -364,26 +365,13 @@ def _notes(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
 
 
 def _doubts(source: Engine | Chain, found: TorsionAnalysis, unfit: str) -> tuple[Remarks, ...]:
-    """What is assumed or estimated of the chain, and what is missing of the excitation.
+    """What is doubtful of the chain, and what is missing of the excitation.
 
     `unfit`: why there is no fatigue, though it is asked for.
     """
     lines: list[str] = []
     if isinstance(source, Engine):
         lines += [fault.sentence for fault in torsion_doubts(source)]
-    if found.chain.estimated:
-        lines.append(
-            _("The stiffness between the throws is estimated from their dimensions by a formula.")
-        )
-    if "torsion.dimensions.shear_modulus" in found.chain.assumed:
-        lines.append(_("Shear modulus: {value} GPa, assumed.", value=number(STEEL / 1e9)))
-    if any(name.endswith("loss_factor") for name in found.chain.assumed) and found.response:
-        lines.append(
-            _(
-                "Loss factor of the shafts: {value}, assumed; amplitudes at resonance go with it.",
-                value=number(LOSS_FACTOR),
-            )
-        )
     if found.response is not None and not found.chain.damped:
         lines.append(
             _(
@@ -397,4 +385,25 @@ def _doubts(source: Engine | Chain, found: TorsionAnalysis, unfit: str) -> tuple
         lines.append(_("Without masses there is no inertia torque: this is gas alone."))
     if unfit:
         lines.append(_("Without fatigue: {reason}.", reason=unfit.rstrip(".")))
-    return remarks(*lines, kind="doubt")
+    return (*remarks(*lines, kind="doubt"), *remarks(*_assumed(source, found), kind="assumed"))
+
+
+def _assumed(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
+    """What is assumed of the shafts and of the cycle."""
+    lines: list[str] = []
+    if found.chain.estimated:
+        lines.append(
+            _("The stiffness between the throws is estimated from their dimensions by a formula.")
+        )
+    if "torsion.dimensions.shear_modulus" in found.chain.assumed:
+        lines.append(_("Shear modulus: {value} GPa, assumed.", value=number(STEEL / 1e9)))
+    if any(name.endswith("loss_factor") for name in found.chain.assumed) and found.response:
+        lines.append(
+            _(
+                "Loss factor of the shafts: {value}, assumed; amplitudes at resonance go with it.",
+                value=number(LOSS_FACTOR),
+            )
+        )
+    if found.cycle is not None and isinstance(source, Engine):
+        lines += assumed_notes(source, found.cycle)
+    return lines

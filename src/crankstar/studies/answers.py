@@ -1,0 +1,285 @@
+"""The figures of each analysis, and what they rest on: the record that every command prints.
+
+An `Answer` names an analysis by what it says first: amplitudes by order, peak loads, natural
+frequencies. `rests_on` varies what the file lacks and says which figure of them moves how much.
+
+>>> from crankstar.files.catalog import load
+>>> engine = load("audi-25-tfsi")
+>>> first = rests_on(engine, amplitudes(engine))[1]
+>>> first.path, first.status, first.moved.quantity, first.moved.order
+('cylinder.rotating_mass', 'missing', 'couple', 1.0)
+>>> [round(each) for each in (first.moved.now, first.moved.low, first.moved.high)]
+[418, 747, 1259]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from math import degrees
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.balance import balance
+from crankstar.mechanics.gas import Cycle, cycle_or_reason
+from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
+from crankstar.spectra import Real, Spectrum
+from crankstar.studies.assumed_values import assumed_values
+from crankstar.studies.assumptions import Answer, Assumption, Figure, Figures, moved
+
+if TYPE_CHECKING:
+    from crankstar.studies.single_faults import Fault
+
+MakeCycle = Callable[[Engine], Cycle | None]
+Changed = Callable[[Engine], Engine]
+
+
+def rests_on(engine: Engine, answer: Answer) -> tuple[Assumption, ...]:
+    """All that an answer rests on, what moves it most first."""
+    return moved(engine, [*assumed_values(engine, answer)], answer)
+
+
+def _same(engine: Engine) -> Engine:
+    return engine
+
+
+def amplitudes(
+    engine: Engine, *, speed: float | None = None, of: Changed = _same, gas: bool = False
+) -> Answer:
+    """Force, couple and rolling moment of inertia by order, at `speed` (rad/s) or the engine's.
+
+    `of` changes the engine first, as a remedy does. With `gas` the rolling moment is not said to
+    leave it out.
+    """
+    without = None
+    if not gas and engine.gas is not None:
+        without = cycle_or_reason(engine, speed=speed)[0]
+    return Answer(
+        figures=lambda each, _path: _inertia_sizes(of(each), speed),
+        unit=partial(_inertia_unit, speed),
+        least=lambda each: _pushed(of(each), speed),
+        without_gas=without,
+    )
+
+
+def torques(engine: Engine, make: MakeCycle, *, running: bool = True) -> Answer:
+    """The rolling moment of gas and inertia by order, the mean torque, and the peak pressure."""
+    found = make(engine)
+
+    def figures(each: Engine, _path: str) -> Figures:
+        from crankstar.studies.gas_results import roll_of
+
+        again = make(each)
+        if again is None:
+            return {}
+        mean = float(gas_torque(again).mean.sum())
+        return {
+            **_by_order("roll", roll_of(each, again)),
+            ("mean torque", None): abs(mean),
+            ("peak pressure", None): again.peak / 1e5,
+        }
+
+    units = {"peak pressure": "bar"}
+    return Answer(
+        figures=figures,
+        unit=lambda quantity, _engine: units.get(quantity, "N*m"),
+        uses=("inertia", "gas", *(("running",) if running else ())),
+        gas=found,
+    )
+
+
+def bearing_peaks(
+    engine: Engine, make: MakeCycle, *, speed: float | None = None, model: Any = "determinate"
+) -> Answer:
+    """The greatest load of a main bearing, of a crank pin and of a cylinder wall."""
+
+    def found(each: Engine, again: Cycle | None) -> Any:
+        from crankstar.dynamics.bearings import bearing_loads
+
+        own = each.speed if speed is None else speed
+        turning = own if again is None else again.speed
+        return bearing_loads(each, speed=turning, model=model, cycle=again)
+
+    def figures(each: Engine, _path: str) -> Figures:
+        loads = found(each, make(each))
+        named = {"main bearing": loads.load, "crank pin": loads.pin, "cylinder wall": loads.guide}
+        return {
+            (name, None): float(spectra.peaks(own).max(initial=0.0)) for name, own in named.items()
+        }
+
+    first = make(engine)
+    return Answer(
+        figures=figures,
+        unit=lambda _quantity, each: found(each, make(each)).unit,
+        uses=("inertia", "bearings", *(("gas",) if first is not None else ())),
+        gas=first,
+    )
+
+
+def twist(
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    speeds: Sequence[float] | Real = (),
+) -> Answer:
+    """The first natural frequency of torsion, and the greatest turn of the free end."""
+    from crankstar.dynamics.torsion_analysis import torsion
+
+    whole = torsion(engine, point=point, speed=speed, speeds=speeds)
+    ends = [float(whole.speeds[0]), float(whole.speeds[-1])] if len(whole.speeds) else []
+    worst: list[float] = []
+    if whole.response is not None:
+        peak = whole.response.peak_turn(whole.free_end)
+        worst = [float(whole.response.speeds[int(np.argmax(peak))])]
+
+    def figures(each: Engine, path: str) -> Figures:
+        shaft = not path or path.startswith("torsion")
+        found = torsion(each, point=point, speed=speed, speeds=ends if shaft else worst)
+        out: dict[Figure, float] = {}
+        if found.modes:
+            out["natural frequency", None] = found.modes[0].frequency
+        if found.response is not None:
+            turn = found.response.peak_turn(found.free_end)
+            out["torsional amplitude", None] = degrees(float(turn.max()))
+        return out
+
+    units = {"natural frequency": "Hz", "torsional amplitude": "deg"}
+    return Answer(
+        figures=figures,
+        unit=lambda quantity, _engine: units[quantity],
+        uses=("inertia", "torsion", *(("gas",) if whole.cycle is not None else ())),
+        gas=whole.cycle,
+    )
+
+
+def on_mounts(
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    speeds: Sequence[float] | Real = (),
+    of: Changed = _same,
+) -> Answer:
+    """The natural frequencies of the block, and the greatest force into the ground over speeds."""
+    from crankstar.dynamics.mount_analysis import mounts
+    from crankstar.dynamics.mount_modes import mount_modes
+    from crankstar.dynamics.mount_response import rms
+    from crankstar.dynamics.mounted_block import mounted_block
+
+    whole = mounts(of(engine), point=point, speed=speed, speeds=speeds)
+    ends = [] if whole.over is None else [float(each) for each in whole.over.speeds[[0, -1]]]
+    worst: list[float] = []
+    if whole.over is not None:
+        force = rms(whole.over.ground_force[..., :3])
+        worst = [float(whole.over.speeds[int(np.argmax(force.reshape(len(force), -1).max(1)))])]
+
+    def figures(each: Engine, path: str) -> Figures:
+        changed = of(each)
+        modes = mount_modes(mounted_block(changed))
+        out: dict[Figure, float] = {
+            (f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)
+        }
+        if worst:
+            stand = not path or path.startswith(("block", "mounts"))
+            found = mounts(changed, point=point, speed=speed, speeds=ends if stand else worst)
+            if found.over is not None:
+                out["mount force", None] = float(rms(found.over.ground_force[..., :3]).max())
+        return out
+
+    gas = cycle_or_reason(engine, point=point, speed=speed)[0]
+    return Answer(
+        figures=figures,
+        unit=lambda quantity, _engine: "N" if quantity == "mount force" else "Hz",
+        uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
+        gas=gas,
+    )
+
+
+def felt(
+    engine: Engine, faults: Sequence[Fault], *, point: str = "", speed: float | None = None
+) -> Answer:
+    """The velocity of the block by order, free or on mounts, of an engine with faults."""
+    from crankstar.studies.single_faults import shaken
+
+    def figures(each: Engine, _path: str) -> Figures:
+        found = shaken(each, faults, point=point, speed=speed)
+        velocity = np.abs(found.displacement(None)).max(axis=1) * found.orders * found.speed
+        return {
+            ("velocity", float(order)): 1e3 * float(size)
+            for order, size in zip(found.orders, velocity, strict=True)
+        }
+
+    gas = cycle_or_reason(engine, point=point, speed=speed)[0]
+    return Answer(
+        figures=figures,
+        unit=lambda _quantity, _engine: "mm/s",
+        uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
+        gas=gas,
+    )
+
+
+def external(engine: Engine, make: Callable[[Engine], Any]) -> Answer:
+    """The external moments and the moments of the guide forces of a ship's engine by order."""
+
+    def figures(each: Engine, _path: str) -> Figures:
+        found = make(each)
+        out: dict[Figure, float] = {}
+        for order in found.after.orders.tolist():
+            sizes_there = [found.after.moment(order, side) for side in ("V", "H")]
+            out["couple", order] = float(np.nanmax([0.0, *sizes_there]))
+        if found.guide is not None:
+            out |= {
+                ("H moment", float(order)): float(abs(size))
+                for order, size in zip(found.guide.orders, found.guide.h, strict=True)
+            }
+        return out
+
+    whole = make(engine)
+    return Answer(
+        figures=figures,
+        unit=lambda quantity, each: (
+            "N*m" if quantity == "H moment" else make(each).after.units.couple
+        ),
+        uses=("inertia", *(("gas",) if whole.cycle is not None else ())),
+        gas=whole.cycle,
+    )
+
+
+def _inertia_sizes(engine: Engine, speed: float | None) -> dict[Figure, float]:
+    """Force, couple and rolling moment by order."""
+    sums = summed(balance(engine, speed=engine.speed if speed is None else speed))
+    found: dict[Figure, float] = {}
+    for name in ("force", "couple", "roll"):
+        spectrum = getattr(sums, name)
+        for order, size in zip(spectrum.orders.tolist(), sizes(spectrum).tolist(), strict=True):
+            if order <= USUAL_ORDERS:
+                found[name, order] = size
+    return found
+
+
+def _pushed(engine: Engine, speed: float | None) -> Mapping[str, float]:
+    """A small share of what all parts push together: what is hardly there does not lead."""
+    result = balance(engine, speed=engine.speed if speed is None else speed)
+    return {
+        name: MINOR * float(pushed(getattr(result, name)).max(initial=0.0))
+        for name in ("force", "couple")
+    }
+
+
+def _inertia_unit(speed: float | None, quantity: str, engine: Engine) -> str:
+    units = balance(engine, speed=engine.speed if speed is None else speed).units
+    return {"force": units.force, "couple": units.couple}.get(quantity, units.moment)
+
+
+def _by_order(name: str, signal: Spectrum) -> dict[Figure, float]:
+    waves = np.abs(spectra.amplitude(signal))
+    return {
+        (name, order): size
+        for order, size in zip(signal.orders.tolist(), waves.tolist(), strict=True)
+        if 0 < order <= 2 * USUAL_ORDERS
+    }

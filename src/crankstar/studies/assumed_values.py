@@ -1,0 +1,341 @@
+"""What an engine file leaves out or does not give for certain, as far as an answer uses it.
+
+Each value with its ends: those of the type of engine where statistics of such engines are known,
+else what is wide enough for engines of one kind.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from math import degrees, radians
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.basis import ROD_SOURCE
+from crankstar.engine.block import inertia_in_box
+from crankstar.engine.engine import Engine
+from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
+from crankstar.engine.proportions import Look, Proportion, inferred, look_of, proportion
+from crankstar.engine.torsion import LOSS_FACTOR, STEEL
+from crankstar.engine.weighed import EngineType
+from crankstar.language.messages import N_
+from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
+from crankstar.mechanics.remains import summed
+from crankstar.remedy.fitting import quiet_cranks
+from crankstar.studies.assumptions import Answer, Assumption, Moved
+from crankstar.studies.changed_values import (
+    SCALED,
+    point_value,
+    with_bearings_moved,
+    with_block_inertia,
+    with_gas_value,
+    with_mount_loss,
+    with_rods_of,
+    with_rotating_mass,
+    with_torsion_value,
+)
+
+DOUBTFUL = ("unverified", "placeholder")
+"""Statuses of values of a file that nobody has read in a source."""
+OF_GAS = ("gas", "drive", "valves")
+"""Tables of a file that no inertia depends on."""
+GAS_ENDS: Mapping[str, tuple[float, float]] = {
+    "compression_ratio": (0.85, 1.15),
+    "gamma": (0.97, 1.03),
+    "imep": (0.7, 1.3),
+    "intake_pressure": (0.9, 1.2),
+    "exhaust_pressure": (0.95, 1.3),
+    "crankcase_pressure": (0.97, 1.03),
+    "intake_temperature": (0.9, 1.1),
+    "peak_pressure": (0.8, 1.25),
+    "combustion_duration": (0.75, 1.3),
+    "wiebe_a": (0.73, 1.38),
+    "wiebe_m": (0.5, 1.5),
+}
+"""Ends of what is assumed of a cycle, as multiples of the assumed value.
+
+Those of wiebe_a are 5 and 6.9 of one another; the others are wide enough for engines of one kind.
+Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9, for the order of
+size; the ends themselves are our judgement.
+"""
+START_ENDS = radians(10.0)
+"""By how much the assumed start of combustion may be earlier or later, radians."""
+
+POINT = re.compile(r"gas\.point(?:\[(\d+)\])?\.(\w+)")
+"""A key of an operating point: of all, or of one counted from one."""
+LOSS_ENDS = (0.5, 2.0)
+"""Ends of the loss factor of shafts, as multiples: crankshafts in service lose 1 to 4 % a cycle."""
+RUBBER_ENDS = (0.5, 2.5)
+"""Ends of the loss factor of rubber: 0.05 of natural rubber to 0.25 of filled kinds."""
+STEEL_ENDS = (79e9, 83e9)
+"""Pa: the shear moduli of cast iron with nodules and of forged steel lie about here."""
+STIFFNESS_ENDS = (0.85, 1.15)
+"""Ends of the stiffness of a throw by its dimensions: empirical rules differ by as much."""
+BAR_ENDS = (0.5, 2.0)
+"""Ends of moments of inertia that are those of a round bar."""
+SHIFT = 10.0
+"""By how many per cent of the bore pitch a main bearing may lie elsewhere than is assumed."""
+
+
+def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
+    """All that is lacking or doubtful of what an answer uses, in no order."""
+    if "inertia" in answer.uses:
+        yield from _inertia(engine)
+    if answer.without_gas is not None:
+        yield _without_gas(engine, answer.without_gas)
+    if "gas" in answer.uses and answer.gas is not None:
+        yield from _gas(engine, answer.gas)
+    if "running" in answer.uses and (engine.drive is None or engine.drive.inertia is None):
+        yield Assumption(
+            "missing", "drive.inertia", N_("no flywheel in the file"), value=0.0, unit="kg*m^2"
+        )
+    if "bearings" in answer.uses:
+        yield from _bearings(engine)
+    if "torsion" in answer.uses:
+        yield from _torsion(engine)
+    if "mounts" in answer.uses:
+        yield from _mounts(engine)
+    yield from _unverified(engine, answer)
+
+
+def _without_gas(engine: Engine, found: Cycle) -> Assumption:
+    """The gas torque that the rolling moment of an answer leaves out, and what it would change."""
+    reason = N_("the gas torque is not in the rolling moment")
+    result = balance(engine, speed=found.speed)
+    name = f"gas.point.{found.name}" if found.name else "gas"
+    if result.speed is None or {"mass", "radius"} & {*engine.relative}:
+        return Assumption("left out", name, reason)
+    alone = summed(result).roll
+    both = roll_with_gas(total(result), gas_torque(found).total)
+    wave = np.abs(spectra.amplitude(both))
+    before = dict(zip(alone.orders.tolist(), np.abs(spectra.amplitude(alone)), strict=True))
+    now = np.array([before.get(order, 0.0) for order in both.orders.tolist()])
+    most = int(np.argmax(np.abs(wave - now)))
+    effect = float(abs(wave[most] - now[most]) / wave.max()) if wave.max() else 0.0
+    change = Moved(
+        "roll", float(both.orders[most]), "N*m", float(now[most]),
+        float(wave[most]), float(wave[most]), effect,
+    )  # fmt: skip
+    return Assumption("left out", name, reason, moved=change)
+
+
+def _bearings(engine: Engine) -> Iterator[Assumption]:
+    """Places of main bearings that are assumed beside the throws."""
+    if all(shaft.bearings or not shaft.throws for shaft in engine.shafts):
+        return
+    yield Assumption(
+        "assumed", "shaft.bearings",
+        N_("main bearings assumed beside the throws; how far they are shifted is not known"),
+        unit="% of a pitch", low=-SHIFT, high=SHIFT, vary=with_bearings_moved,
+    )  # fmt: skip
+
+
+def _torsion(engine: Engine) -> Iterator[Assumption]:
+    """What is assumed of shafts that twist: damping, modulus, stiffness by dimensions."""
+    from crankstar.dynamics.torsion_chain import torsion_chain
+
+    chain = torsion_chain(engine)
+    if "torsion.loss_factor" in chain.assumed:
+        low, high = (share * LOSS_FACTOR for share in LOSS_ENDS)
+        yield Assumption(
+            "assumed", "torsion.loss_factor", N_("usual for such shafts"),
+            LOSS_FACTOR, "", low, high, vary=with_torsion_value("loss_factor"),
+        )  # fmt: skip
+    dimensions = None if engine.torsion is None else engine.torsion.dimensions
+    if dimensions is not None and "torsion.stiffness" in chain.estimated:
+        modulus = dimensions.shear_modulus or STEEL
+        yield Assumption(
+            "estimated", "torsion.stiffness", N_("stiffness of the throws from their dimensions"),
+            1.0, "", *STIFFNESS_ENDS,
+            vary=with_torsion_value("dimensions.shear_modulus", modulus),
+        )  # fmt: skip
+    if "torsion.dimensions.shear_modulus" in chain.assumed:
+        low, high = (end / 1e9 for end in STEEL_ENDS)
+        yield Assumption(
+            "assumed", "torsion.dimensions.shear_modulus", N_("that of steel"),
+            STEEL / 1e9, "GPa", low, high,
+            vary=with_torsion_value("dimensions.shear_modulus", 1e9),
+        )  # fmt: skip
+
+
+def _mounts(engine: Engine) -> Iterator[Assumption]:
+    """What is assumed of the block and of the rubber on which it stands."""
+    from crankstar.dynamics.whirl import body
+
+    block = engine.block
+    own = body(engine)
+    if own.assumed and block is not None:
+        low, high = BAR_ENDS
+        if block.sides is not None:
+            box = inertia_in_box(block.mass, sides=block.sides)
+            low = min(end / mid for end, mid in zip(box.low, box.typical, strict=True))
+            high = max(end / mid for end, mid in zip(box.high, box.typical, strict=True))
+        yield Assumption(
+            "estimated", "block.inertia", N_("moments of inertia estimated"),
+            1.0, "", low, high, vary=with_block_inertia(own.inertia),
+        )  # fmt: skip
+    if any(mount.assumed for mount in engine.mounts):
+        low, high = (share * RUBBER_LOSS_FACTOR for share in RUBBER_ENDS)
+        yield Assumption(
+            "assumed", "mounts.loss_factor", N_("usual for rubber"),
+            RUBBER_LOSS_FACTOR, "", low, high, vary=with_mount_loss,
+        )  # fmt: skip
+
+
+def _usual(part: str, kind: EngineType) -> Proportion | None:
+    """A coefficient of a type, None where there is none."""
+    try:
+        return proportion(part, kind)
+    except KeyError:
+        return None
+
+
+def _inertia(engine: Engine) -> Iterator[Assumption]:
+    """What is missing or assumed of the masses and lengths that forces come from."""
+    look = look_of(engine)
+    kind = None if look is None else inferred(look)[0]
+    yield from _rods(engine, kind)
+    turning = any(throw.turning_mass for shaft in engine.shafts for throw in shaft.throws)
+    rigid = any(cylinder.rod is not None for cylinder in engine.cylinders)
+    weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
+    if not turning and not rigid and weighted:
+        # what balances the pistons of a file with a balance factor would balance this too
+        reason = N_("no rotating mass in the file: its counterweights are for the pistons alone")
+        yield Assumption("missing", "cylinder.rotating_mass", reason, value=0.0, unit="kg")
+    elif not turning and not rigid:
+        yield _rotating(engine, kind, look)
+    if not weighted:
+        yield Assumption(
+            "missing",
+            "crankshaft.weight",
+            N_("no counterweights in the file"),
+            value=0.0,
+            low=1.0,
+            high=1.0,
+            vary=_with_usual_weights,
+        )
+
+
+def _with_usual_weights(engine: Engine, _share: float) -> Engine:
+    """The engine with the counterweights that remove what turns with its cranks."""
+    return quiet_cranks(engine)[0]
+
+
+def _rotating(engine: Engine, kind: EngineType | None, look: Look | None) -> Assumption:
+    """The mass that turns with a crankpin, which a file leaves out: big end and crankpin.
+
+    Of each cylinder, m = (1 - c) m_rod + m_pin, the coefficients of the type times bore^3; where
+    the file gives no masses, over m_piston + c m_rod, which is counted as 1.
+    """
+    reason = N_("no rotating mass in the file (big ends, crankpins), counted as zero")
+    first = engine.first
+    relative = "mass" in engine.relative or look is None or first.bore is None
+    names = ("rod", "small end", "crank pin", "piston group")
+    found = [_usual(name, kind or "petrol") for name in names]
+    if not all(found) or (relative and "mass" not in engine.relative):
+        return Assumption("missing", "cylinder.rotating_mass", reason, value=0.0, unit="kg")
+    rod, small, pin, piston = (each for each in found if each is not None)
+    scale = 1.0 if relative else (first.bore or 0.0) ** 3
+    if relative:
+        scale = first.reciprocating / (piston.typical + small.typical * rod.typical)
+    ends = [
+        ((1 - share) * own + turning) * scale
+        for share, own, turning in zip(reversed(small.sizes), rod.sizes, pin.sizes, strict=True)
+    ]
+    unit = "m" if relative else "kg"
+    return Assumption(
+        "missing", "cylinder.rotating_mass", reason, 0.0, unit, ends[0], ends[-1],
+        vary=with_rotating_mass,
+    )  # fmt: skip
+
+
+def _rods(engine: Engine, kind: EngineType | None) -> Iterator[Assumption]:
+    """Rod lengths that are assumed, l = 4 r, with the range of the type."""
+    for path, origin in engine.provenance.items():
+        if origin.status != "placeholder" or not origin.source.endswith(ROD_SOURCE):
+            continue
+        radius = engine.throw(engine.first).radius
+        usual = None if kind is None else _usual("rod length", kind)
+        ends = (3.2, 4.8) if usual is None else (usual.low, usual.high)
+        yield Assumption(
+            "assumed",
+            path,
+            N_("neither rod length nor l/r in the file"),
+            value=engine.first.rod_length / radius,
+            unit="r",
+            low=ends[0],
+            high=ends[1],
+            vary=with_rods_of,
+        )
+        return
+
+
+def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
+    """What is assumed of a cycle, and what one measured trace stands for."""
+    if engine.gas is not None and engine.gas.trace is not None:
+        yield Assumption(
+            "assumed", "gas.trace", N_("one measured trace is used at every speed and load")
+        )
+    for name in own.assumed:
+        path = f"gas.{name}"
+        value = own.values.get(name)
+        if name == "combustion_start" and isinstance(value, float):
+            yield Assumption(
+                "assumed", path, N_("usual for such engines"), degrees(value), "deg",
+                degrees(value - START_ENDS), degrees(value + START_ENDS),
+                vary=with_gas_value(name, radians(1.0)),
+            )  # fmt: skip
+        elif name in GAS_ENDS and isinstance(value, float):
+            low, high = (share * value for share in GAS_ENDS[name])
+            unit = UNITS_OF_GAS.get(name, "")
+            factor = FACTORS.get(unit, 1.0)
+            yield Assumption(
+                "assumed", path, N_("usual for such engines"), value / factor, unit,
+                low / factor, high / factor, vary=with_gas_value(name, factor),
+            )  # fmt: skip
+        else:
+            yield Assumption("assumed", path, N_("usual for such engines"), str(value))
+
+
+UNITS_OF_GAS = {
+    **dict.fromkeys(
+        ("imep", "intake_pressure", "exhaust_pressure", "crankcase_pressure", "peak_pressure"),
+        "bar",
+    ),
+    "intake_temperature": "K",
+    "combustion_duration": "deg",
+}
+FACTORS = {"bar": 1e5, "deg": radians(1.0)}
+"""From the unit that is shown to SI."""
+
+
+def _unverified(engine: Engine, answer: Answer) -> Iterator[Assumption]:
+    """Values of the file that nobody has read in a source, or that are estimated."""
+    gas = answer.gas if "gas" in answer.uses else None
+    for path, origin in engine.provenance.items():
+        if origin.source.endswith(ROD_SOURCE) or (path.startswith(OF_GAS) and gas is None):
+            continue
+        point = POINT.fullmatch(path)
+        if point is not None and gas is not None and not _is_of(engine, gas, point[1]):
+            continue
+        vary = SCALED.get(path) if point is None else point_value(point[2], gas)
+        if origin.status in DOUBTFUL:
+            reason = N_("a guess") if origin.status == "placeholder" else N_("not read in a source")
+            yield Assumption("unverified", path, reason, vary=vary)
+        elif origin.status == "estimated":
+            low, high = origin.range or (None, None)
+            yield Assumption(
+                "estimated", path, N_("estimated by proportions of such engines"),
+                1.0, "", low, high, vary=vary,
+            )  # fmt: skip
+
+
+def _is_of(engine: Engine, gas: Cycle, index: str | None) -> bool:
+    """Whether a key of an operating point, counted from one, is of that of the cycle."""
+    points = () if engine.gas is None else engine.gas.points
+    own = [number for number, point in enumerate(points, 1) if point.name == gas.name]
+    return bool(own) and (index is None or int(index) in own)
