@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 import json
-from math import isfinite, pi
+from math import degrees, isfinite, pi
 
 import numpy as np
 import pytest
 from tests.commands import Run
 from tests.files.conftest import run
 
+from crankstar import spectra
+from crankstar.dynamics.bearings import bearing_loads
+from crankstar.dynamics.torsion_analysis import torsion
+from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.files.catalog import load, names
 from crankstar.mechanics.gas import cycle
-from crankstar.studies.assumptions import Assumption, assumptions
+from crankstar.studies.answers import amplitudes, bearing_peaks, on_mounts, rests_on, torques, twist
+from crankstar.studies.assumptions import Assumption
 
 __all__ = ["run"]
+
+
+def assumptions(engine: Engine) -> tuple[Assumption, ...]:
+    return rests_on(engine, amplitudes(engine))
 
 
 def of(found: tuple[Assumption, ...], path: str) -> Assumption:
@@ -92,7 +101,7 @@ def test_what_matters_most_comes_first_and_every_effect_is_a_number() -> None:
 def test_what_a_cycle_assumes_moves_its_torque() -> None:
     engine = load("audi-25-tfsi")
     own = cycle(engine)
-    found = assumptions(engine, gas=own, uses=("inertia", "gas"))
+    found = rests_on(engine, torques(engine, cycle))
     assert {f"gas.{name}" for name in own.assumed} - {"gas.crankcase_pressure"} <= {
         each.path for each in found
     }
@@ -110,10 +119,116 @@ def test_a_weight_that_is_given_is_not_missing() -> None:
 
 def test_the_first_lines_of_an_analysis_say_it_and_so_does_json(run: Run) -> None:
     text = run("analyze", "audi-25-tfsi").out
-    head = "\n".join(text.splitlines()[:14])
+    head = "\n".join(text.splitlines()[:16])
     assert "cylinder.rotating_mass" in head
     assert "747 to 1260 N m" in " ".join(head.split())
     rows = json.loads(run("analyze", "audi-25-tfsi", "--json").out)["rests_on"]
-    assert rows[0]["path"] == "cylinder.rotating_mass"
-    assert rows[0]["moves"]["now"] == pytest.approx(417.949, abs=1e-3)
-    assert rows[0]["moves"]["high"] == pytest.approx(1258.8, abs=0.1)
+    assert [row["path"] for row in rows[:2]] == ["gas.point.full", "cylinder.rotating_mass"]
+    assert rows[1]["moves"]["now"] == pytest.approx(417.949, abs=1e-3)
+    assert rows[1]["moves"]["high"] == pytest.approx(1258.8, abs=0.1)
+
+
+def test_the_roll_that_is_left_out_is_what_the_gas_pushes() -> None:
+    engine = load("audi-25-tfsi")
+    own = of(assumptions(engine), "gas.point.full")
+    assert own.moved is not None
+    burning = cycle(engine)
+    # five equal cylinders 144 deg apart: of order 2.5 five times the wave of one, none of inertia
+    theta = np.linspace(0, 4 * pi, burning.pressure.shape[1], endpoint=False)
+    ratio = engine.first.rod_length / 0.0464
+    sine = np.sin(theta) / ratio
+    arm = 0.0464 * (np.sin(theta) + np.cos(theta) * sine / np.sqrt(1 - sine**2))
+    torque = (burning.pressure[0] - 1.01325e5) * pi / 4 * 0.0825**2 * arm
+    wave = 5 * abs(2 * np.mean(torque * np.exp(-2.5j * theta)))
+    assert (own.status, own.moved.order, own.moved.now) == ("left out", 2.5, 0.0)
+    assert own.moved.low == own.moved.high == pytest.approx(wave, rel=2e-3)
+
+
+def test_the_load_of_bearings_is_that_of_a_file_with_the_mass() -> None:
+    engine = load("audi-25-tfsi")
+    own = of(rests_on(engine, bearing_peaks(engine, lambda _: None)), "cylinder.rotating_mass")
+    assert own.moved is not None
+    assert own.moved.quantity == "main bearing"
+    for mass, size in ((own.low, own.moved.low), (own.high, own.moved.high)):
+        heavier = load("audi-25-tfsi", changes={"cylinder.rotating_mass": f"{mass} kg"})
+        peaks = spectra.peaks(bearing_loads(heavier, speed=heavier.speed).load)
+        assert size == pytest.approx(float(peaks.max()))
+
+
+def test_bearings_that_are_placed_in_the_file_are_not_assumed() -> None:
+    bare = load("i4")
+    placed = load("i4", changes={"crankshaft": [{"bearings": [2.0, 1.0, 0.0, -1.0, -2.0]}]})
+    paths = [
+        {each.path for each in rests_on(one, bearing_peaks(one, lambda _: None))}
+        for one in (bare, placed)
+    ]
+    assert ["crankshaft.bearings" in each for each in paths] == [True, False]
+
+
+def test_the_amplitude_at_a_resonance_goes_with_the_assumed_loss_factor() -> None:
+    engine = load("cadillac-ld8")
+    own = of(rests_on(engine, twist(engine)), "torsion.loss_factor")
+    assert own.moved is not None
+    for loss, size in ((own.low, own.moved.high), (own.high, own.moved.low)):
+        found = torsion(load("cadillac-ld8", changes={"torsion.loss_factor": loss}))
+        assert found.response is not None
+        peak = found.response.peak_turn(found.free_end).max()
+        assert size == pytest.approx(degrees(float(peak)), rel=1e-6)
+
+
+def test_a_block_without_moments_of_inertia_has_estimated_frequencies() -> None:
+    places = [("left", -0.5, 0.0), ("right", 0.5, 0.0), ("rear", 0.0, -0.3)]
+    rubber = [
+        {"name": name, "right": f"{right} m", "z": f"{z} m", "stiffness": "50 N/mm"}
+        for name, right, z in places
+    ]
+    engine = load("audi-25-tfsi", changes={"mounts": rubber, "block": {"mass": "150 kg"}})
+    found = rests_on(engine, on_mounts(engine, speed=300.0))
+    own = of(found, "block.inertia")
+    assert (own.status, own.low, own.high) == ("estimated", 0.5, 2.0)
+    assert own.effect > 0.1
+    assert "mounts.loss_factor" in {each.path for each in found}
+
+
+SAYING = [
+    ("analyze", "audi-25-tfsi"),
+    ("torque", "audi-25-tfsi"),
+    ("bearings", "audi-25-tfsi", "--gas"),
+    ("genset", "audi-25-tfsi"),
+    ("marine", "man-s90mc-c"),
+    ("torsion", "cadillac-ld8"),
+    ("fault", "audi-25-tfsi", "--cut", "2"),
+    ("bobweight", "audi-25-tfsi"),
+    ("drill", "audi-25-tfsi", "--diameter", "12.7 mm", "--at-radius", "80 mm"),
+    ("sweep", "audi-25-tfsi", "--over", "cylinder.rod_length=130..160 mm"),
+    ("tolerance", "audi-25-tfsi", "--typical", "--builds", "1000"),
+    ("guide", "audi-25-tfsi", "--numbers", "5"),
+]
+
+
+@pytest.mark.parametrize("words", SAYING, ids=lambda words: words[0])
+def test_every_command_says_what_it_rests_on(run: Run, words: tuple[str, ...]) -> None:
+    assert "rests on:" in run(*words).out
+    rows = json.loads(run(*words, "--json").out)["rests_on"]
+    effects = [row["moves"]["effect"] if row["moves"] else 0.0 for row in rows]
+    assert rows
+    assert effects == sorted(effects, reverse=True)
+    assert {row["status"] for row in rows} <= {
+        "missing", "left out", "assumed", "estimated", "unverified"
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "words",
+    [("verdict", "audi-25-tfsi"), ("balance", "audi-25-tfsi"), ("compare", "audi-25-tfsi", "i4")],
+    ids=lambda words: words[0],
+)
+def test_commands_of_text_alone_say_it_too(run: Run, words: tuple[str, ...]) -> None:
+    assert "rests on:" in run(*words).out
+
+
+def test_what_a_sweep_varies_is_not_in_doubt(run: Run) -> None:
+    words = ("sweep", "audi-25-tfsi", "--over", "cylinder.rod_length=130..160 mm", "--json")
+    paths = {row["path"] for row in json.loads(run(*words).out)["rests_on"]}
+    assert "cylinder.rod_length" not in paths
+    assert "cylinder.rotating_mass" in paths

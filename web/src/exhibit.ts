@@ -52,8 +52,8 @@ export interface Exhibit {
   scale: Scale
   /** lines under the name: layout, firing, units */
   heading: string[]
-  /** key paths of values that no source confirms */
-  unverified: string[]
+  /** sentences on what is missing, assumed or unverified, what matters most first */
+  rests_on: string[]
   /** key paths of estimated values */
   estimated: string[]
   /** whether masses that are missing can be estimated */

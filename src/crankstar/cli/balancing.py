@@ -20,6 +20,7 @@ from crankstar.cli.options import (
     write_engine,
 )
 from crankstar.cli.output import display, working
+from crankstar.cli.tabulating import resting_on
 from crankstar.engine.copies import with_values
 from crankstar.language.messages import _
 from crankstar.options import values as request
@@ -43,8 +44,9 @@ def balance(
     from crankstar.mechanics.remains import OPTIMISED
     from crankstar.options.balancing import balanced, new_name
     from crankstar.remedy import needs
+    from crankstar.studies.answers import amplitudes
     from crankstar.tables import remedies
-    from crankstar.tables.ranges import ranged
+    from crankstar.tables.ranges import ranged, resting
     from crankstar.tables.table import remarks
 
     own, ((loaded, spread), tree), _turning = together(
@@ -56,7 +58,9 @@ def balance(
         with values_kept() if spread else nullcontext():  # a refusal is marked as estimated
             job = balanced(loaded, options, speed=speed, own_factor=own)
         make = partial(balanced, options=options, speed=speed, own_factor=own, like=job)
-        document = ranged(lambda each: remedies.balancing_sheet(make(each)), spread, loaded)
+        sheet = ranged(lambda each: remedies.balancing_sheet(make(each)), spread, loaded)
+        answered = partial(amplitudes, job.after)
+        document = resting(sheet, resting_on("txt", job.after, answered))
         proof = []
         if prove:  # exact algebra is slow to load
             from crankstar.derive.cure import proofs

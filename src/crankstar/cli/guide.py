@@ -19,7 +19,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import working
 from crankstar.cli.search_options import not_compiled
-from crankstar.cli.tabulating import give, words_for
+from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
@@ -55,7 +55,9 @@ def guide(
     except ImportError as error:
         raise not_compiled(error) from None
     from crankstar.options.marine import horizontal_share
+    from crankstar.studies.answers import amplitudes
     from crankstar.tables.engine_family import family_document
+    from crankstar.tables.ranges import resting
 
     words = SearchWords(minimise=minimise, limit=limit or [], best="1")
     load = once(partial(loaded_engine, engine, settings))
@@ -90,4 +92,6 @@ def guide(
             drive=drive,
             machine=form not in ("txt", "xlsx"),
         )
+        answered = partial(amplitudes, loaded, speed=turning)
+        document = resting(document, resting_on(form, loaded, answered))
     give(document, output, form=form)

@@ -251,8 +251,10 @@ def compare(
     output: Output = None,
 ) -> None:
     """Compare engines side by side: force, couple, roll and torque, absolute and relative."""
+    from crankstar.studies.answers import amplitudes, rests_on
     from crankstar.tables import comparison as tables
     from crankstar.tables.analysis import analysis
+    from crankstar.tables.assumptions import assumption_remarks
     from crankstar.tables.ranges import ranged_side_by_side
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -286,6 +288,11 @@ def compare(
         return made([analysed.of(wanted) for analysed in shown], own)
 
     document = ranged_side_by_side(sheet, [each.spread for each in loaded], engines)
+    if form not in ("csv", "parquet"):
+        for one, name in zip(engines, own, strict=True):
+            rests = rests_on(one, amplitudes(one, speed=turning))
+            said = assumption_remarks(rests, of=name)
+            document = replace(document, parts=(*document.parts, *said))
     give(tables.with_shares(document, engines), output, form=form)
 
 
@@ -300,9 +307,10 @@ def verdict(
 ) -> None:
     """State in short sentences which orders balance, which remain, and what would cure them."""
     from crankstar.remedy.fitting import recommended
+    from crankstar.studies.answers import amplitudes
     from crankstar.tables import verdict as tables
     from crankstar.tables.built_facts import with_built
-    from crankstar.tables.ranges import with_doubt
+    from crankstar.tables.ranges import resting, with_doubt
     from crankstar.tables.table import remarks
     from crankstar.tables.verdict_ranges import ranged_facts
 
@@ -312,7 +320,9 @@ def verdict(
     )
     facts = ranged_facts(partial(tables.verdict, speed=turning), spread, loaded)
     facts = with_built(facts, tree, loaded, speed=turning)
-    document = with_doubt(tables.verdict_document(loaded, facts), loaded)
+    form = form_of(output, ("txt", "xlsx"))
+    rests = resting_on(form, loaded, partial(amplitudes, loaded, speed=turning))
+    document = with_doubt(resting(tables.verdict_document(loaded, facts), rests), loaded)
     if recommended(loaded) is not None:
         how = _(
             "To fit the recommended remedy and see what remains: {command}",
@@ -320,7 +330,7 @@ def verdict(
             f"{' --estimate' if estimate else ''} --recommended",
         )
         document = replace(document, parts=(*document.parts, *remarks(how)))
-    give(document, output, form=form_of(output, ("txt", "xlsx")))
+    give(document, output, form=form)
 
 
 def strokes(

@@ -19,6 +19,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import display, progress, write
 from crankstar.cli.speed_ranges import speeds_of
+from crankstar.cli.tabulating import resting_on
 from crankstar.language.messages import _
 from crankstar.options import isolating as asked
 from crankstar.options import values as request
@@ -58,8 +59,10 @@ def isolate(
     from crankstar.dynamics.mount_analysis import mounts as analysis
     from crankstar.remedy.isolation import STARTS, MountLimits, isolated
     from crankstar.search.interrupts import ended_once
+    from crankstar.studies.answers import on_mounts
     from crankstar.tables import machine
     from crankstar.tables.isolation import isolation_document
+    from crankstar.tables.ranges import resting
 
     load = once(partial(_on_mounts, engine, settings))
     _place, (loaded, tree), aim, over, count, place, _checked, *free = together(
@@ -88,6 +91,8 @@ def isolate(
             tell=lambda done, of: tell(done, of, f"{done}/{of}"),
         )
         document = isolation_document(best, found, analysis(best.engine, **how), limits)
+        answered = partial(on_mounts, best.engine, point=point or "", speeds=over)
+        document = resting(document, resting_on("json", best.engine, answered))
     if output is not None:
         write_engine(best.engine, tree, output)
     if json:

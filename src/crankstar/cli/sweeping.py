@@ -24,7 +24,7 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import working, writable, write_bytes
-from crankstar.cli.tabulating import give
+from crankstar.cli.tabulating import give, resting_on
 from crankstar.files import STANDARD_INPUT
 from crankstar.files.changes import path_and_value
 from crankstar.language.messages import _
@@ -35,6 +35,7 @@ from crankstar.options.forms import PICTURES, TABLES, form_of
 from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
+    from crankstar.studies.assumptions import Answer
     from crankstar.studies.best_pair import Unbeaten
     from crankstar.studies.sweep import Curve, Sweep
     from crankstar.tables.table import Document
@@ -90,7 +91,18 @@ def sweep(
     if paper is not None:
         _draw(made, kind, paper, output)
         return
-    document = made.document(form)
+    from crankstar.studies.answers import watched_results
+    from crankstar.tables.ranges import resting
+
+    engine_swept, speed_swept = made.sweep.engine, made.sweep.speed
+    names = [curve.what for curve in made.curves]
+    paths = [axis.path for axis in made.sweep.axes]
+
+    def answered() -> Answer:
+        watched = watched_results(engine_swept, names, speed=speed_swept)
+        return replace(watched, given=paths)
+
+    document = resting(made.document(form), resting_on(form, engine_swept, answered))
     tree = None
     if form == "xlsx":
         if engine != STANDARD_INPUT:

@@ -22,7 +22,7 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import working, writable, write_bytes
-from crankstar.cli.tabulating import give, words_for
+from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.files import changed, engine_of
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
@@ -97,12 +97,16 @@ def tolerance(
     if paper is not None:
         _draw(found, names, orders, kind, paper, output)
         return
+    from crankstar.studies.answers import amplitudes
+    from crankstar.tables.ranges import resting
     from crankstar.tables.scatter import scatter_document
 
     with words_for(form):
         every = orders is not None
         signals = names or None
         document = scatter_document(found, signals=signals, machine=form != "txt", every=every)
+        answered = partial(amplitudes, found.engine)
+        document = resting(document, resting_on(form, found.engine, answered))
         if form == "xlsx":
             own = scatter_document(found, signals=signals, every=every)
             document = replace(document, parts=(*document.parts, *own.sentences))

@@ -24,7 +24,7 @@ from crankstar.cli.options import (
     option,
     together,
 )
-from crankstar.cli.tabulating import give
+from crankstar.cli.tabulating import give, resting_on
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.options import remedies, workshop
@@ -61,6 +61,7 @@ def bobweight(
     output: Output = None,
 ) -> None:
     """Print the bobweight card of a crankshaft: parts, bobweight of each pin, overbalance."""
+    from crankstar.studies.answers import bobweights
     from crankstar.tables.bobweights import card_document
     from crankstar.tables.ranges import ranged
 
@@ -73,7 +74,8 @@ def bobweight(
     def card(each: Engine) -> Document:
         return card_document(each, factor=share, machine=form != "txt")
 
-    give(ranged(card, spread, loaded), output, form=form)
+    rests = resting_on(form, loaded, partial(bobweights, loaded, factor=share))
+    give(ranged(card, spread, loaded, rests=rests), output, form=form)
 
 
 def drill(
@@ -93,6 +95,7 @@ def drill(
     output: Output = None,
 ) -> None:
     """Say what to drill, or which slugs to fit: for a measured unbalance, or for an engine's."""
+    from crankstar.studies.answers import bobweights
     from crankstar.tables.ranges import ranged
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -119,7 +122,8 @@ def drill(
         )
         planes = weights or "ends"
         build = partial(_engine_holes, made=made, factor=share, weights=planes)
-        document = ranged(build, spread, loaded)
+        rests = resting_on(form, loaded, partial(bobweights, loaded, factor=share))
+        document = ranged(build, spread, loaded, rests=rests)
     give(document, output, form=form)
 
 

@@ -44,8 +44,10 @@ from crankstar.page.unit_records import Table
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
 from crankstar.remedy.sizing import Remedied, resized
+from crankstar.studies.answers import amplitudes, rests_on
 from crankstar.tables import headings, remedies, strokes
-from crankstar.tables.conditions import can_be_estimated, unit_sentence, unit_sizes, unverified
+from crankstar.tables.assumptions import assumption_lines
+from crankstar.tables.conditions import can_be_estimated, unit_sentence, unit_sizes
 from crankstar.tables.ranges import estimated_paths, merged, ranged_lines
 from crankstar.tables.table import Document
 from crankstar.tables.verdict import subjects, verdict
@@ -136,7 +138,6 @@ def exhibit(
         sense=1 if engine.sense > 0 else -1,
         speed_rpm=None if engine.speed is None else float(f"{engine.speed * 30 / pi:.12g}"),
         scale=_scale(engine),
-        unverified=tuple(unverified(engine)),
         estimated=tuple(estimated_paths(engine)),
         can_estimate=can_be_estimated(engine),
         ends=vectors.ends_of(ends, orders),
@@ -210,6 +211,7 @@ def in_units(
     return {
         "units": units,
         "heading": ranged_lines(_heading, over, engine),
+        "rests_on": tuple(assumption_lines(rests_on(engine, amplitudes(engine)))),
         "table": vectors.rows(sums, remains.orders_shown(result, sums), scaling=scaling, ends=ends),
         "bearing_numbers": bearing_numbers(engine, over, loads),
         "gas_bearing_numbers": gas_bearing_numbers(engine),

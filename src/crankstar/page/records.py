@@ -311,7 +311,9 @@ class Exhibit(Shown):
     units: Units
     scale: Scale
     heading: tuple[str, ...] = Field(description="lines under the name: layout, firing, units")
-    unverified: tuple[str, ...] = Field(description="key paths of values that no source confirms")
+    rests_on: tuple[str, ...] = Field(
+        description="sentences on what is missing, assumed or unverified, what matters most first"
+    )
     estimated: tuple[str, ...] = Field(description="key paths of estimated values")
     can_estimate: bool = Field(description="whether masses that are missing can be estimated")
     ends: tuple[Sum, ...] = Field(

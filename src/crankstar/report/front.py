@@ -25,6 +25,8 @@ ESTIMATED = N_(
     "marked “estimated” and has a range; the section Sources, or `crankstar show`, says where each "
     "of them comes from."
 )
+MOST_TRUSTED = 3
+"""Lines of what the numbers rest on, of the most effect, on the front page."""
 SHOWN = 7
 """Lines of the data sheet on the front page."""
 
@@ -42,6 +44,8 @@ def front(subject: Subject) -> str:
         lines = [fact.sentence for fact in facts if fact.about in topics]
         lines += _rolling(subject) if topics is CURES else []
         parts.append(_part(_(HEADINGS[topics]), lines))
+    if subject.rests_on:
+        parts.append(_part(_("What it rests on"), subject.rests_on[:MOST_TRUSTED]))
     return (
         f'<header><p class="kind">{text(kind)}</p><h1>{text(engine.name)}</h1>{beside}</header>'
         f'{_estimated(subject)}<div class="front"><div class="figures views">{drawing}</div>'

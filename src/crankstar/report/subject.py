@@ -14,7 +14,9 @@ from crankstar.language.kept import alike
 from crankstar.mechanics import remains
 from crankstar.page.records import Scene
 from crankstar.page.scene import scene
+from crankstar.studies.answers import amplitudes, rests_on
 from crankstar.tables.analysis import Analysis, analysis
+from crankstar.tables.assumptions import assumption_lines
 from crankstar.tables.ranges import merged
 from crankstar.tables.table import Document, Remarks, Table
 from crankstar.tables.verdict import Fact, verdict
@@ -52,6 +54,11 @@ class Subject:
         """The Balance of an engine at the speed and of the orders of the report."""
         whole = analysis(engine, speed=self.speed)
         return whole._replace(orders=self.orders, turning=self.orders) if self.orders else whole
+
+    @cached_property
+    def rests_on(self) -> list[str]:
+        """Sentences on what is missing, assumed or unverified, what matters most first."""
+        return assumption_lines(rests_on(self.engine, amplitudes(self.engine, speed=self.speed)))
 
     @cached_property
     def shown(self) -> Analysis:

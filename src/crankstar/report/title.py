@@ -41,7 +41,7 @@ def data_section(subject: Subject) -> str:
     """The data sheet of the engine."""
     engine = subject.engine
     rows = "".join(_row(engine, datum) for datum in data(subject) if datum.value)
-    body = f'<dl class="data">{rows}</dl>{_doubt(engine)}'
+    body = f'<dl class="data">{rows}</dl>{_doubt(subject)}'
     return section(_("Data of the engine"), body, name="data")
 
 
@@ -62,13 +62,14 @@ def status(engine: Engine, keys: Iterable[str]) -> str:
     return next((state for state in DOUBTFUL if state in named), "")
 
 
-def _doubt(engine: Engine) -> str:
-    if not unverified(engine):
-        return ""
-    return paragraph(
-        _("Unverified values and placeholders have no published source; see the section Sources."),
-        "note",
+def _doubt(subject: Subject) -> str:
+    lines = [paragraph(line, "doubt") for line in subject.rests_on]
+    source = _(
+        "Unverified values and placeholders have no published source; see the section Sources."
     )
+    if unverified(subject.engine):
+        lines.append(paragraph(source, "note"))
+    return "".join(lines)
 
 
 def data(subject: Subject) -> list[Datum]:

@@ -35,33 +35,26 @@ if TYPE_CHECKING:
     from crankstar.studies.single_faults import Fault
 
 MakeCycle = Callable[[Engine], Cycle | None]
-Changed = Callable[[Engine], Engine]
 
 
 def rests_on(engine: Engine, answer: Answer) -> tuple[Assumption, ...]:
     """All that an answer rests on, what moves it most first."""
-    return moved(engine, [*assumed_values(engine, answer)], answer)
+    found = [each for each in assumed_values(engine, answer) if each.path not in answer.given]
+    return moved(engine, found, answer)
 
 
-def _same(engine: Engine) -> Engine:
-    return engine
-
-
-def amplitudes(
-    engine: Engine, *, speed: float | None = None, of: Changed = _same, gas: bool = False
-) -> Answer:
+def amplitudes(engine: Engine, *, speed: float | None = None, gas: bool = False) -> Answer:
     """Force, couple and rolling moment of inertia by order, at `speed` (rad/s) or the engine's.
 
-    `of` changes the engine first, as a remedy does. With `gas` the rolling moment is not said to
-    leave it out.
+    With `gas` the rolling moment is not said to leave it out.
     """
     without = None
     if not gas and engine.gas is not None:
         without = cycle_or_reason(engine, speed=speed)[0]
     return Answer(
-        figures=lambda each, _path: _inertia_sizes(of(each), speed),
+        figures=lambda each, _path: _inertia_sizes(each, speed),
         unit=partial(_inertia_unit, speed),
-        least=lambda each: _pushed(of(each), speed),
+        least=lambda each: _pushed(each, speed),
         without_gas=without,
     )
 
@@ -163,7 +156,6 @@ def on_mounts(
     point: str = "",
     speed: float | None = None,
     speeds: Sequence[float] | Real = (),
-    of: Changed = _same,
 ) -> Answer:
     """The natural frequencies of the block, and the greatest force into the ground over speeds."""
     from crankstar.dynamics.mount_analysis import mounts
@@ -171,7 +163,7 @@ def on_mounts(
     from crankstar.dynamics.mount_response import rms
     from crankstar.dynamics.mounted_block import mounted_block
 
-    whole = mounts(of(engine), point=point, speed=speed, speeds=speeds)
+    whole = mounts(engine, point=point, speed=speed, speeds=speeds)
     ends = [] if whole.over is None else [float(each) for each in whole.over.speeds[[0, -1]]]
     worst: list[float] = []
     if whole.over is not None:
@@ -179,14 +171,13 @@ def on_mounts(
         worst = [float(whole.over.speeds[int(np.argmax(force.reshape(len(force), -1).max(1)))])]
 
     def figures(each: Engine, path: str) -> Figures:
-        changed = of(each)
-        modes = mount_modes(mounted_block(changed))
+        modes = mount_modes(mounted_block(each))
         out: dict[Figure, float] = {
             (f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)
         }
         if worst:
             stand = not path or path.startswith(("block", "mounts"))
-            found = mounts(changed, point=point, speed=speed, speeds=ends if stand else worst)
+            found = mounts(each, point=point, speed=speed, speeds=ends if stand else worst)
             if found.over is not None:
                 out["mount force", None] = float(rms(found.over.ground_force[..., :3]).max())
         return out
@@ -204,20 +195,23 @@ def felt(
     engine: Engine, faults: Sequence[Fault], *, point: str = "", speed: float | None = None
 ) -> Answer:
     """The velocity of the block by order, free or on mounts, of an engine with faults."""
+    from crankstar.dynamics.mount_worst import ROLL
     from crankstar.studies.single_faults import shaken
 
     def figures(each: Engine, _path: str) -> Figures:
         found = shaken(each, faults, point=point, speed=speed)
         velocity = np.abs(found.displacement(None)).max(axis=1) * found.orders * found.speed
+        roll = np.abs(found.push[:, ROLL])
+        orders = found.orders.tolist()
         return {
-            ("velocity", float(order)): 1e3 * float(size)
-            for order, size in zip(found.orders, velocity, strict=True)
+            **{("velocity", k): 1e3 * v for k, v in zip(orders, velocity.tolist(), strict=True)},
+            **{("roll", k): size for k, size in zip(orders, roll.tolist(), strict=True)},
         }
 
     gas = cycle_or_reason(engine, point=point, speed=speed)[0]
     return Answer(
         figures=figures,
-        unit=lambda _quantity, _engine: "mm/s",
+        unit=lambda quantity, _engine: "N*m" if quantity == "roll" else "mm/s",
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
     )
@@ -248,6 +242,36 @@ def external(engine: Engine, make: Callable[[Engine], Any]) -> Answer:
         uses=("inertia", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
     )
+
+
+def bobweights(engine: Engine, *, factor: float) -> Answer:
+    """The heaviest bobweight of the crank pins, at a balance factor."""
+    from crankstar.remedy.loads import bobweight, loads
+
+    unit = "m" if "mass" in engine.relative else "kg"
+    return Answer(
+        figures=lambda each, _path: {
+            ("bobweight", None): max(bobweight(pin, factor) for pin in loads(each))
+        },
+        unit=lambda _quantity, _engine: unit,
+    )
+
+
+def watched_results(engine: Engine, names: Sequence[str], *, speed: float | None = None) -> Answer:
+    """The figures of what a sweep watches, those of the first name."""
+    from crankstar.mechanics.gas import cycle
+    from crankstar.studies.gas_results import GAS_WATCHABLE
+    from crankstar.studies.mount_results import MOUNT_WATCHABLE
+    from crankstar.studies.torsion_results import TORSION_WATCHABLE
+
+    first = names[0]
+    if first in GAS_WATCHABLE:
+        return torques(engine, lambda each: cycle(each, speed=speed))
+    if first in TORSION_WATCHABLE:
+        return twist(engine, speed=speed)
+    if first in MOUNT_WATCHABLE:
+        return on_mounts(engine, speed=speed)
+    return amplitudes(engine, speed=speed, gas=first != "roll")
 
 
 def _inertia_sizes(engine: Engine, speed: float | None) -> dict[Figure, float]:

@@ -128,7 +128,7 @@ def _bearings(engine: Engine) -> Iterator[Assumption]:
     if all(shaft.bearings or not shaft.throws for shaft in engine.shafts):
         return
     yield Assumption(
-        "assumed", "shaft.bearings",
+        "assumed", "crankshaft.bearings",
         N_("main bearings assumed beside the throws; how far they are shifted is not known"),
         unit="% of a pitch", low=-SHIFT, high=SHIFT, vary=with_bearings_moved,
     )  # fmt: skip

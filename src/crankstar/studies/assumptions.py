@@ -89,7 +89,8 @@ class Answer:
 
     `figures` gives the maximum of each quantity and order of an engine; its second argument is the
     key path of what was changed, "" for the engine itself. `unit` is that of a quantity, `least`
-    what each quantity is measured by at least. `gas` is the cycle that is part of the answer;
+    what each quantity is measured by at least; `given` are the key paths that a question gives
+    values of its own, as a sweep does. `gas` is the cycle that is part of the answer;
     `without_gas` the one that its rolling moment leaves out.
     """
 
@@ -99,6 +100,7 @@ class Answer:
     gas: Cycle | None = None
     without_gas: Cycle | None = None
     least: Callable[[Engine], Mapping[str, float]] = _nothing
+    given: Collection[str] = ()
 
 
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:

@@ -161,7 +161,8 @@ def _object(each: Assumption) -> Mapping[str, Any]:
     }
 
 
-def assumption_remarks(found: Sequence[Assumption]) -> tuple[Remarks, ...]:
-    """The sentences as a part of a Document; none where nothing is assumed."""
+def assumption_remarks(found: Sequence[Assumption], *, of: str = "") -> tuple[Remarks, ...]:
+    """The sentences as a part of a Document, of one engine by name; none where nothing is."""
     lines = assumption_lines(found)
-    return (Remarks((passage([_("This rests on:")]), *lines), kind="doubt"),) if lines else ()
+    head = _("{name} rests on:", name=of) if of else _("This rests on:")
+    return (Remarks((passage([head]), *lines), kind="doubt"),) if lines else ()

@@ -1,16 +1,16 @@
 import type { Exhibit } from '../exhibit'
-import { t } from '../language/messages'
-
-/** Layout, firing, units and unverified values of an engine. */
-export function Heading({ exhibit: { heading, unverified } }: { exhibit: Exhibit }) {
+/** Layout, firing and units of an engine, and what matters most of what it rests on. */
+export function Heading({ exhibit: { heading, rests_on } }: { exhibit: Exhibit }) {
   return (
     <ul class="heading">
       {heading.map((line) => (
         <li key={line}>{line}</li>
       ))}
-      {unverified.length > 0 && (
-        <li class="doubt">{t('Unverified values: {paths}.', { paths: unverified.join(', ') })}</li>
-      )}
+      {rests_on.slice(0, 1).map((line) => (
+        <li key={line} class="doubt">
+          {line}
+        </li>
+      ))}
     </ul>
   )
 }

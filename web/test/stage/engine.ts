@@ -89,7 +89,7 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
     ends: [],
     scale: { length: 1, force: 1, couple: 1, roll: 1 },
     heading: [],
-    unverified: [],
+    rests_on: [],
     reference_z: 0,
     couple_length: 1,
     orders: [1],

@@ -15,7 +15,7 @@ export const verdict: Panel = {
 /** The sentences of the verdict, by subject: first what remains and what would cure it. */
 function Verdict() {
   const exhibit = useExhibit()
-  const { unverified } = exhibit
+  const { rests_on } = exhibit
   return (
     <>
       <dl class="facts">
@@ -30,8 +30,15 @@ function Verdict() {
           </div>
         ))}
       </dl>
-      {unverified.length > 0 && (
-        <p class="doubt">{t('Unverified values: {paths}.', { paths: unverified.join(', ') })}</p>
+      {rests_on.length > 0 && (
+        <>
+          <p class="doubt">{t('This rests on:')}</p>
+          <ul class="doubt">
+            {rests_on.map((line) => (
+              <li key={line}>{line}</li>
+            ))}
+          </ul>
+        </>
       )}
       <Words />
     </>
