@@ -13,6 +13,8 @@
 | `torsion_results` | torsional frequency, stress and amplitude of each engine of a sweep |
 | `changed_values` | an engine with one of its values changed |
 | `assumptions` | what an answer rests on that a file does not give, and how much it matters |
+| `assumed_values` | what an engine file leaves out or does not give for certain, with its range |
+| `answers` | the figures of each analysis, of which the record says how far they may move |
 | `marine` | external and guide-force moments of an engine with weights and compensators |
 | `published_orders` | the firing orders of the catalog that were read in a source |
 | `family_torsion` | the chain of an engine with other numbers of throws, and its vector sums |
