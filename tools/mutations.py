@@ -449,16 +449,24 @@ def run(folder: Path, words: list[str], *, seconds: float, most: int, workers: i
 
 
 def table(folder: Path) -> str:
-    """What was found as a table of Markdown: by kind, those that survived first."""
+    """What was found as a table of Markdown: by kind, those that survived first.
+
+    The tier is "gate" where a test of it catches, which `record` has run or vitest runs, and
+    "release" where only others do, which mutations.toml names.
+    """
+    gate = json.loads((folder / "seconds.json").read_text())
     rows = json.loads((folder / "caught.json").read_text())
     rows.sort(key=lambda row: (KINDS.index(row["kind"]), bool(row["caught"]), row["file"]))
     out = io.StringIO()
-    print("| mutation | kind | file | caught by | of | cheapest |", file=out)
-    print("|---|---|---|---|---|---|", file=out)
+    print("| mutation | kind | file | caught by | of | tier | cheapest |", file=out)
+    print("|---|---|---|---|---|---|---|", file=out)
     for row in rows:
         cheapest = "; ".join(f"{name} ({size:.2f} s)" for name, size in row["caught"][:5])
         count = row["error"] or len(row["caught"]) or "SURVIVED"
-        cells = (row["name"], row["kind"], row["file"], count, row["tried"], cheapest)
+        names = [name for name, _ in row["caught"]]
+        early = any(name in gate or name.startswith("web/") for name in names)
+        tier = ("gate" if early else "release") if names else ""
+        cells = (row["name"], row["kind"], row["file"], count, row["tried"], tier, cheapest)
         print(f"| {' | '.join(str(cell).replace('|', '/') for cell in cells)} |", file=out)
     return out.getvalue()
 

@@ -175,3 +175,22 @@ def test_a_crankshaft_drilled_as_said_leaves_the_machine_nothing(factor: float) 
             for e in (drilled, wanted)
         )
         assert one == pytest.approx(other, abs=1e-9)
+
+
+def test_holes_side_by_side_span_no_more_than_a_counterweight() -> None:
+    """Neighbours are 46 deg apart: three span 92 deg, the fourth would be beyond 120 deg.
+
+    Of n holes at steps s along the rim the sum is that of cos((k - (n - 1)/2) s).
+    """
+    drill = Drill(diameter=0.03, radius=0.06, deepest=0.012, tip=pi)
+    step = 2 * np.arcsin(1.25 * drill.diameter / 2 / (drill.radius - drill.deepest))
+    single = integrated(drill.deepest, drill)[0]
+    three, four = (
+        single * np.cos((np.arange(count) - (count - 1) / 2) * step).sum() for count in (3, 4)
+    )
+    assert four > 1.05 * three
+    made = holes(0.999 * three, drill)
+    assert np.ptp(made.angles) <= 2 * step < radians(120) < 3 * step
+    assert abs(vector(made, drill)) == pytest.approx(0.999 * three, rel=1e-9)
+    with pytest.raises(RemedyError):
+        holes((three + four) / 2, drill)

@@ -40,6 +40,18 @@ def for_ever() -> bytes:
     return b""
 
 
+def computes_for_ever() -> bytes:
+    """Never ends, and uses processor time."""
+    while True:
+        pass
+
+
+def naps(seconds: float) -> bytes:
+    """Uses no processor time, but takes so long by the clock."""
+    threading.Event().wait(seconds)
+    return b"rested"
+
+
 def compile_for_ever(pipe: Connection, asked: dict[str, Any]) -> None:
     """A search that says when it compiles a loop, and never comes out of the compiler."""
     from numba.core.dispatcher import Dispatcher

@@ -78,6 +78,22 @@ def test_a_process_that_takes_too_long_or_is_lost_is_replaced_and_the_next_task_
     assert lost == (503, "question.lost", {})
 
 
+def test_a_task_is_ended_by_its_processor_time_and_not_because_it_had_to_wait(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    async def work(pool: Workers) -> Any:
+        first = await pool.do(chores.number)
+        pool.seconds = 0.2
+        monkeypatch.setattr(workers, "GREATEST_SLOWNESS", PATIENCE / pool.seconds)
+        assert await pool.do(chores.naps, 2 * pool.seconds) == b"rested"
+        assert await pool.do(chores.number) == first
+        late = await refusal(pool.do(chores.computes_for_ever))
+        assert await pool.do(chores.number) != first
+        return late
+
+    assert with_workers(work) == (503, "question.too-long", {"seconds": 0.2})
+
+
 def test_a_process_that_cannot_say_what_it_found_is_replaced_without_a_word(
     tmp_path: Path, capfd: Any
 ) -> None:

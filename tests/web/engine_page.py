@@ -18,6 +18,13 @@ from crankstar.page.library import held
 from crankstar.page.standalone import document
 
 READY = "async () => await document.querySelector('[data-crankstar]').crankstar.ready"
+HEARD = """state => new Promise(done => {
+    const before = location.href
+    addEventListener('hashchange', () => done(), { once: true })
+    location.hash = state
+    if (location.href === before) done()
+})"""
+"""Another state in the address, and the page's own listeners, which come first, have heard it."""
 AT = (
     "([index, angles]) => angles.map(a => { const page = HANDLE; page.theta = a; return "
     "page.read(index).pistons })"
@@ -78,8 +85,14 @@ def _tree(engines: Sequence[Engine], *, figures: bool) -> dict[str, Any]:
 
 
 def opened(page: Page, path: Path, state: str = "a=0") -> Page:
-    """The page when its first frame has been drawn, in a state as it stands in an address."""
-    page.goto(f"{path.as_uri()}#{state}")
+    """The page when its first frame has been drawn, in a state as it stands in an address.
+
+    Of one that is open already the address changes alone, which the page has then heard of.
+    """
+    if page.url.partition("#")[0] == path.as_uri():
+        page.evaluate(HEARD, state)
+    else:
+        page.goto(f"{path.as_uri()}#{state}")
     page.evaluate(READY)
     return page
 

@@ -8,16 +8,14 @@ import re
 import socket
 import subprocess
 import sys
-import time
+import threading
 from collections.abc import Iterator
-from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
-from urllib.error import URLError
-from urllib.request import urlopen
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
+from tests.holding import PATIENCE
 from tests.web.browsing import HANG, root
 from tests.web.engine_page import farthest_off
 
@@ -35,7 +33,8 @@ CELLS = [
 ENGINE = (
     "[...document.querySelectorAll('.jp-OutputArea-output *')].find(element => element.crankstar)"
 )
-STARTS_WITHIN = 120.0
+UP = "is running at:"
+"""JupyterLab's own word for it."""
 
 
 @pytest.fixture
@@ -95,42 +94,43 @@ def lab(tmp_path: Path) -> Iterator[str]:
         *quiet,
         *(["--allow-root"] if root() else []),
     ]
-    with (tmp_path / "log").open("w") as log:
-        server = subprocess.Popen(
-            command, cwd=tmp_path, env={**os.environ, **homes}, stdout=log, stderr=log
-        )
+    server = subprocess.Popen(
+        command,
+        cwd=tmp_path,
+        env={**os.environ, **homes},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert server.stderr is not None
+    said: list[str] = []
+    listener = threading.Thread(target=said.extend, args=(server.stderr,), daemon=True)
     try:
-        address = f"http://127.0.0.1:{port}"
-        _answered(f"{address}/api?token={TOKEN}", server, tmp_path / "log")
-        yield f"{address}/lab/tree/engine.ipynb?token={TOKEN}"
+        for line in server.stderr:
+            said.append(line)
+            if UP in line:
+                break
+        else:
+            pytest.fail(f"JupyterLab does not start:\n{''.join(said)[-2000:]}")
+        listener.start()  # or it would stand still once the pipe is full
+        yield f"http://127.0.0.1:{port}/lab/tree/engine.ipynb?token={TOKEN}"
     finally:
         server.terminate()
-        server.wait(20)
-
-
-def _answered(address: str, server: subprocess.Popen[bytes], log: Path) -> None:
-    """Waits until the server answers."""
-    end = time.monotonic() + STARTS_WITHIN
-    while server.poll() is None and time.monotonic() < end:
-        try:
-            urlopen(address).close()  # noqa: S310 - our own server
-        except URLError:
-            time.sleep(0.2)
-        else:
-            return
-    pytest.fail(f"JupyterLab does not start:\n{log.read_text()[-2000:]}")
+        server.wait(PATIENCE)
+        if listener.ident is not None:
+            listener.join(PATIENCE)
+        server.stderr.close()
 
 
 def run(page: Page, place: int) -> None:
-    """Runs a cell, again where JupyterLab, still drawing itself, has missed the keys."""
+    """Runs a cell once JupyterLab edits it, for until then it does not hear the keys."""
     cell = page.locator(".jp-CodeCell").nth(place)
-    for _ in range(5):
-        cell.locator(".cm-content").click()
-        page.keyboard.press("Shift+Enter")
-        with suppress(AssertionError):
-            expect(cell.locator(".jp-InputPrompt")).not_to_have_text("[ ]:", timeout=10_000)
-            return
-    pytest.fail(f"cell {place} does not run")
+    cell.locator(".cm-content").click()
+    expect(cell).to_have_class(re.compile(r"\bjp-mod-active\b"))
+    expect(page.locator(".jp-Notebook.jp-mod-editMode")).to_be_attached()
+    expect(cell.locator(".cm-content")).to_be_focused()
+    page.keyboard.press("Shift+Enter")
+    expect(cell.locator(".jp-InputPrompt")).not_to_have_text("[ ]:")
 
 
 def test_an_engine_turns_in_jupyterlab(lab: str, browser: Browser) -> None:

@@ -20,7 +20,7 @@ from tests import newton
 from tests.report.reading import plain
 from tests.twisting_engines import CLOCKWISE, COUNTER_CLOCKWISE, FLYWHEEL, twisting
 from tests.web.browsing import barriers, too_wide
-from tests.web.engine_page import EIGHT, HANDLE, handle, opened
+from tests.web.engine_page import CARD, EIGHT, HANDLE, handle, opened
 from tests.web.overflow import overflows
 from tests.web.serving import Server
 from tests.web.test_editing import dropped
@@ -208,6 +208,7 @@ def test_a_twisted_throw_is_drawn_where_a_crank_so_far_ahead_has_it(
     hidden = "camera=front&force=0&couple=0&roll=0&glass=0&glow=0&tab=twist&twist.times=20"
     ahead = math.degrees(20 * free(load("single", changes=changes), 1, 1.0, [40.0])[0, 0])
     assert ahead > 15
+    page.add_init_script(CARD)
 
     def outlines(angle: float, show: str) -> Any:
         opened(page, path, f"a={angle:.9f}&{hidden}&twist.show={show}")

@@ -140,7 +140,7 @@ def absolute(tree: Tree, sizes: Mapping[str, float], *, but: Collection[KeyPath]
         powers = POWERS.get(quantity.dimension, {})
         factor = prod(sizes[unit] ** powers.get(unit, 1) for unit in counted)
         if counted:
-            table[key] = units.text(value * factor, quantity, digits=6)
+            table[key] = units.text(value * factor, quantity)
     left = [unit for unit in tree.get("relative", ()) if unit not in sizes]
     tree.pop("relative", None)
     if left:

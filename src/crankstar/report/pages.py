@@ -126,11 +126,7 @@ def strokes_page(subject: Subject, gallery: Gallery) -> str:
 def orders(subject: Subject, gallery: Gallery) -> str:
     """The tables of orders, the spectrum, and the paths of the remaining vectors."""
     at = subject.at
-    drawn = [
-        gallery.figure(
-            "spectrum", _("Peak force, couple and rolling moment of each order."), speed=at
-        )
-    ]
+    drawn = [gallery.figure("spectrum", _("Peak force, couple and roll of each order."), speed=at)]
     paths = [(order, quantity) for quantity in BOTH for order in subject.remaining(quantity)]
     if not (subject.full or subject.orders):
         paths = sorted(paths)[:1]

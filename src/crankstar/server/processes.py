@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -22,6 +23,8 @@ END_SECONDS = 2.0
 """How long a killed process may take to disappear."""
 ONE_THREAD = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 """Variables that limit the threads of numpy's linear algebra; it reads them when it is loaded."""
+PROCESSOR_TIMED = hasattr(signal, "setitimer")
+"""Whether the system ends a process whose processor time is used up: not on Windows."""
 _starting = threading.Lock()
 """Held while the environment is that of a process to be started."""
 
@@ -46,6 +49,12 @@ class Child:
     def alive(self) -> bool:
         """Whether the process runs."""
         return self._process.is_alive()
+
+    @property
+    def exhausted(self) -> bool:
+        """Whether the system has ended the process because its processor time was used up."""
+        self._process.join(END_SECONDS)
+        return PROCESSOR_TIMED and self._process.exitcode == -signal.SIGPROF
 
     def receive(self, seconds: float) -> Any:
         """The next message. Raises TimeoutError, and EOFError or OSError if the process is lost."""
@@ -75,6 +84,22 @@ def _one_thread() -> Iterator[None]:
         finally:
             for name in missing:
                 os.environ.pop(name, None)
+
+
+@contextmanager
+def processor_limit(seconds: float) -> Iterator[None]:
+    """Have the system end this process if what stands inside takes more processor time.
+
+    A machine that is busy with other work takes nothing away from it. Without effect on Windows.
+    """
+    if not PROCESSOR_TIMED:
+        yield
+        return
+    signal.setitimer(signal.ITIMER_PROF, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
 
 
 def _begun(language: str, units: Choice, target: Callable[..., None], *arguments: Any) -> None:

@@ -27,7 +27,7 @@ from crankstar.server.watching import Watched
 from crankstar.server.workers import Workers
 
 TASK_SECONDS = 10.0
-"""How long an answer may take."""
+"""Processor time that an answer may take."""
 LEAVE_SECONDS = 2
 """How long answers that are under way may take when the server is stopped."""
 GREATEST_PROCESSES = 4

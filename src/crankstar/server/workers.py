@@ -1,8 +1,10 @@
-"""Worker processes: each keeps one task at a time, and is killed when the task takes too long.
+"""Worker processes: each keeps one task at a time, and is ended when the task takes too long.
 
 The process that talks to browsers must not compute, or all would wait for one. A task that is still
 waiting when its asker leaves is dropped; one that is under way is finished for nobody. A process
-that takes too long, or is lost, is replaced when the next task comes.
+that takes too long, or is lost, is replaced when the next task comes. The limit is one of processor
+time, which the system watches, so that a task is not refused because the machine is busy; by the
+clock there is a far larger one.
 """
 
 from __future__ import annotations
@@ -22,7 +24,7 @@ from typing import Any
 
 from crankstar.language.messages import language, speak
 from crankstar.language.shown_units import Choice, choice, show_in
-from crankstar.server.processes import Child, messages
+from crankstar.server.processes import PROCESSOR_TIMED, Child, messages, processor_limit
 from crankstar.server.refusal import Refused, refused
 
 GREATEST_WAITING = 500
@@ -31,6 +33,8 @@ WAITING_SECONDS = 30.0
 """How long a task may wait for a process, which may have to be started."""
 STARTING_SECONDS = 60.0
 """How long a process may take to be ready."""
+GREATEST_SLOWNESS = 12.0
+"""How many times its processor time a task may take by the clock: it may also wait or sleep."""
 READY = "ready"
 
 Task = Callable[..., bytes]
@@ -41,6 +45,7 @@ class Workers:
     """Processes of this machine; the one that worked last, with the engine at hand, goes first."""
 
     def __init__(self, count: int, *, seconds: float) -> None:
+        """`seconds` of processor time for each task."""
         self.seconds = seconds
         self.workers = [_Worker() for _ in range(count)]
         self.threads = ThreadPoolExecutor(
@@ -158,10 +163,16 @@ class _Worker:
         if child is None or self.ended:
             raise EOFError
         try:
-            child.pipe.send((task, arguments))
-            return child.receive(seconds)
-        except (EOFError, OSError, TimeoutError):
+            child.pipe.send((task, arguments, seconds))
+            return child.receive(seconds * (GREATEST_SLOWNESS if PROCESSOR_TIMED else 1))
+        except TimeoutError:
             self._drop()
+            raise
+        except (EOFError, OSError):
+            exhausted = child.exhausted
+            self._drop()
+            if exhausted:
+                raise TimeoutError from None
             raise
 
     def end(self) -> None:
@@ -183,6 +194,8 @@ def _work(pipe: Connection) -> None:
     with suppress(EOFError, OSError, ImportError, RecursionError):
         import_module("crankstar.server.tasks")  # the first asker need not wait for it
         pipe.send(READY)
-        for task, arguments in messages(pipe):
-            pipe.send(_done(task, arguments))
+        for task, arguments, seconds in messages(pipe):
+            with processor_limit(seconds):
+                answer = _done(task, arguments)
+            pipe.send(answer)
     os._exit(0)
