@@ -40,7 +40,7 @@ from crankstar.spectra import Complex, Real, Spectrum
 STRAIGHT = 17
 """Speeds of a range over which gas is bent, from each of which it may be taken to go straight."""
 WALL_NODES = 9
-"""Speeds of a polynomial through cycles with heat to the walls: to a millionth over a range."""
+"""Speeds of a polynomial through cycles with heat to the walls: to some 1e-5 over a range."""
 
 
 @dataclass(frozen=True)
