@@ -37,6 +37,7 @@ from crankstar.spectra import Real
 from crankstar.studies.study import rad_per_s
 from crankstar.studies.sweep import Sweep, swept, watched
 from crankstar.tables.conditions import missing_sentence
+from crankstar.tables.gas_words import points_text, range_points
 from crankstar.tables.over_speeds import COMPONENTS, Component, remaining, rpm, waves
 
 HEIGHT = 120
@@ -192,15 +193,15 @@ def _with_gas(
 
 
 def _gas_words(engine: Engine, point: str | None) -> str:
-    if point is not None:
-        return _("Rolling moment with gas at the load of {point}.", point=point)
-    points = [] if engine.gas is None else [p for p in engine.gas.points if p.speed is not None]
-    if len(points) > 1:
+    known = range_points(engine, point or "")
+    if len(known) > 1:
         return _(
             "Rolling moment with gas, its load from {first} to {last} by the operating points.",
-            first=min(points, key=lambda p: p.speed or 0.0).name,
-            last=max(points, key=lambda p: p.speed or 0.0).name,
+            first=points_text([(known[0][0], 1.0)]),
+            last=points_text([(known[-1][0], 1.0)]),
         )
+    if known[0][0]:
+        return _("Rolling moment with gas at the load of {point}.", point=known[0][0])
     return _("Rolling moment with gas at the load of the file.")
 
 

@@ -78,7 +78,7 @@ def campbell(
     if not found.speeds.size:
         return refused(source, title=title, reason=_(NO_SPEED))
     marks = found.criticals if asked is not None else found.noted
-    subtitle = [*named_lines(source), *load_lines(found)]
+    subtitle = [*named_lines(source), *load_lines(source, found)]
     if asked is not None or isinstance(source, Engine):
         subtitle += strongest_line(found)
     if found.chain.pendulums:

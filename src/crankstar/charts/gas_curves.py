@@ -19,6 +19,7 @@ from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.gas import Cycle
 from crankstar.spectra import Real
+from crankstar.tables.gas_words import points_text
 
 ROOM = 1.08
 """Length of an axis in the greatest value."""
@@ -109,8 +110,8 @@ def about(engine: Engine, cycle: Cycle) -> list[str]:
     told = [_("imep {pressure}", pressure=said_pressure(cycle.imep))]
     if cycle.speed is not None:
         told.insert(0, _("at {rpm} rpm", rpm=number(float(f"{cycle.speed * 30 / pi:.6g}"))))
-    if cycle.name:
-        told.insert(0, cycle.name)
+    if cycle.name or len(cycle.shares) > 1:
+        told.insert(0, points_text(cycle.shares))
     lines.append(", ".join(told))
     if cycle.off:
         lines.append(_("not firing: {numbers}", numbers=", ".join(map(str, cycle.off))))

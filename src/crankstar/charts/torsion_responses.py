@@ -108,7 +108,7 @@ def torsion_response_chart(
         return refused(engine, title=title, reason=reason)
     panel = _panel(found, own_response, courses, asked)
     subtitle = [*named_lines(engine), courses.where, *_words(found, courses)]
-    return figure([[panel]], title=title, subtitle=[*subtitle, *load_lines(found)])
+    return figure([[panel]], title=title, subtitle=[*subtitle, *load_lines(engine, found)])
 
 
 def _courses(found: TorsionAnalysis, response: Response, view: str) -> _Courses | None:

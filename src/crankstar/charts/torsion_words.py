@@ -13,6 +13,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text
+from crankstar.tables.gas_words import points_text, range_points
 
 RPM = 30 / pi
 NO_SPEED = N_("Without a speed nothing is driven: give --speeds, or speed in the file.")
@@ -32,11 +33,16 @@ def named_lines(source: Engine | Chain) -> list[str]:
     return [source.name] if names_engine() else []
 
 
-def load_lines(found: TorsionAnalysis) -> list[str]:
-    """Of which operating point the gas is, or why there is none; where the range comes from."""
+def load_lines(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
+    """Of which operating points the gas is, or why there is none; where the range comes from."""
     lines: list[str] = []
-    if found.cycle is not None and found.cycle.name:
-        lines.append(_("gas of the operating point {point}", point=found.cycle.name))
+    if found.cycle is not None and isinstance(source, Engine):
+        known = range_points(source, found.point)
+        names = ", ".join(points_text([(name, 1.0)]) for name, _speed in known)
+        if len(known) > 1:
+            lines.append(_("gas of the operating points {points}, by the speed", points=names))
+        elif known[0][0]:
+            lines.append(_("gas of the operating point {point}", point=names))
     if found.without_gas:
         lines.append(_("Without gas: {reason}.", reason=found.without_gas.rstrip(".")))
     if found.range_assumed:

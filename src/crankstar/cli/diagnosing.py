@@ -65,7 +65,6 @@ def fault(
     output: Output = None,
 ) -> None:
     """Tell what would be felt of a fault."""
-    from crankstar.mechanics.gas_loads import vibrating_state
     from crankstar.studies.answers import felt
     from crankstar.studies.single_faults import check_faults, known, shaken
     from crankstar.tables.diagnoses import faults_document
@@ -88,14 +87,13 @@ def fault(
         )
     check_faults(known(loaded), faults)
     check_orders(loaded, wanted or (), gas=loaded.gas is not None or point is not None)
-    state = vibrating_state(loaded, point=point or "", speed=turning)
     place = request.reference(at, loaded, option="--at")
     where = None if place is None else (place.up, place.right, place.z)
-    rest: dict[str, Any] = {**state._asdict(), "orders": wanted or ()}
+    rest: dict[str, Any] = {"point": point or "", "speed": turning, "orders": wanted or ()}
     with working(_("Computing what changes ...")), words_for(form):
         before, after = (shaken(loaded, some, **rest) for some in ((), faults))
         document = faults_document(before, after, faults, point=where, every=form != "txt")
-        answered = partial(felt, loaded, faults, **state._asdict())
+        answered = partial(felt, loaded, faults, point=point or "", speed=turning)
         document = resting(document, resting_on(form, loaded, answered))
     give(document, output, form=form)
 
@@ -140,7 +138,7 @@ def diagnose(
             return
         every = form != "txt"
         document = diagnosis_document(found, every=every, before=before is not None)
-        answered = partial(felt, loaded, (), **found.states[-1]._asdict())
+        answered = partial(felt, loaded, (), point=point or "", speed=found.states[-1].speed)
         document = resting(document, resting_on(form, loaded, answered))
     give(document, output, form=form)
 

@@ -22,10 +22,9 @@ from crankstar.dynamics.mount_modes import (
 from crankstar.dynamics.mount_response import MountResponse, joined, mount_response, rms
 from crankstar.dynamics.mounted_block import MountedBlock, mounted_block, settled
 from crankstar.engine.engine import Engine
-from crankstar.mechanics.gas_loads import points_by_speed
 from crankstar.mechanics.maxima import refined
 from crankstar.mechanics.occurring_orders import check_orders
-from crankstar.mechanics.operating_points import operating_state
+from crankstar.mechanics.operating_points import OperatingState, operating_state, points_by_speed
 from crankstar.spectra import Real
 
 STEPS = 151
@@ -41,7 +40,8 @@ class MountAnalysis:
     `sag` is how it sits down under its weight [freedom], `loads` what each mount bears along its
     axes (N). `over` is the response over the range of speeds, the `asked` ones with its critical
     speeds, half-power points and maxima, `at` that at the one that is asked for; None where no
-    speed is known. `point` is the point of the block of which motion is told.
+    speed is known. `point` is the point of the block of which motion is told, `operating_point` the
+    one that is named, `state` the one that is meant where one speed is asked for.
 
     >>> from crankstar.files.catalog import load
     >>> places = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
@@ -63,6 +63,8 @@ class MountAnalysis:
     at: MountResponse | None = None
     range_assumed: bool = False
     asked: Real = field(default_factory=lambda: np.array([]))
+    operating_point: str = ""
+    state: OperatingState | None = None
 
 
 def mounts(
@@ -125,6 +127,8 @@ def mounts(
         at=None if speed is None else mount_response(block, push(np.array([speed]))),
         range_assumed=assumed,
         asked=wanted,
+        operating_point=point,
+        state=None if speed is None else operating_state(engine, point=point, speed=speed),
     )
 
 

@@ -1,8 +1,9 @@
 """The torsional vibration of an engine or a drive line: all that is asked of it, in one record.
 
-An engine vibrates over a range of speeds with the cycle of one operating point; where gas cannot be
-computed, with its moving parts alone, or, without speeds, not at all. A drive line without
-cylinders has modes only, and critical speeds of the orders that are asked for.
+An engine vibrates over a range of speeds with the gas of the operating point that is named, else
+with that of the points of its file, between them by the speed; where gas cannot be computed, with
+its moving parts alone, or, without speeds, not at all. A drive line without cylinders has modes
+only, and critical speeds of the orders that are asked for.
 """
 
 from __future__ import annotations
@@ -55,7 +56,8 @@ class TorsionAnalysis:
 
     `speeds` (rad/s, ascending) are those of `response`, empty where none is known: those of a range
     with its critical speeds, half-power points and maxima among them. `at` is the same
-    at the one speed that is asked for, `exact` that with the inertia of each crank angle.
+    at the one speed that is asked for, `exact` that with the inertia of each crank angle. `cycle`
+    is that of the operating point and speed that are meant, `point` the one that is named.
     `without_gas` says why there is no gas.
 
     >>> from crankstar.engine.torsion import Disc
@@ -76,6 +78,7 @@ class TorsionAnalysis:
     without_gas: str = ""
     range_assumed: bool = False
     exact: Response | None = None
+    point: str = ""
 
     @cached_property
     def barred(self) -> tuple[Barred, ...]:
@@ -138,19 +141,15 @@ def torsion(
     if isinstance(source, Chain):
         return _of_chain(source, chain, free, speeds, orders, modes)
     check_orders(source, orders or (), gas=True)
-    found, why = _cycle(source, point, None)
-    if found is None or found.speed is None:
-        found, why = _cycle(source, point, speed)
+    found, why = _cycle(source, point, speed)
     if point and speed is None and not len(speeds):
         speed = operating_state(source, point=point).speed
     wanted, assumed = _range(source, speed, speeds)
     limit = None if source.torsion is None else source.torsion.shear_limit
     if not len(wanted):
         return TorsionAnalysis(chain, free, wanted, (), None, None, found, limit, why)
-    push = excitation(chain, source, found)
-    own = push
-    if speed is not None:
-        own = excitation(chain, source, _cycle(source, point, speed)[0])
+    push = excitation(chain, source, found, ends=_ends(wanted), point=point)
+    own = replace(push, course=None)
     driven = found is not None or push.inertia is not None
     meeting = orders or [float(k) for k in push.orders if k <= HIGHEST_CRITICAL]
     rough = TorsionAnalysis(
@@ -173,6 +172,7 @@ def torsion(
         without_gas=why,
         range_assumed=assumed,
         exact=_exact(source, chain, own, speed) if driven and speed else None,
+        point=point,
     )
     if not driven:
         return rough
@@ -219,7 +219,7 @@ def peaked(
     chain, whole = found.chain, found.response
     if whole is None or not chain.damped or found.speeds.size < MEETING:
         return found
-    push = excitation(chain, engine, found.cycle)
+    push = excitation(chain, engine, found.cycle, ends=_ends(found.speeds), point=found.point)
 
     def told(own: Response) -> Real:
         heat = own.heat.sum(axis=-1) + own.absolute_heat.sum(axis=-1)
@@ -238,6 +238,11 @@ def peaked(
         limits=limits,
     )
     return replace(found, speeds=whole.speeds, response=whole)
+
+
+def _ends(speeds: Real) -> tuple[float, float]:
+    """The first and the last of some speeds."""
+    return float(speeds[0]), float(speeds[-1])
 
 
 def _exact(engine: Engine, chain: TorsionChain, push: Excitation, speed: float) -> Response | None:

@@ -4,9 +4,9 @@
 
 positive in the direction of rotation, theta the angle of the crankshaft that turns evenly at w. On
 a crankshaft of another speed ratio i the torque of its cylinders is 1/i of what reaches the first.
-Slave rods act on the throw of their master. The cycle is that of one operating point and stays so
-over all speeds: what the gas does at another load is another operating point. The mean torque,
-which twists the shaft steadily and does not vibrate, is left out.
+Slave rods act on the throw of their master. The gas is that of one cycle, or against speed as
+`gas_loads.gas_course` has it: between the operating points of the file that have speeds. The mean
+torque, which twists the shaft steadily and does not vibrate, is left out.
 
 The vector sum of an order says how the cylinders join in it, whatever they are:
 
@@ -30,6 +30,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import firing_angles
 from crankstar.mechanics.excitation import part_spectra
 from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_loads import GasCourse, gas_course
 from crankstar.mechanics.gas_torque import HIGHEST, piston_torque
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Complex, Real, Spectrum
@@ -39,12 +40,14 @@ from crankstar.spectra import Complex, Real, Spectrum
 class Excitation:
     """The torque on the masses [node, order]: of the gas (N m), of moving parts at 1 rad/s.
 
-    `inertia` is None where masses are not known.
+    `inertia` is None where masses are not known; `course` is the gas against speed, None where it
+    is that of one cycle at all speeds.
     """
 
     orders: Real
     gas: Complex
     inertia: Complex | None
+    course: GasCourse | None = None
 
     def torque(self, speed: float | Real) -> Complex:
         """The torque at crank speeds (rad/s), N m [speed, node, order]; without that axis of one.
@@ -53,9 +56,10 @@ class Excitation:
         >>> own.torque(2.0).tolist()
         [[(2-2j)]]
         """
+        gas = self.gas if self.course is None else self.course.at(speed)
         if self.inertia is None:
-            return np.broadcast_to(self.gas, (*np.shape(speed), *self.gas.shape))
-        return self.gas + np.asarray(speed)[..., None, None] ** 2 * self.inertia
+            return np.broadcast_to(gas, (*np.shape(speed), *self.gas.shape))
+        return gas + np.asarray(speed)[..., None, None] ** 2 * self.inertia
 
 
 def excitation(
@@ -64,10 +68,14 @@ def excitation(
     cycle: Cycle | None,
     *,
     orders: Sequence[float] | Real | None = None,
+    ends: tuple[float, float] | None = None,
+    point: str = "",
 ) -> Excitation:
     """The torque of gas and moving parts on the masses of an engine's chain.
 
-    Without a `cycle` of the moving parts alone; the orders are all up to 24 that a cycle has.
+    Without a `cycle` of the moving parts alone; the orders are all up to 24 that a cycle has. The
+    gas is that of the cycle, or between two speeds (rad/s), the `ends`, that of a named point or of
+    the points of the file.
 
     >>> from crankstar.dynamics.torsion_chain import torsion_chain
     >>> from crankstar.files.catalog import load
@@ -80,17 +88,25 @@ def excitation(
     whole = 1.0 if engine.cycle == "two-stroke" else 0.5
     every = np.arange(1, round(HIGHEST / whole) + 1) * whole
     wanted = every if orders is None else np.array(sorted({*map(float, orders)}))
-    gas = np.zeros((len(chain.names), wanted.size), complex)
-    own = 1 / chain.ratio[list(chain.cylinders), None]
-    if cycle is not None:
-        found = spectra.selected(piston_torque(engine, cycle), wanted)
-        np.add.at(gas, list(chain.cylinders), own * spectra.amplitude(found))
+
+    def on_masses(pistons: Spectrum) -> Complex:
+        out = np.zeros((len(chain.names), wanted.size), complex)
+        of_each = spectra.amplitude(spectra.selected(pistons, wanted))
+        own = 1 / chain.ratio[list(chain.cylinders), None]
+        np.add.at(out, list(chain.cylinders), own * of_each)
+        return out
+
+    def burnt(found: Cycle) -> Complex:
+        return on_masses(piston_torque(engine, found))
+
+    none = np.zeros((len(chain.names), wanted.size), complex)
+    course = None
+    if cycle is not None and ends is not None:
+        course = gas_course(engine, burnt, ends=ends, point=point)
+    gas = none if cycle is None else burnt(cycle)
     if not {"mass", "radius"}.isdisjoint(engine.relative):
-        return Excitation(wanted, gas, None)
-    inertia = np.zeros_like(gas)
-    moving = spectra.selected(piston_inertia_torque(engine), wanted)
-    np.add.at(inertia, list(chain.cylinders), own * spectra.amplitude(moving))
-    return Excitation(wanted, gas, inertia)
+        return Excitation(wanted, gas, None, course)
+    return Excitation(wanted, gas, on_masses(piston_inertia_torque(engine)), course)
 
 
 def piston_inertia_torque(engine: Engine) -> Spectrum:

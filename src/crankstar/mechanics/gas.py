@@ -8,8 +8,8 @@ torque and mean effective pressure agree to rounding.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from math import inf, pi
 from typing import Any
@@ -17,13 +17,20 @@ from typing import Any
 import numpy as np
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import LOADS
 from crankstar.engine.volumes import Volumes, volumes
 from crankstar.language.messages import _
 from crankstar.mechanics import heat_release, ideal_cycles, real_gas
-from crankstar.mechanics.charge_air import air_fuel_ratio, boosted, events
+from crankstar.mechanics.charge_air import GREATEST_STEPS, SETTLED, air_fuel_ratio, boosted, events
 from crankstar.mechanics.friction import friction_pressure
 from crankstar.mechanics.gas_traces import charges_of_trace, traced
-from crankstar.mechanics.operating_points import GasError, resolved
+from crankstar.mechanics.operating_points import (
+    GasError,
+    OperatingState,
+    operating_state,
+    own_speed,
+    resolved,
+)
 from crankstar.mechanics.roots import root
 from crankstar.spectra import Real
 
@@ -43,7 +50,8 @@ class Cycle:
     `pressure` [chamber, sample], absolute, at the equal steps of `volumes` from the dead centre at
     which the chamber fires; mean effective pressures over all chambers; `values` are all that went
     into it, `assumed` the names of those that the file does not give. Chambers that are `off` burn
-    nothing; of those that are `weaker` the share is given that they lack.
+    nothing; of those that are `weaker` the share is given that they lack. Between two operating
+    points, whose `shares` they are by name, all of it is between theirs.
     """
 
     volumes: Volumes
@@ -63,6 +71,7 @@ class Cycle:
     """Of the masses in a chamber that burns; None of a measured trace, and where none burns."""
     boosted: bool = False
     """Whether the charge pressure is estimated from the load: see `boosted`."""
+    shares: tuple[tuple[str, float], ...] = ()
 
     @property
     def bmep(self) -> float:
@@ -82,13 +91,14 @@ def cycle(
     bmep: float | None = None,
     peak_pressure: float | None = None,
 ) -> Cycle:
-    """The cycle of an engine at an operating point, by name; without one at `default_point`.
+    """The cycle of an engine at an operating point and speed, as `operating_state` has them.
 
     `speed` (rad/s) and a load (one of imep, bmep, peak_pressure, Pa) stand before what the file
     gives. A `motored` engine burns nothing, and so do the chambers of the cylinders that are `off`;
     those that are `weaker` lack a share of their combustion, by cylinder: the others burn what they
     would. What does not burn is compressed from the charge pressure of the point, and with a
-    measured pressure from the one that the trace has. Raises GasError.
+    measured pressure from the one that the trace has. Between two points the pressure at each
+    angle, and what comes of it, is between theirs, each at its own speed. Raises GasError.
 
     >>> from crankstar.files.catalog import load
     >>> found = cycle(load("audi-25-tfsi"), imep=12e5)
@@ -99,7 +109,40 @@ def cycle(
     lost = lost_shares(engine, off, weaker or {}, motored=motored)
     given = {"imep": imep, "bmep": bmep, "peak_pressure": peak_pressure}
     load = {name: value for name, value in given.items() if value is not None}
-    values, assumed = resolved(engine, point=point, speed=speed, load=load)
+    state = operating_state(engine, point=point, speed=speed)
+
+    def found(**asked: float) -> Cycle:
+        ends = [
+            _at_point(
+                engine,
+                name,
+                state.speed if len(state.shares) == 1 else own_speed(engine, name),
+                {**load, **asked},
+                lost,
+                motored=motored,
+            )
+            for name, _share in state.shares
+        ]
+        one = ends[0] if len(ends) == 1 else _between(ends, state)
+        return replace(one, off=tuple(sorted(chambers_of(engine, off))))
+
+    one = found()
+    if peak_pressure is None or motored:
+        return one
+    return _of_peak(one, peak_pressure, found)
+
+
+def _at_point(
+    engine: Engine,
+    name: str,
+    speed: float | None,
+    load: Mapping[str, float],
+    lost: Mapping[int, float],
+    *,
+    motored: bool,
+) -> Cycle:
+    """The cycle of one operating point, "" for the load of the table [gas]. Raises GasError."""
+    values, assumed = resolved(engine, point=name, speed=speed, load=load)
     stroke = 2 * engine.throw(engine.first).radius
     values["stroke"] = stroke
     places = volumes_of(engine)
@@ -127,15 +170,76 @@ def cycle(
         friction=friction,
         peak=float(rows.max()),
         speed=turning,
-        name=values.pop("point"),
+        name=name,
         values={**values, **next(iter(charges.values()), {}), "charges": charges},
         assumed=tuple(each for each in assumed if each not in next(iter(charges.values()), {})),
-        off=tuple(sorted(chambers_of(engine, off))),
         motored=motored,
         weaker={key: share for key, share in lost.items() if 0 < share < 1},
         air_fuel_ratio=air_fuel_ratio(engine, places, values, heat) if heat > 0 else None,
         boosted=bool(charged),
+        shares=((name, 1.0),),
     )
+
+
+def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
+    """The cycle between two operating points: all of it straight from the one to the other.
+
+    Its `values` have a load where both ends have the same one.
+    """
+    shares = [share for _name, share in state.shares]
+
+    def mean(one: float, other: float) -> float:
+        return one if one == other else shares[0] * one + shares[1] * other
+
+    first, last = ends
+    rows = shares[0] * first.pressure + shares[1] * last.pressure
+    fuel = [
+        share * own.values["intake_pressure"] / (own.air_fuel_ratio or inf)
+        for own, share in zip(ends, shares, strict=True)
+    ]
+    values = _values_between(first.values, last.values, mean)
+    for name in LOADS:
+        if first.values.get(name) != last.values.get(name):
+            values.pop(name, None)
+    return replace(
+        first,
+        pressure=rows,
+        imep=mean(first.imep, last.imep),
+        friction=mean(first.friction, last.friction),
+        peak=float(rows.max()),
+        speed=state.speed,
+        name="",
+        values={**values, "speed": state.speed},
+        assumed=tuple(dict.fromkeys((*first.assumed, *last.assumed))),
+        air_fuel_ratio=values["intake_pressure"] / sum(fuel) if sum(fuel) else None,
+        boosted=first.boosted or last.boosted,
+        shares=state.shares,
+    )
+
+
+def _values_between(
+    one: Mapping[Any, Any], other: Mapping[Any, Any], mean: Callable[[float, float], float]
+) -> dict[Any, Any]:
+    """What both have, numbers between theirs."""
+    out: dict[Any, Any] = {}
+    for name in (each for each in one if each in other):
+        first, last = one[name], other[name]
+        if isinstance(first, Mapping):
+            out[name] = _values_between(first, last, mean)
+        else:
+            out[name] = mean(first, last) if isinstance(first, float) else first
+    return out
+
+
+def _of_peak(found: Cycle, peak: float, again: Callable[..., Cycle]) -> Cycle:
+    """The cycle of a peak pressure (Pa) between two points, whose own peaks are at other angles."""
+    asked = peak
+    for _step in range(GREATEST_STEPS):
+        if len(found.shares) == 1 or abs(found.peak - peak) <= SETTLED * peak:
+            break
+        asked *= peak / found.peak
+        found = again(peak_pressure=asked)
+    return found
 
 
 def cycle_or_reason(

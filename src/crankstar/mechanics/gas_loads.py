@@ -17,8 +17,9 @@ of the engine.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise, permutations
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,8 +28,19 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque
-from crankstar.mechanics.operating_points import GasError, operating_state, resolved
+from crankstar.mechanics.operating_points import (
+    GasError,
+    OperatingState,
+    operating_state,
+    points_by_speed,
+    resolved,
+)
 from crankstar.spectra import Complex, Real, Spectrum
+
+STRAIGHT = 17
+"""Speeds of a range over which gas is bent, from each of which it may be taken to go straight."""
+WALL_NODES = 9
+"""Speeds of a polynomial through cycles with heat to the walls: to some 1e-5 over a range."""
 
 
 @dataclass(frozen=True)
@@ -55,9 +67,9 @@ class LoadedTorques:
         return spectra.amplitude(self.torque)[:, 0] * (2 / self.swept[0])
 
 
-def is_linear(engine: Engine, *, point: str = "", speed: float | None = None) -> bool:
+def is_linear(engine: Engine) -> bool:
     """Whether the pressure of an engine is linear in its load."""
-    values, _assumed = resolved(engine, point=point, speed=speed)
+    values, _assumed = resolved(engine)
     if values["process"] == "otto":
         return True
     plain = not values.get("variable_gamma") and values.get("wall_temperature") is None
@@ -82,7 +94,7 @@ def torques_at_loads(
     if engine.gas is not None and engine.gas.trace is not None:
         raise GasError("a measured pressure has a load of its own: ask for no other")
     low, high = float(loads.min()), float(loads.max())
-    if low == high or not is_linear(engine, point=point, speed=speed):
+    if low == high or not is_linear(engine):
         return _stacked(
             loads, [cycle(engine, point=point, speed=speed, imep=each) for each in loads]
         )
@@ -114,22 +126,110 @@ def _stacked(loads: Real, cycles: Sequence[Cycle]) -> LoadedTorques:
     )
 
 
-def points_by_speed(engine: Engine) -> dict[float, str]:
-    """The operating points between which gas is interpolated, by speed; none unless two or more.
+class GasCourse(NamedTuple):
+    """Values of a cycle against speed: in pieces, each the polynomial through some of its speeds.
 
-    The load of the table [gas] itself is one, by the name "", where it has one.
+    `starts` are the speeds (rad/s) at which the pieces after the first begin; `nodes` and `values`
+    [node, ...] are those of each piece.
+    """
+
+    starts: tuple[float, ...]
+    nodes: tuple[Real, ...]
+    values: tuple[Complex, ...]
+
+    def at(self, speed: float | Real) -> Complex:
+        """The values at crank speeds (rad/s) [speed, ...]; without that axis at one.
+
+        >>> nodes = np.array([1.0]), np.array([2.0, 4.0])
+        >>> own = GasCourse((2.0,), nodes, (np.array([5.0]), np.array([5.0, 7.0])))
+        >>> float(own.at(3.0)), own.at(np.array([0.0, 4.0])).tolist()
+        (6.0, [5.0, 7.0])
+        """
+        wanted = np.atleast_1d(np.asarray(speed, float))
+        piece = np.searchsorted(self.starts, wanted, side="right")
+        out = np.zeros((wanted.size, *self.values[0].shape[1:]), self.values[0].dtype)
+        for number in np.unique(piece).tolist():
+            own = piece == number
+            weights = _lagrange(self.nodes[number], wanted[own])
+            out[own] = np.tensordot(weights, self.values[number], axes=1)
+        return out if np.ndim(speed) else out[0]
+
+
+def _lagrange(nodes: Real, at: Real) -> Real:
+    """The weights [at, node] of values at nodes in the polynomial through them."""
+    out = np.ones((at.size, nodes.size))
+    for one, other in permutations(range(nodes.size), 2):
+        out[:, one] *= (at - nodes[other]) / (nodes[one] - nodes[other])
+    return out
+
+
+def gas_course(
+    engine: Engine,
+    value: Callable[[Cycle], Complex],
+    *,
+    ends: tuple[float, float],
+    point: str = "",
+    weaker: Mapping[int, float] | None = None,
+) -> GasCourse:
+    """Values of the cycle that are linear in the pressure, at any speed between two (rad/s).
+
+    Each is that of `cycle` at its speed: between operating points straight from one to the next. Of
+    a single point only what its speed changes: friction, which a brake mean effective pressure has
+    to overcome, and the heat to the walls. Friction is a polynomial of the speed, so that three
+    speeds give it exactly; with heat to the walls it is one of `WALL_NODES`. Raises GasError.
+    """
+
+    def of(name: str, speed: float) -> Complex:
+        return value(cycle(engine, point=name, speed=speed, weaker=weaker))
+
+    known = {} if point else points_by_speed(engine)
+    knots = [speed for speed in known if ends[0] < speed < ends[1]]
+    bounds = [ends[0], *knots, ends[1]]
+    nodes = [
+        np.array([low, high])
+        if low < high
+        and len(operating_state(engine, point=point, speed=(low + high) / 2).shares) > 1
+        else _speeds_of(engine, point, low, high)
+        for low, high in pairwise(bounds)
+    ]
+    values = [np.array([of(point, float(speed)) for speed in own]) for own in nodes]
+    return GasCourse(tuple(knots), tuple(nodes), tuple(values))
+
+
+def _speeds_of(engine: Engine, point: str, low: float, high: float) -> Real:
+    """The speeds at which the cycles of one point are needed for all between two speeds."""
+    middle = (low + high) / 2
+    name = operating_state(engine, point=point, speed=middle).point
+    values, _assumed = resolved(engine, point=name, speed=middle)
+    walls = values.get("wall_temperature") is not None
+    rubs = "bmep" in values and values.get("friction_pressure") is None
+    if low == high or not (walls or (rubs and values["friction"] != "none")):
+        return np.array([middle])
+    if not walls and is_linear(engine):
+        return np.array([low, middle, high])
+    angle = (np.arange(WALL_NODES) + 0.5) * np.pi / WALL_NODES
+    return middle - (high - low) / 2 * np.cos(angle) / np.cos(angle[0])
+
+
+def straight_speeds(engine: Engine, ends: tuple[float, float]) -> Real:
+    """Speeds (rad/s) from which gas may be taken to go straight to the next, without a named point.
+
+    Those of the operating points, and a few more where friction or heat to the walls bend it.
 
     >>> from crankstar.files.catalog import load
-    >>> points_by_speed(load("honda-b18c"))
-    {}
+    >>> straight_speeds(load("audi-25-tfsi"), (80.0, 600.0)).round(1).tolist()
+    [78.5, 555.0, 680.7]
+    >>> straight_speeds(load("honda-b18c"), (80.0, 600.0)).tolist()
+    [600.0]
     """
-    if engine.gas is None:
-        return {}
-    known = {each.speed: each.name for each in engine.gas.points if each.speed is not None}
-    own = operating_state(engine)
-    if not own.point and own.speed is not None:
-        known[own.speed] = ""
-    return known if len(known) > 1 else {}
+    known = [*points_by_speed(engine)]
+    bounds = [ends[0], *known[:1], *known[-1:], ends[1]]
+    bent = [
+        np.linspace(low, high, STRAIGHT)
+        for low, high in ((bounds[0], bounds[1]), (bounds[-2], bounds[-1]))
+        if low < high and _speeds_of(engine, "", low, high).size > 1
+    ]
+    return np.unique(np.concatenate([known or [ends[1]], *bent]))
 
 
 def gas_over_speeds(
@@ -141,53 +241,26 @@ def gas_over_speeds(
 ) -> Spectrum:
     """The gas torque of the engine at each speed (rad/s), N m [speed, order]. Raises GasError.
 
-    Cylinders are `weaker` as in `cycle`. Of a named operating point at all speeds alike. Without
-    one: between the operating points of the file that have speeds the torque is interpolated, and
-    kept beyond the first and the last; the load of the file itself where there are no two of them.
+    Each is that of `cycle` at this speed, see `gas_course`; cylinders are `weaker` as there.
     """
     wanted = np.atleast_1d(np.asarray(speeds, float))
-    by_speed = {} if point else points_by_speed(engine)
-    known = sorted(by_speed)
-    if not known:
-        one = gas_torque(cycle(engine, point=point, speed=float(wanted[-1]), weaker=weaker)).total
-        shape = (wanted.size, one.orders.size)
-        return replace(
-            one,
-            forward=np.broadcast_to(one.forward, shape),
-            backward=np.broadcast_to(one.backward, shape),
-        )
-    spectra_known = [
-        gas_torque(cycle(engine, point=by_speed[at], weaker=weaker)).total for at in known
-    ]
-    first = spectra_known[0]
-    after = np.clip(np.searchsorted(known, wanted), 1, len(known) - 1)
-    low, high = np.array(known)[after - 1], np.array(known)[after]
-    share = np.clip((wanted - low) / (high - low), 0.0, 1.0)[:, None]
-    ahead, behind = (np.array([getattr(s, w) for s in spectra_known]) for w in _WAYS)
-    return replace(
-        first,
-        forward=(1 - share) * ahead[after - 1] + share * ahead[after],
-        backward=(1 - share) * behind[after - 1] + share * behind[after],
+    ends = float(wanted.min()), float(wanted.max())
+    one = gas_torque(cycle(engine, point=point, speed=ends[0], weaker=weaker)).total
+    found = gas_course(
+        engine,
+        lambda each: spectra.amplitude(gas_torque(each).total),
+        ends=ends,
+        point=point,
+        weaker=weaker,
     )
+    return spectra.real_signal(one.orders, found.at(wanted))
 
 
-class Turning(NamedTuple):
-    """A point that is named or meant, "" where the load is between points, and a speed, rad/s."""
-
-    point: str
-    speed: float
-
-
-def vibrating_state(engine: Engine, *, point: str = "", speed: float | None = None) -> Turning:
-    """The operating point and speed at which an engine on its mounts vibrates.
-
-    Raises GasError without a speed, and for a point that the engine has not.
-    """
+def vibrating_state(
+    engine: Engine, *, point: str = "", speed: float | None = None
+) -> OperatingState:
+    """The operating state of what needs a speed. Raises GasError without one."""
     state = operating_state(engine, point=point, speed=speed)
     if state.speed is None:
         raise GasError('give the speed, as in --speed "800 rpm"')
-    alone = bool(point) or speed is None or len(points_by_speed(engine)) == 0
-    return Turning(state.point if alone else "", state.speed)
-
-
-_WAYS = ("forward", "backward")
+    return state

@@ -2,19 +2,24 @@
 
 One rule for every command and function (`operating_state`):
 
-* the **point** is the one that is named; else that of the file whose speed is the one that is
-  asked for; else `default_point`;
-* the **speed** is the one that is asked for; else that of the point, of the table [gas], of the
-  engine.
+* a **point** that is named is that of the file, at the **speed** that is asked for, else its own:
+  that of the point, of the table [gas], of the engine;
+* a speed alone, that of the file (of its table [gas], or of the engine) where none is asked for, is
+  that of the point of the file that has it. Between two of them the gas is that
+  between them, by the speed: the pressure at every crank angle, and with it torque and mean
+  effective pressure, go straight from one to the next. Beyond the first and the last it is that of
+  the nearest;
+* without any speed, and where the points of the file do not have two, the point is
+  `default_point`.
 
-So a command at a point is the same command at the speed and load of that point, and without one
-gas and speed are those of one point, never of two. Along a range of speeds the load goes from point
-to point (`gas_loads.gas_over_speeds`). The values are those of the engine file, and assumed ones
-without.
+So a command at a point is the same command at the speed and load of that point, and along a range
+of speeds (`gas_loads.gas_over_speeds`) each is what it is alone. The values are those of the engine
+file, and assumed ones without.
 """
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Mapping
 from math import radians
 from typing import Any, NamedTuple
@@ -67,6 +72,8 @@ Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9
 """
 LIMIT = 80e5
 """Pa: the assumed limit of pressure of a limited-pressure cycle."""
+SPEEDS_BETWEEN = 2
+"""Speeds that points must have for there to be a load between them."""
 AIR_STANDARD = 1.4
 """The ratio of specific heats of ideal cycles."""
 
@@ -84,11 +91,10 @@ def resolved(
 ) -> tuple[dict[str, Any], tuple[str, ...]]:
     """All values of a cycle in SI units, and the names of the assumed ones. Raises GasError.
 
-    Point and speed are those of `operating_state`; `values["point"]` is the name of the point.
+    Of a point by its name, "" for the load of the table [gas], as it is at a speed (rad/s).
     """
     gas = engine.gas or Gas()
     layers: list[dict[str, Any]] = [_given(gas)]
-    point, turning = operating_state(engine, point=point, speed=speed)
     layers += [_given(each) for each in gas.points if each.name == point]
     layers.append({name: value for name, value in (load or {}).items() if value is not None})
     if gas.trace is not None and any(name in layer for layer in layers for name in LOADS):
@@ -101,8 +107,8 @@ def resolved(
         if any(name in layer for name in fixed):
             given = {name: value for name, value in given.items() if name not in fixed}
         given |= layer
-    if turning is not None:
-        given["speed"] = turning
+    if speed is not None:
+        given["speed"] = speed
     assumed = _assumed(engine, process, fires, given)
     if gas.trace is not None or any(name in given for name in LOADS[:2]):
         assumed.pop("imep", None)
@@ -113,15 +119,23 @@ def resolved(
     if not told:
         assumed["ignition"] = fires
     names = tuple(name for name in assumed if name not in given and _used(name, process, given))
-    chosen = {"process": process, "ignition": fires, "point": point}
+    chosen = {"process": process, "ignition": fires}
     return {**assumed, **given, **chosen}, names
 
 
 class OperatingState(NamedTuple):
-    """An operating point by its name, "" for the load of the table [gas], and its speed, rad/s."""
+    """A speed (rad/s), and the operating points of which the gas is there with their shares.
 
-    point: str
+    One point has all of it; of two the gas is between. The load of the table [gas] has the name "".
+    """
+
     speed: float | None
+    shares: tuple[tuple[str, float], ...]
+
+    @property
+    def point(self) -> str:
+        """The name of the one point; "" between two, and for the load of the table [gas]."""
+        return self.shares[0][0] if len(self.shares) == 1 else ""
 
 
 def operating_state(
@@ -132,12 +146,16 @@ def operating_state(
     Raises GasError for a point that the engine has not.
 
     >>> from crankstar.files.catalog import load
-    >>> five = load("audi-25-tfsi")
+    >>> five = load("audi-25-tfsi")  # full at 6500 rpm, most torque at 5300, idle at 750
     >>> [operating_state(five, point=point).point for point in ("", "idle")]
     ['full', 'idle']
-    >>> idle = operating_state(five, point="idle").speed
-    >>> operating_state(five, speed=idle).point, operating_state(five, speed=300.0)
-    ('idle', OperatingState(point='full', speed=300.0))
+    >>> operating_state(five, speed=operating_state(five, point="idle").speed).shares
+    (('idle', 1.0),)
+    >>> between = operating_state(five, speed=radians(3025 * 6)).shares
+    >>> [(name, round(share, 9)) for name, share in between]
+    [('idle', 0.5), ('most torque', 0.5)]
+    >>> operating_state(five, speed=900.0).shares, operating_state(five, speed=9.0).point
+    ((('full', 1.0),), 'idle')
     """
     gas = engine.gas or Gas()
     known = {each.name: each for each in gas.points}
@@ -153,19 +171,76 @@ def operating_state(
             point=point,
             points=", ".join(known),
         )
+    if not point:
+        speed = next((each for each in (speed, gas.speed, engine.speed) if each is not None), None)
     if not point and speed is not None:
-        of_speed = [name for name, own in known.items() if _same(own.speed, speed)]
-        own_load = not default_point(gas) and _same(gas.speed or engine.speed, speed)
-        point = of_speed[0] if of_speed and not own_load else ""
+        return OperatingState(speed, shares_at(_by_speed(engine), speed, default_point(gas)))
     point = point or default_point(gas)
-    own = known[point].speed if point else None
-    chain = (speed, own, gas.speed, engine.speed)
-    return OperatingState(point, next((each for each in chain if each is not None), None))
+    return OperatingState(own_speed(engine, point) if speed is None else speed, ((point, 1.0),))
 
 
-def _same(one: float | None, other: float) -> bool:
+def own_speed(engine: Engine, point: str) -> float | None:
+    """The speed of an operating point, rad/s: its own, else that of the file; None without any."""
+    gas = engine.gas or Gas()
+    own = next((each.speed for each in gas.points if each.name == point), None)
+    return next((each for each in (own, gas.speed, engine.speed) if each is not None), None)
+
+
+def points_by_speed(engine: Engine) -> dict[float, str]:
+    """The operating points between which gas is interpolated, by ascending speed (rad/s).
+
+    None where they do not have two speeds. The load of the table [gas] itself is one, by the name
+    "", where it has one; of points of one speed the first is.
+
+    >>> from crankstar.files.catalog import load
+    >>> points_by_speed(load("honda-b18c"))
+    {}
+    >>> [*points_by_speed(load("audi-25-tfsi")).values()]
+    ['idle', 'most torque', 'full']
+    """
+    known = _by_speed(engine)
+    return known if len(known) >= SPEEDS_BETWEEN else {}
+
+
+def _by_speed(engine: Engine) -> dict[float, str]:
+    """The first operating point of each speed that some have, by ascending speed."""
+    if engine.gas is None:
+        return {}
+    known: dict[float, str] = {}
+    for name in (default_point(engine.gas), *(each.name for each in engine.gas.points)):
+        speed = own_speed(engine, name)
+        if speed is not None and not any(_same(other, speed) for other in known):
+            known[speed] = name
+    return dict(sorted(known.items()))
+
+
+def shares_at(
+    known: Mapping[float, str], speed: float, default: str
+) -> tuple[tuple[str, float], ...]:
+    """The points by ascending speed that a speed is between, with their shares.
+
+    Where they do not have two speeds, that of the one speed, or else the `default`.
+
+    >>> shares_at({100.0: "idle", 500.0: "full"}, 200.0, "full")
+    (('idle', 0.75), ('full', 0.25))
+    """
+    at = [*known]
+    after = bisect_left(at, speed)
+    for near in at[max(after - 1, 0) : after + 1]:
+        if _same(near, speed):
+            return ((known[near], 1.0),)
+    if len(known) < SPEEDS_BETWEEN:
+        return ((default, 1.0),)
+    if after in (0, len(at)):
+        return ((known[at[min(after, len(at) - 1)]], 1.0),)
+    low, high = at[after - 1], at[after]
+    share = (speed - low) / (high - low)
+    return ((known[low], 1 - share), (known[high], share))
+
+
+def _same(one: float, other: float) -> bool:
     """Whether a speed is one that was asked for, as text in rpm is read."""
-    return one is not None and abs(one - other) <= 1e-9 * abs(other)
+    return abs(one - other) <= 1e-9 * abs(other)
 
 
 def default_point(gas: Gas) -> str:

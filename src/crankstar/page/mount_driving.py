@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, cast
 
-import numpy as np
-
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
-from crankstar.mechanics.gas_loads import points_by_speed
+from crankstar.mechanics.gas_loads import straight_speeds
 from crankstar.page.mount_records import Driving, MountedPoint, Place, Row, Spring
 from crankstar.page.torque import wave_of
 from crankstar.page.unit_records import Pair
@@ -39,7 +37,7 @@ def driving(engine: Engine, over: MountResponse, kept: Real) -> Driving:
     """What shakes an engine over its range of speeds, in the orders that are `kept`."""
     from crankstar.dynamics.mount_excitation import mount_excitation
 
-    knots = np.array(sorted(points_by_speed(engine)) or [float(over.speeds[-1])])
+    knots = straight_speeds(engine, (float(over.speeds[0]), float(over.speeds[-1])))
     push = mount_excitation(over.block, engine, speeds=knots)
     with_gas = not push.without_gas
     return Driving(

@@ -32,6 +32,7 @@ from crankstar.page.torsion_records import (
     Vibration,
 )
 from crankstar.page.unit_records import Table, Unit
+from crankstar.tables.gas_words import points_text
 
 if TYPE_CHECKING:
     from crankstar.dynamics.torsion_analysis import TorsionAnalysis
@@ -168,7 +169,7 @@ def _piece(chain: TorsionChain, place: int | None) -> Piece | None:
 def _vibration(chain: TorsionChain, pieces: tuple[int | None, ...], driven: _Driven) -> Vibration:
     gas, critical, at = driven
     return Vibration(
-        point="" if gas is None else gas.name,
+        point="" if gas is None or gas.shares == (("", 1.0),) else points_text(gas.shares),
         gas=gas is not None,
         speed_rpm=float(at.speeds[0]) * RPM,
         critical=None if critical is None else (critical.mode, critical.order),
@@ -197,7 +198,7 @@ def _vibrations(engine: Engine, found: TorsionAnalysis) -> Iterator[_Driven]:
     for critical in found.noted[:MOST_CRITICAL]:
         gas = found.cycle
         if gas is not None:
-            gas = cycle(engine, point=gas.name, speed=critical.speed)  # with its friction there
+            gas = cycle(engine, speed=critical.speed)
         yield driven(gas, critical, critical.speed)
 
 

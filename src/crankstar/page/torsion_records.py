@@ -43,7 +43,7 @@ class CriticalShown(Shown):
 class Vibration(Shown):
     """The forced vibration in all orders at the speed of an operating point, or a critical one."""
 
-    point: str = Field(description="the operating point whose gas drives; empty without a name")
+    point: str = Field(description="the operating points whose gas drives; empty without a name")
     gas: bool = Field(description="whether there is gas, or the moving parts alone")
     speed_rpm: float
     critical: tuple[int, float] | None = Field(

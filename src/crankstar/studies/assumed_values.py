@@ -106,7 +106,7 @@ def _without_gas(engine: Engine, found: Cycle) -> Assumption:
     """The gas torque that the rolling moment of an answer leaves out, and what it would change."""
     reason = N_("the gas torque is not in the rolling moment")
     result = balance(engine, speed=found.speed)
-    name = f"gas.point.{found.name}" if found.name else "gas"
+    name = f"gas.point.{found.name}" if found.name and len(found.shares) == 1 else "gas"
     if result.speed is None or {"mass", "radius"} & {*engine.relative}:
         return Assumption("left out", name, reason)
     alone = summed(result).roll
@@ -337,5 +337,6 @@ def _unverified(engine: Engine, answer: Answer) -> Iterator[Assumption]:
 def _is_of(engine: Engine, gas: Cycle, index: str | None) -> bool:
     """Whether a key of an operating point, counted from one, is of that of the cycle."""
     points = () if engine.gas is None else engine.gas.points
-    own = [number for number, point in enumerate(points, 1) if point.name == gas.name]
+    names = {name for name, _share in gas.shares}
+    own = [number for number, point in enumerate(points, 1) if point.name in names]
     return bool(own) and (index is None or int(index) in own)

@@ -120,12 +120,14 @@ def point_value(name: str, gas: Cycle | None) -> Vary | None:
     if gas is None or name not in OperatingPoint.model_fields or name in ("name", "speed"):
         return None
 
+    names = {each for each, _share in gas.shares}
+
     def vary(engine: Engine, factor: float) -> Engine:
         own = engine.gas
         assert own is not None  # noqa: S101  # a cycle was computed
         points = [
             with_values(point, **{name: getattr(point, name) * factor})
-            if point.name == gas.name and getattr(point, name) is not None
+            if point.name in names and getattr(point, name) is not None
             else point
             for point in own.points
         ]

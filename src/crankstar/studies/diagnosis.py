@@ -38,7 +38,8 @@ from scipy.optimize import lsq_linear
 from crankstar.dynamics.whirl import body
 from crankstar.engine.engine import Engine
 from crankstar.engine.rigid_block import moved
-from crankstar.mechanics.gas_loads import Turning, vibrating_state
+from crankstar.mechanics.gas_loads import vibrating_state
+from crankstar.mechanics.operating_points import OperatingState
 from crankstar.spectra import Complex, Real
 from crankstar.studies.readings import Reading
 from crankstar.studies.single_faults import (
@@ -127,8 +128,8 @@ class Diagnosis:
     point: str = ""
 
     @property
-    def states(self) -> list[Turning]:
-        """The operating points ("" between points) and speeds (rad/s) of the readings."""
+    def states(self) -> list[OperatingState]:
+        """The operating points and speeds of the readings."""
         speeds = sorted({each.speed for each in self.readings})
         return [vibrating_state(self.engine, point=self.point, speed=speed) for speed in speeds]
 

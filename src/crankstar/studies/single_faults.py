@@ -36,6 +36,7 @@ from crankstar.mechanics.gas_loads import gas_over_speeds, vibrating_state
 from crankstar.mechanics.gas_torque import gas_roll
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.occurring_orders import check_orders
+from crankstar.mechanics.operating_points import OperatingState
 from crankstar.spectra import Complex, Real, Spectrum
 from crankstar.studies.part_weights import with_parts
 
@@ -74,7 +75,7 @@ class Shaken:
     orders: Real
     push: Complex
     torque: Complex
-    point: str = ""
+    state: OperatingState
 
     @property
     def mounted(self) -> bool:
@@ -200,9 +201,8 @@ def shaken(
 ) -> Shaken:
     """What shakes the block of an engine with faults, at an operating point and speed (rad/s).
 
-    Both as `operating_state` has them; between the points of the file the load is that between
-    them, as on its mounts. Raises DiagnosisError, and OrderError for an order that the engine
-    cannot have.
+    Both as `operating_state` has them. Raises DiagnosisError, and OrderError for an order that the
+    engine cannot have.
 
     >>> from crankstar.files.catalog import load
     >>> six, cut = load("audi-25-tfsi"), [Fault("combustion", 2)]
@@ -211,7 +211,9 @@ def shaken(
     True
     """
     engine = known(engine)
-    point, speed = vibrating_state(engine, point=point, speed=speed)
+    state = vibrating_state(engine, point=point, speed=speed)
+    assert state.speed is not None  # noqa: S101  # a VibratingState has one
+    speed = state.speed
     check_orders(engine, orders, gas=True)
     built = engine
     _check_shares(engine, faults)
@@ -226,7 +228,7 @@ def shaken(
     torque = speed**2 * spectra.amplitude(spectra.selected(sums.torque, wanted))
     gas = gas_orders(engine, faults, speed=speed, point=point, orders=wanted)
     push[:, 5] += spectra.amplitude(gas_roll(gas, sums.force.sense))
-    return Shaken(engine, speed, wanted, push, torque + spectra.amplitude(gas), point)
+    return Shaken(engine, speed, wanted, push, torque + spectra.amplitude(gas), state)
 
 
 def limits(engine: Engine, fault: Fault) -> tuple[float, float]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import degrees, pi
+from typing import Any
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
@@ -35,10 +36,21 @@ def answer(engine: Engine, result: Balance, *, orders: Sequence[float] | None = 
         "speed_rpm": None if result.speed is None else float(f"{result.speed * 30 / pi:.12g}"),
         "reference": {"z": point.z, "up": point.up, "right": point.right},
         "units": result.units._asdict(),
+        **_points(engine, result),
     }
     wanted = tuple(orders) if orders else orders_pushed(result)
     table = Table("", columns(result.units), rows(engine, total(result), wanted), key="orders")
     return Document(engine.name, (table, _peaks(result), *_with_gas(engine, result)), facts)
+
+
+def _points(engine: Engine, result: Balance) -> dict[str, Any]:
+    """The operating points of the gas; nothing where the file does not say what it does."""
+    if engine.gas is None:
+        return {}
+    from crankstar.mechanics.operating_points import operating_state
+    from crankstar.tables.gas_words import state_facts
+
+    return state_facts(operating_state(engine, speed=result.speed))
 
 
 def _with_gas(engine: Engine, result: Balance) -> tuple[Table, ...]:

@@ -13,13 +13,13 @@ from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, number, numbers_text
-from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import greatest, highest, length, tops
 from crankstar.mechanics.gas import Cycle
 from crankstar.spectra import Spectrum
 from crankstar.tables.conditions import unit_sentence, unit_sizes
+from crankstar.tables.gas_words import cycle_state, points_text, state_facts
 from crankstar.tables.headings import heading
 from crankstar.tables.oil_films import film_table
 from crankstar.tables.paths import shape
@@ -82,7 +82,7 @@ def bearing_document(
         **(
             {}
             if cycle is None
-            else {"point": cycle.name or None, "imep": cycle.imep, "off": list(cycle.off)}
+            else {**state_facts(cycle_state(cycle)), "imep": cycle.imep, "off": list(cycle.off)}
         ),
     }
     return Document(
@@ -148,7 +148,7 @@ def _peak_columns(unit: str) -> tuple[Column, ...]:
 def gas_sentences(cycle: Cycle) -> tuple[str, ...]:
     """Which gas is in the loads, and how fast the engine turns."""
     values = {
-        "point": one_line(cycle.name, longest=60),
+        "point": points_text(cycle.shares),
         "rpm": number((cycle.speed or 0.0) * 30 / pi),
         "pressure": quantity_text(cycle.imep, "Pa"),
     }
@@ -158,6 +158,14 @@ def gas_sentences(cycle: Cycle) -> tuple[str, ...]:
             _(
                 "With gas at the operating point {point}, {rpm} rpm, {pressure} indicated mean "
                 "effective pressure.",
+                **values,
+            )
+        ]
+    if len(cycle.shares) > 1:
+        lines = [
+            _(
+                "With gas between the operating points {point}, {rpm} rpm, {pressure} indicated "
+                "mean effective pressure.",
                 **values,
             )
         ]

@@ -16,7 +16,7 @@ from crankstar.spectra import Complex, Real
 from crankstar.studies.diagnosis import EXPLAINS, FEW, Diagnosis, Suspect
 from crankstar.studies.readings import AXES
 from crankstar.studies.single_faults import Fault, Shaken, fault_text, limits
-from crankstar.tables.gas_words import load_words
+from crankstar.tables.gas_words import state_facts, state_words
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
@@ -42,10 +42,7 @@ def faults_document(
     engine = before.engine
     names = [fault_text(fault, engine) for fault in faults]
     table, fresh = _changes(before, after, point, every=every)
-    lines = [
-        load_words(engine, before.point, before.speed),
-        _("With: {faults}.", faults=", ".join(names)),
-    ]
+    lines = [state_words(engine, before.state), _("With: {faults}.", faults=", ".join(names))]
     if fresh:
         lines.append(
             _(
@@ -71,7 +68,8 @@ def faults_document(
     facts: dict[str, Any] = {
         "format": 1,
         "speed_rpm": float(f"{before.speed * RPM:.12g}"),
-        "operating_point": before.point or None,
+        "operating_point": before.state.point or None,
+        "points": state_facts(before.state)["points"],
         "mounted": before.mounted,
         "point_mm": [round(1e3 * float(each), 6) for each in _place(before, point)],
         "faults": [_plain(fault) for fault in faults],
@@ -171,7 +169,7 @@ def _changes(
 def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Document:
     """The suspects, what the likeliest leaves unexplained reading by reading."""
     verdict = _verdict(found)
-    states = [load_words(found.engine, *state) for state in found.states]
+    states = [state_words(found.engine, state) for state in found.states]
     parts: list[Table | Remarks] = [*remarks(*verdict, *states)]
     if (suspects_of(found) or (every and found.suspects)) and not found.healthy:
         parts += [_suspects(found, every=every), _readings(found)]
@@ -207,8 +205,9 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
         )
     facts = {
         "format": 1,
-        "speeds_rpm": [float(f"{speed * RPM:.12g}") for _point, speed in found.states],
-        "operating_points": [point or None for point, _speed in found.states],
+        "speeds_rpm": [float(f"{(each.speed or 0.0) * RPM:.12g}") for each in found.states],
+        "operating_points": [each.point or None for each in found.states],
+        "points": [state_facts(each)["points"] for each in found.states],
         "difference_share": found.share,
         "explained": found.found and not found.healthy,
         "healthy": found.healthy,

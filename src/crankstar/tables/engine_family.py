@@ -10,8 +10,10 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.mechanics.external_moments import unbalance_class
+from crankstar.mechanics.operating_points import OperatingState
 from crankstar.studies.engine_family import ChainDrive, Member
 from crankstar.studies.published_orders import Published
+from crankstar.tables.gas_words import at_points, cycle_state, state_facts
 from crankstar.tables.marine import OF_GUIDES
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
@@ -36,6 +38,7 @@ def family_document(
     facts: dict[str, Any] = {
         "format": 1,
         "engine": engine.name,
+        **state_facts(_state(members)),
         "speed_rpm": next((_speed(member) for member in members if member.found), None),
         "goals": goals,
         "horizontal_share": horizontal_share,
@@ -44,13 +47,24 @@ def family_document(
     return Document(engine.name, tuple(parts), facts)
 
 
+def _state(members: Sequence[Member]) -> OperatingState | None:
+    """The operating points of the gas of guide-force moments, None without."""
+    found = next((own.found for own in members if own.found and own.found.cycle), None)
+    return None if found is None or found.cycle is None else cycle_state(found.cycle)
+
+
 def _speed(member: Member) -> float | None:
     speed = member.found and member.found.after.speed
     return None if speed is None else speed * RPM
 
 
 def _heading(engine: Engine, members: Sequence[Member]) -> str:
-    """The engine whose cylinders they are, and at which speed."""
+    """The engine whose cylinders they are, at which speed and operating points."""
+    found = next((own.found for own in members if own.found and own.found.cycle), None)
+    return at_points(_at_speed(engine, members), None if found is None else found.cycle)
+
+
+def _at_speed(engine: Engine, members: Sequence[Member]) -> str:
     speed = next((_speed(member) for member in members if member.found), None)
     if speed is None:
         return _("Engines with the cylinders of {engine}", engine=engine.name)

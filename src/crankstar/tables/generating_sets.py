@@ -10,7 +10,13 @@ from crankstar.dynamics.uneven import Running
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.studies.generating_sets import SHARES, GeneratingSet
-from crankstar.tables.gas_words import burning_words, weaker_facts
+from crankstar.tables.gas_words import (
+    at_points,
+    burning_words,
+    cycle_state,
+    state_facts,
+    weaker_facts,
+)
 from crankstar.tables.headings import heading
 from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 
@@ -46,7 +52,7 @@ def _facts(found: GeneratingSet) -> dict[str, Any]:
         "format": 1,
         "engine": found.engine.name,
         "engines": found.engines,
-        "point": None if found.cycle is None else found.cycle.name or None,
+        **state_facts(None if found.cycle is None else cycle_state(found.cycle)),
         "off": [] if found.cycle is None else list(found.cycle.off),
         "weaker": weaker_facts(found.cycle),
         "pole_pairs": pairs,
@@ -92,7 +98,7 @@ def _running_table(found: GeneratingSet, running: Running, angle: GeneratorAngle
     )
     title = _("Uneven running")
     if found.cycle is not None:
-        title = burning_words(title, found.cycle)
+        title = burning_words(at_points(title, found.cycle), found.cycle)
     return Table(title, columns, tuple(rows), key="running")
 
 
@@ -137,7 +143,7 @@ def _sum_table(found: GeneratingSet) -> Table:
         if found.engines == 1:
             title = _("On the foundation at {rpm} rpm", rpm=rpm)
     if found.cycle is not None:
-        title = burning_words(title, found.cycle)
+        title = burning_words(at_points(title, found.cycle), found.cycle)
     return Table(title, tuple(columns), rows, key="sums")
 
 

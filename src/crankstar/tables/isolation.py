@@ -9,6 +9,7 @@ from crankstar.dynamics.mount_worst import ROLL, roll_mode
 from crankstar.engine.mounts import Mount
 from crankstar.language.messages import N_, _, _n
 from crankstar.remedy.isolation import KEPT, Isolation, MountLimits
+from crankstar.tables.gas_words import range_words
 from crankstar.tables.headings import heading
 from crankstar.tables.mount_points import told_point
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
@@ -138,6 +139,7 @@ def _notes(best: Isolation, after: MountAnalysis, limits: MountLimits) -> list[s
     held = _held(after, limits)
     if held:
         lines.append(_("It has come to these limits: {limits}.", limits=", ".join(held)))
+    lines.append(range_words(best.engine, after.operating_point))
     if best.aim.endswith("velocity"):
         point = told_point(best.engine, after.point)
         lines.append(_("Vibration is that of the point {point}; see --at.", point=point))

@@ -21,6 +21,7 @@ from crankstar.mechanics.external_moments import (
 )
 from crankstar.mechanics.guide_moments import GuideMoments
 from crankstar.studies.marine import MarineAnalysis
+from crankstar.tables.gas_words import cycle_state, state_facts, state_words
 from crankstar.tables.headings import heading
 from crankstar.tables.marine_doubts import doubts, power_text
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
@@ -62,7 +63,7 @@ def _facts(found: MarineAnalysis, bracing: tuple[float, float] | None) -> dict[s
         "engine": found.engine.name,
         "speed_rpm": None if found.after.speed is None else found.after.speed * RPM,
         "power_kw": None if found.power is None else found.power / 1e3,
-        "point": None if found.cycle is None else found.cycle.name or None,
+        **state_facts(None if found.cycle is None else cycle_state(found.cycle)),
         "about": found.after.z,
         "node": None if found.at_node is None else found.at_node[1].z,
         "horizontal_share": found.end_weights,
@@ -285,6 +286,8 @@ def _notes(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[s
         )
     if found.orders is None:
         lines += _shares(found.guide)
+    if found.cycle is not None:
+        lines.append(state_words(found.engine, cycle_state(found.cycle)))
     lines.append(_("Axial vibration, and what the propeller does, are left out."))
     return lines
 

@@ -20,6 +20,7 @@ from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.mass_doubts import body_doubts
 from crankstar.spectra import Complex
 from crankstar.tables.estimates import typical_remarks
+from crankstar.tables.gas_words import range_facts, range_words, state_facts, state_words
 from crankstar.tables.headings import heading
 from crankstar.tables.mount_points import point_tables, told_point
 from crankstar.tables.mount_speeds import known, of_mounts, speed_table
@@ -81,6 +82,10 @@ def _facts(engine: Engine, found: MountAnalysis) -> dict[str, Any]:
         "inertia": block.mass[3:SIX, 3:SIX].tolist(),
         "point": list(found.point),
         "freedoms": list(FREEDOMS),
+        "speed_rpm": None if found.state is None else (found.state.speed or 0.0) * RPM,
+        "operating_point": None if found.state is None else found.state.point or None,
+        "points": state_facts(found.state)["points"],
+        "gas_over_speeds": range_facts(engine, found.operating_point),
         "without_gas": (known.excitation.without_gas or None) if known else None,
         "assumed": [
             *(["block"] if block.body.assumed else []),
@@ -253,6 +258,10 @@ def _notes(engine: Engine, found: MountAnalysis, *, point_told: bool) -> list[st
     if found.over is None and found.at is None:
         lines.append(_("Without a speed nothing shakes it: give --speeds, or speed in the file."))
         return lines
+    if found.state is not None:
+        lines.append(state_words(engine, found.state))
+    if found.over is not None and not found.over.excitation.without_gas:
+        lines.append(range_words(engine, found.operating_point))
     if point_told:
         point = told_point(engine, found.point)
         lines.append(_("Vibration is that of the point {point}; see --at.", point=point))

@@ -23,7 +23,13 @@ from crankstar.mechanics.gas_loads import LoadedTorques
 from crankstar.mechanics.gas_torque import GasTorque, gas_torque
 from crankstar.spectra import Real
 from crankstar.tables.conditions import unverified_gas
-from crankstar.tables.gas_words import burning_words, weaker_facts
+from crankstar.tables.gas_words import (
+    at_points,
+    burning_words,
+    cycle_state,
+    state_facts,
+    weaker_facts,
+)
 from crankstar.tables.headings import heading
 from crankstar.tables.meshes import mesh_table
 from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value, remarks
@@ -90,7 +96,7 @@ def torque_document(
     facts = {
         "format": 1,
         "engine": engine.name,
-        "point": cycle.name or None,
+        **state_facts(cycle_state(cycle)),
         "speed_rpm": None if turning is None else float(f"{turning * 30 / pi:.12g}"),
         "mean_torque": float(found.mean.sum()),
         "brake_torque": None if turning is None else mean,
@@ -217,10 +223,7 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
     title = _("One cycle")
     if cycle.speed is not None:
         title = _("One cycle at {rpm} rpm", rpm=number(cycle.speed * 30 / pi))
-    if cycle.name:
-        named = one_line(cycle.name, longest=60)
-        title = _("{title}, operating point {point}", title=title, point=named)
-    return _pairs(burning_words(title, cycle), rows)
+    return _pairs(burning_words(at_points(title, cycle), cycle), rows)
 
 
 def running_table(running: Running) -> Table:
@@ -291,7 +294,7 @@ def assumed_notes(engine: Engine, cycle: Cycle) -> list[str]:
             _(
                 "The load is assumed too: {pressure} indicated mean effective pressure in each "
                 "cylinder that fires.",
-                pressure=quantity_text(cycle.values["imep"], "Pa"),
+                pressure=quantity_text(cycle.values.get("imep", cycle.imep), "Pa"),
             )
         )
     if (

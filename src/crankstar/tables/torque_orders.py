@@ -18,6 +18,7 @@ from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import GasTorque, added, gas_roll, gas_torque, roll_with_gas
 from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Complex, Spectrum
+from crankstar.tables.gas_words import at_points
 from crankstar.tables.table import Column, Table, Value
 
 NOTED = 0.01
@@ -116,6 +117,7 @@ def gas_tables(
     if machine:
         return (replace(order_table(waves, shown, machine=True), key="gas_orders"),)
     title = _("Torque by order, gas at {pressure}", pressure=quantity_text(found.imep, "Pa"))
+    title = at_points(title, found)
     table = order_table(waves, shown, machine=False)
     rolls = replace(roll_table(waves, shown), title=_("Rolling moment on the block, gas included"))
     return replace(table, title=title), rolls

@@ -20,6 +20,13 @@ from crankstar.language.numbers import number
 from crankstar.mechanics.doubts import torsion_doubts
 from crankstar.spectra import Real
 from crankstar.tables.crank_fatigue import fatigue_of, fatigue_table
+from crankstar.tables.gas_words import (
+    cycle_state,
+    range_facts,
+    range_words,
+    state_facts,
+    state_words,
+)
 from crankstar.tables.headings import heading
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 from crankstar.tables.torque import assumed_notes
@@ -98,7 +105,9 @@ def _facts(source: Engine | Chain, found: TorsionAnalysis) -> dict[str, Any]:
     return {
         "format": 1,
         "chain" if isinstance(source, Chain) else "engine": source.name,
-        "point": None if cycle is None else cycle.name or None,
+        **state_facts(None if cycle is None else cycle_state(cycle)),
+        "speed_rpm": None if cycle is None or cycle.speed is None else cycle.speed * RPM,
+        "gas_over_speeds": range_facts(source, found.point) if isinstance(source, Engine) else [],
         "imep": None if cycle is None else cycle.imep,
         "without_gas": found.without_gas or None,
         "free_end": found.chain.names[found.free_end],
@@ -349,9 +358,9 @@ def _notes(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
         return lines
     if found.cycle is not None:
         lines += cycle_notes(source, found.cycle)
-        lines.append(
-            _("The gas does the same at all speeds: it is that of one operating point (--point).")
-        )
+        lines.append(range_words(source, found.point))
+        if found.at is not None:
+            lines.append(state_words(source, cycle_state(found.cycle)))
     if found.range_assumed:
         lines.append(_("The range of speeds is taken about the one that is known; see --speeds."))
     lines.append(

@@ -194,7 +194,7 @@ function meaning(own: Mounts, { show, rpm }: MountChoice): string {
     'All orders that are chosen move it, magnified; arrows are the force of each mount on what is below it.',
   )
   const alone = t('Without gas: this is what the moving parts do alone.')
-  const mixed = t('Between the operating points the gas is interpolated.')
+  const mixed = t('Between the speeds at which it is known the gas is interpolated.')
   const known = own.driving?.gas_speeds.length ?? 0
   if (!known) return `${alone} ${all}`
   return rpm !== null && known > 1 ? `${all} ${mixed}` : all
