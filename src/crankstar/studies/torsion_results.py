@@ -58,6 +58,8 @@ def _value(engine: Engine, speed: float | None, what: str, order: float | None) 
         if not modes:
             raise SweepError("nothing twists: all masses are rigidly coupled")
         return modes[0].frequency
+    if what == "torsion_stress" and speed is None and order is None:
+        return torsion_peak(engine)
     found = torsion(engine, speeds=[] if speed is None else [speed])
     if found.response is None:
         raise SweepError(
@@ -79,10 +81,9 @@ def torsion_peak(engine: Engine, *, point: str = "") -> float:
     if found.response is None:
         raise SweepError("the stress needs a speed, and gas or masses: give speed and [gas]")
     stress = _Stress(_moduli(found))
-    whole = peaked(engine, found, curves=stress).response
-    return (
-        stress.greatest if whole is not found.response else greatest_stress(whole, stress.modulus)
-    )
+    stress(found.response)  # where there is nothing to refine it is all
+    peaked(engine, found, curves=stress)
+    return stress.greatest
 
 
 def _greatest(found: TorsionAnalysis, own: Response, what: str, order: float | None) -> float:
