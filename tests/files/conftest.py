@@ -15,7 +15,8 @@ from tests.commands import Ran, Run, replaced
 from crankstar import cli
 
 WRITTEN = re.compile(
-    r"^(Wrote |Replaced |Estimated: |None of orders? |--[a-z]+ changes nothing |Записан файл ).*\n",
+    r"^(Wrote |Replaced |Estimated: |None of orders? |--[a-z]+ changes nothing "
+    r"|The file gives no |Записан файл ).*\n",
     re.MULTILINE,
 )
 """Lines on standard error of a success: a file written, what in it is estimated or not there."""

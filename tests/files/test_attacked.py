@@ -96,6 +96,7 @@ def test_the_range_of_the_case_is_told_and_a_range_of_whole_numbers_is_read() ->
 def test_an_explicit_file_with_masses_needs_no_bore_to_be_estimated(name: str) -> None:
     found = estimated(tree_of((CASES / f"{name}.toml").read_text()))
     assert [each.path for each in found.filled] == ["speed"]
+    assert found.filled[0].source.endswith("with a bore equal to the stroke: the file has no bore")
 
 
 def test_an_explicit_file_without_masses_and_bore_is_told_what_it_needs(refused: Refused) -> None:

@@ -383,7 +383,7 @@ def spans_of(text: str) -> list[list[float]]:
 def test_a_roll_has_one_range_in_words_and_in_the_table(run: Run, name: str) -> None:
     """And masses drawn at random leave no roll beyond it."""
     out = re.sub(r"\s+", " ", run("analyze", name, "--estimate", "--units", "N, N m").out)
-    said = re.search(r"Roll of order (\d+): about ([^)]*)", out)
+    said = re.search(r"Roll without gas of order (\d+): about ([^)]*)", out)
     assert said is not None
     moments = out[out.index("Moments about the crank axis") :]
     row = re.search(rf" {said[1]} ([\d.]+ \([^)]*)\) ∠", moments)

@@ -34,7 +34,7 @@ LINES = [
     "drill --unbalance '850 g*mm at 20 deg' --at-radius '60 mm' --diameter '12 mm'",
     "errata --source kr250",
     "estimate single --displacement '250 cc'",
-    "export single",
+    "export single --set cylinder.stroke='80 mm'",
     "fault audi-25-tfsi --cut 2",
     "genset audi-25-tfsi --engines 2",
     "grade --mass '28 kg' --speed '6000 rpm'",

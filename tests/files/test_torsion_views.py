@@ -17,7 +17,7 @@ from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_criticals import stresses
 from crankstar.dynamics.torsion_response import response
 from crankstar.files import changed, engine_of
-from crankstar.studies.torsion_results import greatest_stress
+from crankstar.studies.torsion_results import greatest_stress, torsion_peak
 from crankstar.studies.variants import SweepError
 
 RPM = 30 / np.pi
@@ -208,3 +208,15 @@ def test_the_report_has_a_chapter_on_torsion(run: Run, six: str, tmp_path: Path)
     assert "order 4.5" in chapter
     order = [page.index(f'<section id="{name}"') for name in ("gas", "torsion", "bearings")]
     assert order == sorted(order)
+
+
+@pytest.mark.parametrize("name", ["mwm-6-diesel", "rover-v8-39"])
+def test_the_peak_of_stress_is_that_of_the_whole_response(name: str) -> None:
+    """The quick road, which leaves out what cannot be the greatest, beside every refined peak."""
+    changes = {"torsion.diameter": "80 mm"} if name == "mwm-6-diesel" else {}
+    engine = crankstar.load(name, changes=changes)
+    found = torsion(engine)
+    assert found.response is not None
+    modulus = np.array([each.modulus or np.nan for each in found.chain.sections])
+    wanted = float(np.nanmax(found.response.peak / modulus))
+    assert torsion_peak(engine) == pytest.approx(wanted, rel=1e-9)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 from math import cos, pi, sin
 from typing import Any
 
@@ -14,7 +15,15 @@ from tests.newton import placed
 from crankstar import load
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
-from crankstar.exports.solids import FACETS, Solid, glb_bytes, solids, stl_bytes
+from crankstar.exports.solids import (
+    FACETS,
+    ExportError,
+    Solid,
+    assumed,
+    glb_bytes,
+    solids,
+    stl_bytes,
+)
 from crankstar.page.scene import scene
 from crankstar.remedy.counterweights import with_counterweights
 
@@ -129,3 +138,19 @@ def test_stl_is_in_millimetres() -> None:
     size = (high - low)[[1, 0, 2]] * 1000
     assert np.all(whole.extents <= size * 1.001)
     assert np.all(whole.extents > 0.6 * size)
+
+
+def test_millimetres_of_an_engine_without_lengths_are_refused() -> None:
+    with pytest.raises(ExportError, match=r"cylinder\.stroke"):
+        stl_bytes(load("i4"))
+    sized = load("i4", changes={"cylinder.stroke": "80 mm"})
+    read: Any = trimesh.load(io.BytesIO(stl_bytes(sized)), file_type="stl")
+    assert 80 < read.extents[1] < 600
+
+
+def test_a_gltf_file_records_what_it_is_drawn_with() -> None:
+    content = glb_bytes(load("i4"))
+    length = int.from_bytes(content[12:16], "little")
+    record = json.loads(content[20 : 20 + length])["asset"]["extras"]["assumed"]
+    assert record == list(assumed(load("i4")))
+    assert len(record) == 3  # stroke, bore, bore pitch

@@ -64,13 +64,15 @@ def export(
         point = request.reference(reference, loaded)
         write(exudyn_script(loaded, speed=turning, reference=point), output)
     else:
-        from crankstar.exports.solids import glb_bytes, stl_bytes
+        from crankstar.exports.solids import assumed, glb_bytes, stl_bytes
 
         angles = request.angles(theta)
         if len(angles) > 1:
             raise refusal("--theta", theta, N_('give one crank angle, such as "30 deg"'))
         content = glb_bytes if form == "glb" else stl_bytes
         write_bytes(content(loaded, theta=angles[0] if angles else 0.0), output)
+        for sentence in assumed(loaded):
+            complain(sentence)
     _tell_estimated(loaded)
 
 

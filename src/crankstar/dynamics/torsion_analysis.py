@@ -136,6 +136,25 @@ def torsion(
     >>> found.chain.names[-1], found.response.turns.shape, found.without_gas
     ('flywheel', (1, 48, 6), '')
     """
+    found = torsion_on_grid(
+        source, point=point, speed=speed, speeds=speeds, orders=orders, modes=modes
+    )
+    return found if isinstance(source, Chain) else peaked(source, found)
+
+
+def torsion_on_grid(
+    source: Engine | Chain,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    speeds: Sequence[float] | Real = (),
+    orders: Sequence[float] | None = None,
+    modes: int | None = None,
+) -> TorsionAnalysis:
+    """The same as `torsion` at the speeds of the range and critical ones, not yet at the peaks.
+
+    For those who refine other curves (`peaked`), or a single value. Raises what `torsion` raises.
+    """
     chain = torsion_chain(source)
     free = torsion_modes(chain)
     if isinstance(source, Chain):
@@ -177,9 +196,7 @@ def torsion(
     if not driven:
         return rough
     speeds = _with_criticals(source, rough, push)
-    return peaked(
-        source, replace(rough, speeds=speeds, response=response(chain, push, speeds=speeds))
-    )
+    return replace(rough, speeds=speeds, response=response(chain, push, speeds=speeds))
 
 
 def _with_criticals(engine: Engine, found: TorsionAnalysis, push: Excitation) -> Real:

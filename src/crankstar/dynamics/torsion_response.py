@@ -111,7 +111,8 @@ def joined(first: Response, second: Response) -> Response:
 
     fields = {name: both(name) for name in ("turns", "twist", "torque", "driving")}
     out = replace(first, speeds=speeds[order], **fields)
-    vars(out)["peak"] = both("peak")
+    if "peak" in vars(first):
+        vars(out)["peak"] = both("peak")
     vars(out)["peak_turns"] = {
         node: np.concatenate([known, second.peak_turn(node)])[order]
         for node, known in first.peak_turns.items()

@@ -1,9 +1,11 @@
 """The moving parts of an engine at a crank angle as solids: glTF (.glb) and STL; needs trimesh.
 
 The frame is that of glTF: x to the right, y up, z to the front of the engine, metres (crank radii
-where the file has no sizes). Every shaft, rod and piston is a node with its name; a rod's node is
-its big end, a piston's its pin, y along the rod or the cylinder. Sizes that the file does not give
-are those of the page. STL has no units and no names: it is in millimetres, as CAD programs expect.
+where the file has no sizes: `assumed` lists it). Every shaft, rod and piston is a node with its
+name; a rod's node is its big end, a piston's its pin, y along the rod or the cylinder. Sizes that
+the file does not give are those of the page, listed in the asset of a glTF file (`extras.assumed`).
+STL has no units and no names: it is in millimetres, as CAD programs expect, and refused where no
+length is known.
 """
 
 from __future__ import annotations
@@ -16,6 +18,7 @@ import numpy as np
 
 from crankstar.engine import motion
 from crankstar.engine.engine import Engine
+from crankstar.language.messages import MessageError, _
 from crankstar.page.records import Scene, ShaftShown
 from crankstar.page.scene import scene
 
@@ -25,6 +28,10 @@ EYE, SMALL_EYE = 1.45, 0.2
 """Outer radius of a rod's big end in pin radii, of its small end in bores."""
 MILLIMETRES = 1000.0
 Frame = np.ndarray
+
+
+class ExportError(MessageError):
+    """A file that would need what the engine file does not give."""
 
 
 class Solid(NamedTuple):
@@ -49,6 +56,17 @@ def solids(engine: Engine, *, theta: float = 0.0) -> list[Solid]:
     return [*out, *_moving(engine, drawn, theta)]
 
 
+def assumed(engine: Engine) -> tuple[str, ...]:
+    """What the solids are drawn with that the file does not give, a sentence each.
+
+    >>> from crankstar.files.catalog import load
+    >>> assumed(load("i4"))[0]
+    'The file gives no stroke: lengths are in crank radii, of any size in millimetres.'
+    """
+    unit = _("The file gives no stroke: lengths are in crank radii, of any size in millimetres.")
+    return (*((unit,) if "radius" in engine.relative else ()), *scene(engine).assumed)
+
+
 def glb_bytes(engine: Engine, *, theta: float = 0.0) -> bytes:
     """The solids as a binary glTF file, a node for each part."""
     import trimesh
@@ -57,13 +75,25 @@ def glb_bytes(engine: Engine, *, theta: float = 0.0) -> bytes:
     for solid in solids(engine, theta=theta):
         mesh = trimesh.util.concatenate(solid.meshes)
         whole.add_geometry(mesh, node_name=solid.name, geom_name=solid.name, transform=solid.frame)
-    content: Any = whole.export(file_type="glb")
+    lacking = list(assumed(engine))
+
+    def with_record(tree: dict[str, Any]) -> None:
+        tree["asset"]["extras"] = {"assumed": lacking}
+
+    content: Any = whole.export(file_type="glb", tree_postprocessor=with_record)
     return bytes(content)
 
 
 def stl_bytes(engine: Engine, *, theta: float = 0.0) -> bytes:
-    """The solids as a binary STL file, in millimetres."""
+    """The solids as a binary STL file, in millimetres; raises ExportError where none is known."""
     import trimesh
+
+    if "radius" in engine.relative:
+        raise ExportError(
+            "an STL file is in millimetres, and the engine file has no lengths: give "
+            "cylinder.stroke (in the explicit form, every length with its unit), or write .glb, "
+            "in crank radii"
+        )
 
     placed = [
         mesh.copy().apply_transform(solid.frame)

@@ -116,6 +116,8 @@ def estimated(
     if laid_out.speed is None:
         speeds = piston_speed(kind)
         source = f"mean piston speed of {speeds[1]:g} m/s, {_type(kind)}"
+        if explicit and first.bore is None and reason:
+            source += ", found with a bore equal to the stroke: the file has no bore"
         filling.fill("speed", [pi * v / stroke for v in speeds], source)
     if not filling.table("provenance"):
         del filling.tree["provenance"]

@@ -35,9 +35,9 @@ def refined(
     """What is found on a grid, and at the points added to it at which its curves are highest.
 
     `found` belongs to the ascending `grid`, `at` computes the same at other points, `joined` puts
-    both in ascending order, `curves` has the values [point, curve]. Every local maximum that may be
-    the highest of its curve is divided until it is flat to 1e-6; so is each crossing of `limits`
-    [curve] (nan: none), to 1e-6 of its position.
+    both in ascending order, `curves` has the values [point, curve], each of its point alone. Every
+    local maximum that may be the highest of its curve is divided until it is flat to 1e-6; so is
+    each crossing of `limits` [curve] (nan: none), to 1e-6 of its position.
 
     >>> peak = lambda x: 1 / ((x - 1.2345) ** 2 + 1e-4)[:, None]
     >>> grid = np.linspace(0, 3, 7)
@@ -48,15 +48,18 @@ def refined(
     >>> round(float(x), 4), round(float(value), 2)
     (1.2345, 10000.0)
     """
+    values, added = curves(found), None
     for _ in range(ROUNDS):
-        values = curves(found)
         beside = _beside_maxima(grid, values, limits)
         more = np.union1d(beside, _at_limits(grid, values, limits))
         if not more.size:
-            return found
-        found = joined(found, at(more))
-        grid = np.union1d(grid, more)
-    return found
+            break
+        new = at(more)
+        places = np.searchsorted(grid, more)
+        grid = np.insert(grid, places, more)
+        values = np.insert(values, places, curves(new), axis=0)
+        added = new if added is None else joined(added, new)
+    return found if added is None else joined(found, added)
 
 
 def _divided(grid: Real, intervals: Real) -> Real:

@@ -7,12 +7,13 @@ order; over the speeds of the engine's file, or, where the speed is swept, at ea
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.mechanics.maxima import NEAR
 from crankstar.spectra import Real
 from crankstar.studies.gas_results import Case, one_by_one
 from crankstar.studies.variants import SweepError
@@ -22,8 +23,8 @@ if TYPE_CHECKING:
     from crankstar.dynamics.torsion_response import Response
 
 UNITS = {"torsion_frequency": "Hz", "torsion_stress": "MPa", "torsion_amplitude": "deg"}
-AT_ONCE = 8
-"""Speeds whose stresses are computed together."""
+AT_ONCE = 16
+"""Peaks over the cycle that are computed together."""
 TORSION_WATCHABLE = (*UNITS,)
 
 
@@ -57,6 +58,8 @@ def _value(engine: Engine, speed: float | None, what: str, order: float | None) 
         if not modes:
             raise SweepError("nothing twists: all masses are rigidly coupled")
         return modes[0].frequency
+    if what == "torsion_stress" and speed is None and order is None:
+        return torsion_peak(engine)
     found = torsion(engine, speeds=[] if speed is None else [speed])
     if found.response is None:
         raise SweepError(
@@ -68,14 +71,19 @@ def _value(engine: Engine, speed: float | None, what: str, order: float | None) 
 def torsion_peak(engine: Engine, *, point: str = "") -> float:
     """The greatest shear stress of torsion, Pa, of an operating point over the engine's speeds.
 
-    Raises SweepError where no shaft has a diameter or nothing excites it; TorsionError, GasError.
+    Between the speeds of the grid too, as `torsion` refines it; peaks over the cycle are computed
+    where the sum of amplitudes leaves room for the greatest alone. Raises SweepError where no shaft
+    has a diameter or nothing excites it; TorsionError, GasError.
     """
-    from crankstar.dynamics.torsion_analysis import torsion
+    from crankstar.dynamics.torsion_analysis import peaked, torsion_on_grid
 
-    found = torsion(engine, point=point)
+    found = torsion_on_grid(engine, point=point)
     if found.response is None:
         raise SweepError("the stress needs a speed, and gas or masses: give speed and [gas]")
-    return _greatest(found, found.response, "torsion_stress", None)
+    stress = _Stress(_moduli(found))
+    stress(found.response)  # where there is nothing to refine it is all
+    peaked(engine, found, curves=stress)
+    return stress.greatest
 
 
 def _greatest(found: TorsionAnalysis, own: Response, what: str, order: float | None) -> float:
@@ -85,33 +93,59 @@ def _greatest(found: TorsionAnalysis, own: Response, what: str, order: float | N
         node = found.free_end
         peak = own.peak_turn(node) if place is None else np.abs(own.turns[:, place, node])
         return float(np.degrees(peak.max()))
-    modulus = np.array([each.modulus or np.nan for each in found.chain.sections])
-    if np.all(np.isnan(modulus)):
-        raise SweepError(
-            "shear stress of torsion needs the diameter of a shaft: give torsion.diameter"
-        )
+    modulus = _moduli(found)
     if place is not None:
         return float(np.nanmax(np.abs(own.torque[:, place]) / modulus))
     return greatest_stress(own, modulus)
 
 
-def greatest_stress(own: Response, modulus: Real) -> float:
-    """Of all orders with their phases, Pa, over the speeds of a response.
+def _moduli(found: TorsionAnalysis) -> Real:
+    """Torque over stress of each section, m^3, nan without a diameter; raises without any."""
+    modulus = np.array([each.modulus or np.nan for each in found.chain.sections])
+    if np.all(np.isnan(modulus)):
+        raise SweepError(
+            "shear stress of torsion needs the diameter of a shaft: give torsion.diameter"
+        )
+    return modulus
 
-    No peak is above the sum of the amplitudes: the speeds with the greatest sums come first, and
-    the others are left out once none can have more. `modulus` [section]: torque over stress, m^3.
+
+def greatest_stress(own: Response, modulus: Real) -> float:
+    """Of all orders with their phases, Pa, at the speeds of a response.
+
+    `modulus` [section]: torque over stress, m^3.
     """
-    most = np.nanmax(own.added / modulus, axis=1)
-    order = np.argsort(-most)
-    best = 0.0
-    for start in range(0, order.size, AT_ONCE):
-        rows = order[start : start + AT_ONCE]
-        if most[rows[0]] <= best:
-            break
-        names = ("speeds", "turns", "twist", "torque", "driving")
-        some = replace(own, **{name: getattr(own, name)[rows] for name in names})
-        best = max(best, float(np.nanmax(some.peak / modulus)))
-    return best
+    stress = _Stress(modulus)
+    stress(own)
+    return stress.greatest
+
+
+class _Stress:
+    """The greatest stress of any section [speed, 1], zero where it is plainly not the greatest.
+
+    No peak over the cycle is above the sum of the amplitudes: sections and speeds with the greatest
+    sums come first, and those are left out that cannot come near the greatest found so far.
+    """
+
+    def __init__(self, modulus: Real) -> None:
+        self.modulus = modulus
+        self.greatest = 0.0
+
+    def __call__(self, own: Response) -> Real:
+        """The stresses at the speeds of a response, Pa."""
+        most = np.nan_to_num(own.added / self.modulus)
+        order = np.argsort(-most, axis=None)[: np.count_nonzero(most)]
+        speeds, sections = np.unravel_index(order, most.shape)
+        highest = most[speeds, sections]
+        out = np.zeros((len(most), 1))
+        for start in range(0, highest.size, AT_ONCE):
+            if highest[start] < NEAR * self.greatest:
+                break
+            rows, some = (each[start : start + AT_ONCE] for each in (speeds, sections))
+            waves = spectra.real_signal(own.orders, own.torque[rows, :, some])
+            stress = spectra.peaks(waves) / self.modulus[some]
+            np.maximum.at(out[:, 0], rows, stress)
+            self.greatest = max(self.greatest, float(stress.max()))
+        return out
 
 
 def _place(own: Response, order: float) -> int:

@@ -46,6 +46,7 @@
 | `bearings` | loads on main bearings and crank pins, guide forces |
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |
+| `gas_rolls` | the rolling moment on the block with gas, by which its remedies are judged |
 | `roll_cures` | the rolling moment that is left, and what would remove it |
 | `gas_words` | operating points, and what does not burn, in words |
 | `torque_orders` | gas and inertia torque and the roll of the block by order |

@@ -16,6 +16,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text
+from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
@@ -26,6 +27,7 @@ from crankstar.remedy.kept import Changes, vectors
 from crankstar.tables.bobweights import bobweights
 from crankstar.tables.certificate import certificate
 from crankstar.tables.cures import cure_lines, none_remains
+from crankstar.tables.gas_rolls import gas_roll_of
 from crankstar.tables.placings import placing_lines
 from crankstar.tables.scales import Scale, scales
 from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
@@ -319,12 +321,8 @@ def _remaining(job: Job) -> Table:
                         order=order_text(order),
                     )
                 )
-    unit = after.units.moment
-    for order in orders:
-        rolls = [bounds.size(rolling_moment(total(result)), order) for result in (before, after)]
-        if any(rolls):
-            left = _left(job, *_cleared(rolls))
-            rows.append((order, _("rolling moment"), unit, *left, None, None))
+    rolls, notes = _rolls(job, orders, (before, after))
+    rows += rolls
     load = _(LOADS[job.model])
     (scale, _couple, _moment), units = scales_of(job.after, job.speed)
     newtons = scale / scales_of(job.after, None)[0].force
@@ -342,7 +340,47 @@ def _remaining(job: Job) -> Table:
     title = _("Remaining unbalance")
     if after.speed is not None:
         title = _("Remaining unbalance at {rpm} rpm", rpm=number(after.speed * 30 / pi))
-    return Table(title, columns, tuple(rows), notes=tuple(worse), key="remaining")
+    return Table(title, columns, tuple(rows), notes=(*worse, *notes), key="remaining")
+
+
+def _rolls(
+    job: Job, orders: Sequence[float], balances: tuple[Balance, Balance]
+) -> tuple[list[tuple[Value, ...]], list[str]]:
+    """Rows of the rolling moment, without gas and with it; what a remedy of it makes worse."""
+    unit = balances[1].units.moment
+    gas = [gas_roll_of(engine, speed=job.speed) for engine in (job.before, job.after)]
+    rows: list[tuple[Value, ...]] = []
+    notes: list[str] = []
+    for order in orders:
+        alone = _cleared([bounds.size(rolling_moment(total(each)), order) for each in balances])
+        if not any(alone):
+            continue
+        word = _("rolling moment without gas")
+        rows.append((order, word, unit, *_left(job, *alone), None, None))
+        if gas[0] is None or gas[1] is None:
+            continue
+        both = _cleared([abs(each.at(order)) for each in gas if each is not None])
+        word = _("rolling moment with gas")
+        rows.append((order, word, "N*m", *_left(job, *both), None, None))
+        if both[1] > both[0] * (1 + OPTIMISED):
+            notes.append(
+                _(
+                    "With gas at {rpm} rpm the rolling moment of order {order} grows from {before} "
+                    "to {now}: no remedy for it at this load.",
+                    rpm=number(gas[0].speed * 30 / pi),
+                    order=order_text(order),
+                    before=quantity_text(both[0], "N*m"),
+                    now=quantity_text(both[1], "N*m"),
+                )
+            )
+    if rows and gas[0] is None:
+        notes.append(
+            _(
+                "The rolling moment that gas makes is not in these numbers: gas, speed or sizes "
+                "are not in the engine file."
+            )
+        )
+    return rows, notes
 
 
 def _by_component(job: Job) -> bool:

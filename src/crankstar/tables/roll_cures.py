@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -12,8 +13,8 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.language.kept import as_given, of_any
-from crankstar.language.messages import N_, _
-from crankstar.language.numbers import order_text
+from crankstar.language.messages import N_, _, passage
+from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.remains import Sums, remains, summed
@@ -21,33 +22,51 @@ from crankstar.remedy import Box, Placing, placed
 from crankstar.remedy.clearance import balance_shafts, is_clear_of_cranks
 from crankstar.remedy.placing import MOST_SHAFTS
 from crankstar.remedy.rolling import push
+from crankstar.tables.gas_rolls import gas_roll_of
 from crankstar.tables.scales import scales
 
 LEFT = {
     "moved": N_(
-        "Rolling moment of order {order}: {size} is left; none would be with {shafts} at {place}."
+        "Rolling moment without gas of order {order}: {size} is left; none would be with {shafts} "
+        "at {place}."
     ),
     "middle": N_(
-        "Rolling moment of order {order}: {size} is left; none would be with the middle of "
-        "{shafts} at {place}."
+        "Rolling moment without gas of order {order}: {size} is left; none would be with the "
+        "middle of {shafts} at {place}."
     ),
     "halved": N_(
-        "Rolling moment of order {order}: {size} is left; none would be with two shafts in place "
-        "of {shafts}, each with half of its unbalance, on opposite sides of {place} and equally "
-        "far from it."
+        "Rolling moment without gas of order {order}: {size} is left; none would be with two "
+        "shafts in place of {shafts}, each with half of its unbalance, on opposite sides of "
+        "{place} and equally far from it."
     ),
     "pair": N_(
-        "Rolling moment of order {order}: {size} is left; none would be with the two shafts at "
-        "{order} and -{order} times crank speed in other places, as `crankstar balance --level` "
-        "finds them."
+        "Rolling moment without gas of order {order}: {size} is left; none would be with the two "
+        "shafts at {order} and -{order} times crank speed in other places, as `crankstar balance "
+        "--level` finds them."
     ),
     "other": N_(
-        "Rolling moment of order {order}: {size} is left, which weights on the crankshaft do not "
-        "change; two balance shafts at {order} times crank speed, apart from each other and with "
-        "opposite unbalances, would remove it."
+        "Rolling moment without gas of order {order}: {size} is left, which weights on the "
+        "crankshaft do not change; two balance shafts at {order} times crank speed, apart from "
+        "each other and with opposite unbalances, would remove it."
     ),
 }
 """What is left, and what removes it: other places of the shafts, or shafts of its own."""
+WITH_GAS = {
+    "no remedy": N_(
+        "Rolling moment with gas of order {order} at {rpm} rpm: {size}, without gas {inertia}. "
+        "Shafts that remove the moment without gas would leave {left}: no remedy at this load."
+    ),
+    "remedy": N_(
+        "Rolling moment with gas of order {order} at {rpm} rpm: {size}. {left} would remain if "
+        "that without gas, {inertia}, were removed."
+    ),
+}
+"""The part of gas, which shafts for the moment of inertia leave as it is."""
+WORTH = 0.1
+"""Share of a rolling moment with gas from which what removes it is a remedy: our judgement.
+
+The load of an engine changes its gas torque by more than that from one minute to the next.
+"""
 
 
 class Roll(NamedTuple):
@@ -70,14 +89,35 @@ def largest_roll(result: Balance, sums: Sums) -> Roll | None:
 def roll_left(engine: Engine, *, speed: float | None) -> str:
     """The largest order of the rolling moment on an engine with its remedies, and what removes it.
 
-    Empty where there is none.
+    With gas where the file has it: what removes the moment of inertia is a remedy only if less
+    remains of both together. Empty where there is none.
 
     >>> from crankstar.files.catalog import load
     >>> roll_left(load("i4"), speed=None).partition(", which")[0]
-    'Rolling moment of order 2: 2.0005 m r² ω² is left'
+    'Rolling moment without gas of order 2: 2.0005 m r² ω² is left'
     """
     result = balance(engine, speed=speed)
     largest = largest_roll(result, summed(result))
+    found = gas_roll_of(engine, speed=speed)
+    if found is None:
+        return _inertia_left(engine, result, largest)
+    order = as_given("largest roll left", found.largest)
+    left, whole = found.gas_at(order), found.at(order)
+    less = as_given("less with gas", abs(left) < (1 - WORTH) * abs(whole))
+    case = "remedy" if less else "no remedy"
+    sentence = _(
+        WITH_GAS[case],
+        order=order_text(order),
+        rpm=number(found.speed * 30 / pi),
+        size=quantity_text(whole, "N*m"),
+        inertia=quantity_text(whole - left, "N*m"),
+        left=quantity_text(left, "N*m"),
+    )
+    return passage((sentence, _inertia_left(engine, result, largest) if less else ""))
+
+
+def _inertia_left(engine: Engine, result: Balance, largest: Roll | None) -> str:
+    """The largest order of the rolling moment of inertia, and what removes it."""
     if largest is None:
         return ""
     order = Fraction(largest.order).limit_denominator(1000)

@@ -13,6 +13,7 @@ from crankstar.mechanics.remains import Sums, pushed
 from crankstar.remedy import needs
 from crankstar.tables.conditions import assumed_sentence, unit_sentence
 from crankstar.tables.cures import cure_lines, left_by_counterweights, none_remains
+from crankstar.tables.gas_rolls import largest_sentence
 from crankstar.tables.peaks import FELT, part_peaks
 from crankstar.tables.roll_cures import largest_roll
 from crankstar.tables.table import Remarks
@@ -26,7 +27,7 @@ PEAKS = {
     "horizontal": N_("horizontal {size}"),
     "pitch": N_("pitch {size}"),
     "yaw": N_("yaw {size}"),
-    "roll": N_("roll {size}"),
+    "roll": N_("roll without gas {size}"),
 }
 """The parts of force and couple, and the rolling moment, with their peaks."""
 
@@ -39,7 +40,7 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
     the first vector that has one.
     """
     remaining = [largest_sentences(name, result, sums) for name in ("force", "couple")]
-    remaining.append(_roll_sentence(result, sums))
+    remaining += [largest_sentence(engine, speed=result.speed), _roll_sentence(result, sums)]
     lines = (
         passage((unit_sentence(engine, result), assumed_sentence(engine))),
         passage(remaining),
@@ -50,12 +51,12 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
 
 
 def _roll_sentence(result: Balance, sums: Sums) -> str:
-    """The largest order of the rolling moment."""
+    """The largest order of the rolling moment of inertia."""
     largest = largest_roll(result, sums)
     if largest is None:
         return _("No rolling moment from inertia.")
     return _(
-        "Roll of order {order}: {size}.",
+        "Roll without gas of order {order}: {size}.",
         order=order_text(largest.order),
         size=quantity_text(largest.wave, result.units.moment),
     )

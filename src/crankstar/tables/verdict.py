@@ -31,6 +31,7 @@ from crankstar.tables.by_order import left_in_any
 from crankstar.tables.conditions import unit_sentence
 from crankstar.tables.cures import cure_lines, none_remains, proposal
 from crankstar.tables.firing_facts import layout_sentence, succession_lines
+from crankstar.tables.gas_rolls import largest_sentence
 from crankstar.tables.paths import course, vector_name
 from crankstar.tables.relatives import relative_lines
 from crankstar.tables.table import Column, Document, Table
@@ -49,8 +50,8 @@ FREE = {
 }
 MOMENTS = {
     "roll": N_(
-        "Rolling moment on the block, with the flywheel taking the inertia torque: largest at "
-        "order {order}, {size}."
+        "Rolling moment without gas on the block, with the flywheel taking the inertia torque: "
+        "largest at order {order}, {size}."
     ),
     "axis_moment": N_(
         "Moment of the forces about the crank axis: largest at order {order}, {size}."
@@ -90,6 +91,7 @@ def verdict(
         ("units", unit_sentence(engine, result)),
         ("force", _vector_sentences("force", result, sums)),
         ("couple", _vector_sentences("couple", result, sums)),
+        ("roll", largest_sentence(engine, speed=speed)),
         ("roll", _moment_sentences(result, sums)),
         *(("torsion", sentence) for sentence in _torsion(engine, speed)),
         *(("mounts", sentence) for sentence in _mounts(engine, speed)),

@@ -1,0 +1,87 @@
+"""The rolling moment on the block with gas, at the operating point and speed that are meant.
+
+M(t) = axis moment - s (T_inertia + T_gas), s the sense of rotation: what turns the crankshaft one
+way turns the block the other way, inertia and gas alike. A remedy changes the part of inertia and
+leaves that of gas as it is, so that it is judged by the sum of both.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.language.kept import as_given
+from crankstar.language.messages import _
+from crankstar.language.numbers import number, order_text
+from crankstar.language.shown_units import quantity_text
+from crankstar.spectra import Spectrum
+
+
+class GasRoll(NamedTuple):
+    """The rolling moment on the block with gas, N m, and that of gas alone, at a speed in rad/s."""
+
+    whole: Spectrum
+    gas: Spectrum
+    speed: float
+
+    def at(self, order: float) -> complex:
+        """The complex amplitude of an order, N m."""
+        return _at(self.whole, order)
+
+    def gas_at(self, order: float) -> complex:
+        """The complex amplitude of an order of gas alone, N m."""
+        return _at(self.gas, order)
+
+    @property
+    def largest(self) -> float:
+        """The order that is largest."""
+        sizes = np.abs(spectra.amplitude(self.whole))
+        return float(self.whole.orders[int(np.argmax(sizes))])
+
+
+def gas_roll_of(engine: Engine, *, speed: float | None) -> GasRoll | None:
+    """The rolling moment with gas; None where the file has no gas, or masses or speed are unknown.
+
+    >>> from crankstar.files.catalog import load
+    >>> gas_roll_of(load("i4"), speed=100.0) is None
+    True
+    """
+    return None if engine.gas is None else _gas_roll(engine, speed)
+
+
+def _gas_roll(engine: Engine, speed: float | None) -> GasRoll | None:
+    from crankstar.mechanics.balance import balance, total  # with gas alone
+    from crankstar.mechanics.gas import cycle_or_reason
+    from crankstar.mechanics.gas_torque import gas_roll, gas_torque, roll_with_gas
+
+    found, _why = cycle_or_reason(engine, speed=speed)
+    if found is None or found.speed is None:
+        return None
+    result = balance(engine, speed=found.speed)
+    if result.speed is None:
+        return None
+    torque = gas_torque(found).total
+    whole = roll_with_gas(total(result), torque)
+    return GasRoll(whole, gas_roll(torque, engine.sense), found.speed)
+
+
+def largest_sentence(engine: Engine, *, speed: float | None) -> str:
+    """The largest order of the rolling moment with gas; empty where it is not known."""
+    found = gas_roll_of(engine, speed=speed)
+    if found is None:
+        return ""
+    order = as_given("largest roll with gas", found.largest)
+    return _(
+        "Rolling moment with gas at {rpm} rpm: largest at order {order}, {size}.",
+        rpm=number(found.speed * 30 / pi),
+        order=order_text(order),
+        size=quantity_text(found.at(order), "N*m"),
+    )
+
+
+def _at(spectrum: Spectrum, order: float) -> complex:
+    return complex(spectra.amplitude(spectra.selected(spectrum, [order]))[0])

@@ -1,0 +1,124 @@
+"""A remedy for roll is judged by what remains with gas at the operating point."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.files import read
+from crankstar.mechanics.gas import cycle
+from crankstar.options.balancing import BalanceOptions, balanced
+from crankstar.tables.gas_rolls import gas_roll_of
+from crankstar.tables.remedies import balancing_sheet
+from crankstar.tables.roll_cures import roll_left
+from crankstar.tables.table import Document, Table
+from crankstar.tables.verdict import verdict
+
+CASES = Path(__file__).parents[1] / "cases"
+SPEED = 1500 * np.pi / 30
+
+
+def genset(changes: dict[str, str] | None = None) -> Engine:
+    """The generating set of the case, with other values."""
+    return read(CASES / "genset-four.toml", changes=changes or {})
+
+
+def travel(engine: Engine, angle: np.ndarray) -> np.ndarray:
+    """The way of a centred piston from top dead centre, m."""
+    radius, rod = engine.throw(engine.first).radius, engine.first.rod_length
+    return radius * (1 - np.cos(angle)) + rod - np.sqrt(rod**2 - (radius * np.sin(angle)) ** 2)
+
+
+def amplitudes(engine: Engine) -> tuple[complex, complex]:
+    """Order 2 of the roll of inertia and of gas of an in-line four, from energy and work alone.
+
+    Torque of inertia -dE/dtheta, E = 1/2 m (w dx/dtheta)^2, and of gas (p - p0) A dx/dtheta;
+    the block feels both reversed, four cylinders of a four-stroke order 2 in phase.
+    """
+    found = cycle(engine, speed=SPEED)
+    count = found.pressure.shape[-1]
+    angle = 4 * np.pi * np.arange(count) / count  # from the dead centre at which it fires
+    step = 4 * np.pi / count
+
+    def slope(values: np.ndarray) -> np.ndarray:
+        waves = np.fft.rfft(values) * 1j * np.fft.rfftfreq(count, step / (2 * np.pi))
+        return np.fft.irfft(waves, n=count)
+
+    rate = slope(travel(engine, angle))
+    energy = 0.5 * engine.first.reciprocating * (SPEED * rate) ** 2
+    area = np.pi / 4 * (engine.first.bore or 0) ** 2
+    gas = (found.pressure[0] - found.crankcase) * area * rate
+
+    def second(torque: np.ndarray) -> complex:
+        return -4 * 2 / count * complex(np.fft.rfft(torque)[4])
+
+    return second(-slope(energy)), second(gas)
+
+
+def remaining(sheet: Document) -> Table:
+    """The table of what remains."""
+    (table,) = (part for part in sheet.parts if isinstance(part, Table) and part.key == "remaining")
+    return table
+
+
+def rolls(sheet: Document) -> dict[str, tuple[float, float]]:
+    """The rolling moments of order 2 before and now, by the words before and after `with`."""
+    rows = [row for row in remaining(sheet).rows if "rolling moment" in str(row[1])]
+    return {str(row[1]): (float(str(row[3])), float(str(row[4]))) for row in rows if row[0] == 2.0}
+
+
+def test_shafts_that_level_the_inertia_treble_the_roll_at_load() -> None:
+    engine = genset()
+    inertia, gas = amplitudes(engine)
+    assert (abs(inertia), abs(gas)) == pytest.approx((424.36, 631.85), rel=1e-4)
+    job = balanced(engine, BalanceOptions(shafts="2, -2", level=True))
+    sheet = balancing_sheet(job)
+    found = rolls(sheet)
+    assert found["rolling moment without gas"] == pytest.approx((abs(inertia), 0.0), rel=1e-6)
+    expected = (abs(inertia + gas), abs(gas))
+    assert expected == pytest.approx((207.69, 631.85), rel=1e-4)
+    assert found["rolling moment with gas"] == pytest.approx(expected, rel=1e-5)
+    (note,) = remaining(sheet).notes
+    assert "207.69 N m to 631.85 N m" in note
+
+
+def test_a_roll_that_shrinks_with_gas_has_no_warning() -> None:
+    engine = genset({"speed": "3000 rpm"})
+    job = balanced(engine, BalanceOptions(shafts="2, -2", level=True))
+    sheet = balancing_sheet(job)
+    before, now = rolls(sheet)["rolling moment with gas"]
+    assert now < before
+    assert not remaining(sheet).notes
+
+
+def test_without_gas_the_table_and_the_sentence_leave_it_out_openly() -> None:
+    engine = with_values(genset(), gas=None)
+    sheet = balancing_sheet(balanced(engine, BalanceOptions(shafts="2, -2", level=True)))
+    assert set(rolls(sheet)) == {"rolling moment without gas"}
+    (note,) = remaining(sheet).notes
+    assert "gas" in note
+    assert "without gas" in roll_left(engine, speed=None)
+    (told,) = (fact.sentence for fact in verdict(engine, relatives=False) if fact.about == "roll")
+    assert "without gas" in told
+
+
+def test_shafts_against_the_inertia_of_a_ship_engine_are_no_remedy() -> None:
+    engine = read(CASES / "marine-seven.toml")
+    found = gas_roll_of(engine, speed=None)
+    assert found is not None
+    assert found.largest == 7.0
+    assert abs(found.at(7.0)) == pytest.approx(583.1e3, rel=1e-3)
+    assert abs(found.at(7.0) - found.gas_at(7.0)) == pytest.approx(11.123e3, rel=1e-3)
+    told = roll_left(engine, speed=None)
+    assert told.endswith("no remedy at this load.")
+    assert "583.11 kN m, without gas 11.123 kN m" in told
+
+
+def test_the_summary_of_an_engine_with_gas_has_both_rolls() -> None:
+    told = [fact.sentence for fact in verdict(genset(), relatives=False) if fact.about == "roll"]
+    assert "1500 rpm: largest at order 4, 293.13 N m" in told[0]
+    assert "order 2, 424.36 N m" in told[1]
