@@ -156,8 +156,9 @@ def test_the_load_of_bearings_is_that_of_a_file_with_the_mass() -> None:
 
 
 def test_bearings_that_are_placed_in_the_file_are_not_assumed() -> None:
-    bare = load("i4")
-    placed = load("i4", changes={"crankshaft": [{"bearings": [2.0, 1.0, 0.0, -1.0, -2.0]}]})
+    bare = load("audi-25-tfsi")
+    at = [f"{88 * (2.5 - number)} mm" for number in range(6)]
+    placed = load("audi-25-tfsi", changes={"crankshaft": [{"bearings": at}]})
     paths = [
         {each.path for each in rests_on(one, bearing_peaks(one, lambda _: None))}
         for one in (bare, placed)

@@ -228,8 +228,8 @@ def mount_numbers(engine: Engine) -> MountNumbers | None:
     plain = mounts_document(engine, found, point_told=False)
     forces = [float(rms(each.response.ground_force[..., :3])[0]) for each in driven]
     notes, doubts = (
-        tuple(line for part in plain.sentences if part.kind == kind for line in part.lines)
-        for kind in ("note", "doubt", "assumed")
+        tuple(line for part in plain.sentences if part.kind in kinds for line in part.lines)
+        for kinds in (("note",), ("doubt", "assumed"))
     )
     return MountNumbers(
         displacement_unit=_small("um", 1e6),

@@ -246,8 +246,8 @@ def torsion_numbers(engine: Engine) -> TorsionNumbers | None:
         shown("MPa", 1.0, prefixed=False),
     )
     notes, doubts = (
-        tuple(line for part in plain.sentences if part.kind == kind for line in part.lines)
-        for kind in ("note", "doubt", "assumed")
+        tuple(line for part in plain.sentences if part.kind in kinds for line in part.lines)
+        for kinds in (("note",), ("doubt", "assumed"))
     )
     return TorsionNumbers(
         stress_unit=Unit(label=unit_text(stress.unit), factor=1e-6 * stress.factor),

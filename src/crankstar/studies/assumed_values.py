@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from math import degrees, radians
+from typing import Any
 
 import numpy as np
 
@@ -32,6 +33,7 @@ from crankstar.studies.changed_values import (
     point_value,
     with_bearings_moved,
     with_block_inertia,
+    with_block_mass,
     with_gas_value,
     with_mount_loss,
     with_rods_of,
@@ -77,6 +79,8 @@ STIFFNESS_ENDS = (0.85, 1.15)
 """Ends of the stiffness of a throw by its dimensions: empirical rules differ by as much."""
 BAR_ENDS = (0.5, 2.0)
 """Ends of moments of inertia that are those of a round bar."""
+BLOCK_ENDS = (0.6, 1.6)
+"""Ends of the mass of a block that its file does not give, as multiples."""
 SHIFT = 10.0
 """By how many per cent of the bore pitch a main bearing may lie elsewhere than is assumed."""
 
@@ -168,15 +172,21 @@ def _mounts(engine: Engine) -> Iterator[Assumption]:
 
     block = engine.block
     own = body(engine)
-    if own.assumed and block is not None:
+    if block is None:
+        low, high = (share * own.mass for share in BLOCK_ENDS)
+        yield Assumption(
+            "assumed", "block.mass", N_("usual for its reciprocating masses"),
+            own.mass, "kg", low, high, vary=with_block_mass,
+        )  # fmt: skip
+    if own.assumed:
         low, high = BAR_ENDS
-        if block.sides is not None:
+        if block is not None and block.sides is not None:
             box = inertia_in_box(block.mass, sides=block.sides)
             low = min(end / mid for end, mid in zip(box.low, box.typical, strict=True))
             high = max(end / mid for end, mid in zip(box.high, box.typical, strict=True))
         yield Assumption(
             "estimated", "block.inertia", N_("moments of inertia estimated"),
-            1.0, "", low, high, vary=with_block_inertia(own.inertia),
+            1.0, "", low, high, vary=with_block_inertia(own.mass, own.inertia),
         )  # fmt: skip
     if any(mount.assumed for mount in engine.mounts):
         low, high = (share * RUBBER_LOSS_FACTOR for share in RUBBER_ENDS)
@@ -297,8 +307,14 @@ def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
                 "assumed", path, N_("usual for such engines"), value / factor, unit,
                 low / factor, high / factor, vary=with_gas_value(name, factor),
             )  # fmt: skip
+        elif name == "ignition":
+            yield Assumption("assumed", path, N_("as compression ratio or bore say"), str(value))
         else:
-            yield Assumption("assumed", path, N_("usual for such engines"), str(value))
+            yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
+
+
+def _plain(value: Any) -> float | str | None:
+    return value if isinstance(value, float | str) else None
 
 
 UNITS_OF_GAS = {

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from crankstar.engine.block import Block
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas, OperatingPoint
@@ -94,14 +95,18 @@ def with_torsion_value(path: str, factor: float = 1.0) -> Vary:
     return vary
 
 
-def with_block_inertia(inertia: Sequence[float]) -> Vary:
-    """The block with these moments of inertia times a factor."""
+def with_block_mass(engine: Engine, mass: float) -> Engine:
+    """The engine with a block of this mass (kg), where its file gives none."""
+    return with_values(engine, block=Block(mass=mass))
+
+
+def with_block_inertia(mass: float, inertia: Sequence[float]) -> Vary:
+    """The block, of this mass (kg) if there is none, with these moments of inertia by a factor."""
 
     def vary(engine: Engine, factor: float) -> Engine:
         names = ("inertia_up", "inertia_right", "inertia_z")
         values = {name: own * factor for name, own in zip(names, inertia, strict=True)}
-        block = engine.block
-        assert block is not None  # noqa: S101  # its inertia is estimated
+        block = engine.block or Block(mass=mass)
         return with_values(engine, block=with_values(block, **values))
 
     return vary

@@ -48,12 +48,12 @@ With 387 g to 990 g the couple of order 1 is 747 to 1260 N m, not 418 N m.
     told = [each for each in found if each.effect >= TOLD][:MOST_TOLD]
     lines = [_line(each) for each in told]
     rest = [each for each in found if each not in told]
-    small = [each.path for each in rest if each.moved is not None]
+    small = [_named(each) for each in rest if each.moved is not None]
     open_ones = [each for each in rest if each.moved is None]
     if small:
         lines.append(_("Of less effect: {paths}.", paths=", ".join(small)))
     for status, words in OTHERS.items():
-        paths = [each.path for each in open_ones if each.status == status]
+        paths = [_named(each) for each in open_ones if each.status == status]
         if paths:
             lines.append(_(words, paths=", ".join(paths)))
     return lines
@@ -97,6 +97,12 @@ def _line(each: Assumption) -> str:
             value=_value(each, each.value),
         )
     return _("{path}: {reason}. With {low} to {high} the {figure} is {sizes}, not {now}.", **words)
+
+
+def _named(each: Assumption) -> str:
+    """The key path, with the value that is assumed."""
+    value = _value(each, each.value) if each.status == "assumed" else ""
+    return f"{each.path} ({value})" if value else each.path
 
 
 def _rounded(value: float) -> float:
