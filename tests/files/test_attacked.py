@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 import sys
+import tomllib
 import zipfile
 from cmath import rect
 from collections.abc import Callable
@@ -22,6 +23,7 @@ from crankstar.engine.gas import Trace
 from crankstar.engine.provenance import Provenance
 from crankstar.files import EngineFileError, read, tree_of
 from crankstar.files.estimate import estimated
+from crankstar.files.read import engine_of
 from crankstar.mechanics.gas import cycle
 from crankstar.server.watching import Watched
 
@@ -265,9 +267,41 @@ def test_a_trace_is_the_same_cycle_wherever_it_begins(tmp_path: Path, more: floa
     usual, other = (traced(tmp_path, first, more=more) for first in (-360.0, 0.0))
     assert other.gas is not None
     assert other.gas.trace is not None
-    assert len(other.gas.trace.angle) == 1440
+    assert len(other.gas.trace.angle) == 1441
     one, two = (cycle(each, speed=73.3).pressure for each in (usual, other))
     assert two == pytest.approx(one, rel=1e-9)
+
+
+@pytest.mark.parametrize("form", ["list", "lists"])
+def test_a_table_of_a_trace_may_repeat_its_first_sample(tmp_path: Path, form: str) -> None:
+    """[gas.trace] with 0 and 720 deg both is the file with them; where they differ it is refused.
+
+    The list whose ends differ is named.
+    """
+    whole = traced(tmp_path, 0.0, more=1.0)
+    assert whole.gas is not None
+    assert whole.gas.trace is not None
+    angle, (pressure,) = whole.gas.trace.angle, whole.gas.trace.pressure
+    given = {
+        "angle": [f"{each} rad" for each in angle],
+        "pressure": [f"{each} Pa" for each in pressure],
+    }
+    named = {} if form == "list" else {"chambers": [1, 2, 3, 4, 5, 6]}
+    lists = given["pressure"] if form == "list" else [given["pressure"]] * 6
+    text = (CASES / "v6-idle-trace.toml").read_text().replace('trace = "pressure.csv"\n', "")
+    tree = tomllib.loads(text)
+    tree["gas"]["trace"] = {"angle": given["angle"], "pressure": lists, **named}
+    found = engine_of(tree)
+    assert cycle(found, speed=73.3).pressure == pytest.approx(
+        cycle(whole, speed=73.3).pressure, rel=1e-9
+    )
+    apart = [*given["pressure"][:-1], "90 bar"]
+    tree["gas"]["trace"]["pressure"] = apart if form == "list" else [*lists[:5], apart]
+    with pytest.raises(EngineFileError) as refusal:
+        engine_of(tree)
+    faults = [(fault.code, fault.path) for fault in refusal.value.faults]
+    place = 0 if form == "list" else 5
+    assert (("trace.jump", ("gas", "trace", "pressure", place))) in faults
 
 
 def test_one_list_of_pressures_is_that_of_every_chamber(tmp_path: Path) -> None:

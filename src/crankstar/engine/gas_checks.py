@@ -26,6 +26,8 @@ LEAST_RISE = 2.0
 """Greatest over least pressure of a trace: compression alone is more."""
 FARTHEST_PEAK = pi / 2
 """Radians from the dead centre of firing to the peak of a trace."""
+SAME_ANGLE = radians(1e-4)
+"""Radians: of a sample that repeats the first, as angles are written."""
 LATEST_START = pi / 2
 LONGEST_COMBUSTION = pi
 _SLACK = 1e-9
@@ -154,6 +156,16 @@ def _load_faults(load: Load, gas: Gas, path: Path) -> Iterator[Fault]:
         yield Fault((*path, "combustion_duration"), "gas.duration", {"value": degrees(duration)})
 
 
+def repeats(trace: Trace, whole: float) -> bool:
+    """Whether the last sample of a trace is the first of the next cycle, `whole` radians later.
+
+    >>> angle = (0.0, 3.1, 6.2, 9.3)
+    >>> [repeats(Trace(angle=angle, pressure=((1e5,) * 4,)), whole) for whole in (9.3, 12.6)]
+    [True, False]
+    """
+    return abs(trace.angle[-1] - trace.angle[0] - whole) <= SAME_ANGLE
+
+
 def _trace_faults(trace: Trace, cycle: Cycle, chambers: Collection[int]) -> Iterator[Fault]:
     """A trace that is not a whole cycle, goes back, has other lengths, units or ends."""
     path: Path = ("gas", "trace")
@@ -170,7 +182,7 @@ def _trace_faults(trace: Trace, cycle: Cycle, chambers: Collection[int]) -> Iter
         return
     length = angle[-1] - angle[0]
     steps = [b - a for a, b in pairwise(angle)]
-    if length >= whole - _SLACK:
+    if length >= whole - _SLACK and not repeats(trace, whole):
         values = {"length": degrees(length), "cycle": degrees(whole)}
         yield Fault((*path, "angle", count - 1), "trace.more-than-a-cycle", values)
     elif max(*steps, whole - length) > GREATEST_STEP + _SLACK:

@@ -4,8 +4,7 @@ The first column is the crank angle from the dead centre at which the cylinder f
 each other column the absolute pressure of a cylinder, or one for all. Heads say the unit, as in
 `p [kPa]` or `cyl1_bar`; bar, and degrees, where they do not. A unit in brackets must be known.
 Columns stand apart by commas, semicolons, tabs or spaces; but between commas, a comma may be the
-decimal sign. A last sample that is the first of the next cycle, as instruments write it, is left
-out.
+decimal sign.
 """
 
 from __future__ import annotations
@@ -14,7 +13,6 @@ import re
 from pathlib import Path
 from typing import Any
 
-from crankstar.engine.gas_checks import GREATEST_JUMP
 from crankstar.engine.quantities import ANGLE, PRESSURE, Quantity
 from crankstar.files import units
 from crankstar.files.errors import EngineFileError
@@ -46,8 +44,7 @@ def with_trace(tree: Tree, folder: Path, name: str) -> Tree:
     if not isinstance(gas, dict) or not isinstance(gas.get("trace"), str):
         return tree
     table = trace_of(_text(folder, gas["trace"], name), name=name, file=gas["trace"])
-    cycle = 360.0 if tree.get("cycle") == "two-stroke" else 720.0
-    return {**tree, "gas": {**gas, "trace": _once(table, cycle)}}
+    return {**tree, "gas": {**gas, "trace": table}}
 
 
 def _refused(name: str, code: str, **values: Any) -> EngineFileError:
@@ -152,19 +149,3 @@ def _unit(head: str, quantity: Quantity, usual: str, *, name: str, file: str) ->
             continue
         return unit
     return usual
-
-
-def _once(table: Tree, cycle: float) -> Tree:
-    """The table without a last sample that is the first of the next cycle."""
-    angle = [float(text.split()[0]) for text in table["angle"]]
-    if abs(angle[-1] - angle[0] - cycle) > 1e-6:
-        return table
-    columns = [[float(text.split()[0]) for text in column] for column in table["pressure"]]
-    # at 0 deg, near the peak, one cycle and the next differ by far more than at -360 deg
-    if any(abs(each[-1] - each[0]) > GREATEST_JUMP * (max(each) - min(each)) for each in columns):
-        return table
-    return {
-        **table,
-        "angle": table["angle"][:-1],
-        "pressure": [column[:-1] for column in table["pressure"]],
-    }

@@ -13,6 +13,7 @@ from math import radians
 import numpy as np
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas_checks import repeats
 from crankstar.engine.volumes import Volumes
 from crankstar.mechanics.charge_air import events
 from crankstar.spectra import Real
@@ -61,11 +62,12 @@ def traced(engine: Engine, places: Volumes) -> Real:
     assert engine.gas is not None  # noqa: S101  # asked before
     assert engine.gas.trace is not None  # noqa: S101
     trace = engine.gas.trace
-    angle = np.array([*trace.angle, trace.angle[0] + places.cycle])
+    end = -1 if repeats(trace, places.cycle) else None
+    angle = np.array([*trace.angle[:end], trace.angle[0] + places.cycle])
     count = places.rate.shape[-1]
     step = np.arange(count) * places.cycle / count
     rows = [
-        CubicSpline(angle, [*pressure, pressure[0]], bc_type="periodic")(
+        CubicSpline(angle, [*pressure[:end], pressure[0]], bc_type="periodic")(
             angle[0] + (step - angle[0]) % places.cycle
         )
         for pressure in trace.pressure
