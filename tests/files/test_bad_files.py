@@ -356,7 +356,8 @@ def test_a_rod_shorter_than_crank_radius_and_offset_is_refused(rod: str, offset:
     assert fault.code == "rod.too-short" + "-with-offset" * (offset != "0 mm")
     assert fault.values["radius"] == pytest.approx(0.04125)
     enough = needed(fault.sentence)
-    assert faults(spoilt(SHORT, cylinder__rod_length=enough, cylinder__offset=offset)) == []
+    longer = f"{enough} m"
+    assert faults(spoilt(SHORT, cylinder__rod_length=longer, cylinder__offset=offset)) == []
 
 
 def test_a_rod_too_short_for_one_cylinder_is_told_where_the_file_says_so() -> None:

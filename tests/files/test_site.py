@@ -16,6 +16,7 @@ import pytest
 from tests.commands import Run
 from tests.holding import PATIENCE, awaited, reached
 
+from crankstar.files.read_files import files_noted, note
 from crankstar.site import building, pages
 
 
@@ -64,6 +65,24 @@ def test_a_site_written_again_loses_its_old_pages_and_keeps_files_of_others(
     assert "engines/before.html" not in now
     assert "engines/after.html" in now
     assert sorted(path.name for path in tmp_path.iterdir()) == ["precious.html", "site"]
+
+
+def test_a_site_writes_over_no_file_that_it_was_made_from(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An engine file where the site has a page, or one that its list names as an old page."""
+    place = tmp_path / "site"
+    site_of("mine", place, monkeypatch)
+    for file in ("engines/mine.html", "engines/old.html"):
+        listed = json.loads((place / building.LIST).read_text())["files"]
+        (place / building.LIST).write_text(json.dumps({"files": [*listed, "engines/old.html"]}))
+        (place / file).write_text("the only copy")
+        with files_noted():
+            with (place / file).open("rb") as opened:
+                note(opened)
+            with pytest.raises(building.SiteError, match="is read by this command"):
+                site_of("mine", place, monkeypatch)
+        assert (place / file).read_text() == "the only copy"
 
 
 @pytest.mark.parametrize("contents", ["", "[]", '{"files": 3}', "\xff"])

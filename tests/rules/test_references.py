@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from crankstar.dynamics.bearings import bearing_loads
 from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, catalog, engine_of
 from crankstar.files.forms import is_explicit
@@ -79,6 +80,86 @@ def test_a_bare_length_beside_a_size_with_a_unit_is_refused() -> None:
     assert (fault.values["relative"], fault.values["absolute"]) == ("20 mm", "200 mm")
     in_metres = {**tree, "layout": {**tree["layout"], "bore_pitch": 0.1}}
     assert engine_of(in_metres).bore_pitch == 0.1  # all bare: all in SI units
+
+
+WHOLE = {
+    "name": "four",
+    "cylinder": {"bore": 2.1, "rod_length": 3.5, "rotating_mass": 0.8, "throw_mass": 0.3},
+    "layout": {"type": "inline", "throws": ["0 deg", "180 deg", "180 deg", "0 deg"]},
+    "cylinders": [{"number": 2, "offset": 0.2, "rotating_mass": 0.9}],
+    "crankshaft": [
+        {
+            "bearings": [2.0, 1.0, 0.0, -1.0, -2.0],
+            "bending_stiffness": 3.0,
+            "bearing_stiffness": 5.0,
+            "weight": [{"unbalance": 0.4, "z": 1.5}],
+        }
+    ],
+}
+"""A short file that has no size of its own, with numbers of every kind."""
+SIZES = {
+    "layout.bore_pitch": "100 mm",
+    "cylinder.stroke": "80 mm",
+    "cylinder.reciprocating_mass": "500 g",
+}
+
+
+def loads(engine: Engine) -> np.ndarray:
+    """The loads on the main bearings as one beam on springs, in m r w^2."""
+    found = bearing_loads(engine, model="continuous", speed=1.0).load
+    return np.concatenate([found.forward, found.backward]) / unit_force(engine)
+
+
+def unit_force(engine: Engine) -> float:
+    """One m r w^2, at 1 rad/s."""
+    mass = 1.0 if "mass" in engine.relative else 0.5
+    return mass * (1.0 if "radius" in engine.relative else 0.04)
+
+
+def test_a_beam_on_springs_is_the_same_with_its_sizes() -> None:
+    """E I/(k a^3) has no unit: 3 N a^2 over 5 N/a stays what it is for a pitch of 100 mm."""
+    bare = engine_of(WHOLE)
+    whole = engine_of(WHOLE, changes=SIZES)
+    shaft = whole.shafts[0]
+    assert shaft.bending_stiffness == pytest.approx(3.0 * 0.1**2)
+    assert shaft.bearing_stiffness == pytest.approx(5.0 / 0.1)
+    assert loads(whole) == pytest.approx(loads(bare), rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "code", "relative", "absolute"),
+    [
+        (("cylinder", "bore"), 2.1, "unit.bare-beside-radius", "84 mm", "2100 mm"),
+        (("cylinder", "rod_length"), 0.3, "unit.bare-beside-radius", "12 mm", "300 mm"),
+        (("cylinder", "rotating_mass"), 0.8, "unit.bare-beside-mass", "400 g", "800 g"),
+    ],
+)
+def test_a_bare_number_beside_its_size_with_a_unit_is_refused_whatever_it_is(
+    place: tuple[str, str], value: float, code: str, relative: str, absolute: str
+) -> None:
+    cylinder = {"stroke": "80 mm", "rod_length": "140 mm", "reciprocating_mass": "500 g"}
+    tree: Any = {"name": "one", "cylinder": cylinder, "layout": {"type": "inline", "throws": [0]}}
+    engine_of(tree)
+    tree[place[0]][place[1]] = value
+    with pytest.raises(EngineFileError) as caught:
+        engine_of(tree)
+    [fault] = caught.value.faults
+    assert (fault.code, fault.path) == (code, place)
+    assert (fault.values["relative"], fault.values["absolute"]) == (relative, absolute)
+
+
+def test_parts_with_units_are_a_mass_that_bare_masses_are_scaled_by() -> None:
+    tree: Any = {
+        "name": "one",
+        "cylinder": {"stroke": "80 mm", "rotating_mass": 0.8},
+        "layout": {"type": "inline", "throws": [0]},
+    }
+    parts = {"cylinder.parts.piston": "400 g", "cylinder.parts.pin": "100 g"}
+    engine = engine_of(tree, changes=parts)
+    assert engine.throw(engine.first).rotating_mass == pytest.approx(0.4)
+    with pytest.raises(EngineFileError) as caught:
+        engine_of({**tree, "cylinder": {**tree["cylinder"], "parts": {"piston": "500 g"}}})
+    assert [fault.code for fault in caught.value.faults] == ["unit.bare-beside-mass"]
 
 
 def test_the_rear_shaft_of_a_square_four_stays_four_crank_radii_away() -> None:

@@ -2,7 +2,8 @@
 
 Without a bore pitch lengths along the crankshaft are in bore pitches, without a stroke lengths in
 crank radii, without a mass masses in that of a piston. A change that gives such a size leaves the
-numbers what they were; beside a size that has a unit a bare length is refused (`units.reader`).
+numbers what they were; beside a size that has a unit a bare number that may be counted in it is
+refused (`units.reader`).
 """
 
 from __future__ import annotations
@@ -19,12 +20,8 @@ from crankstar.files import units
 from crankstar.files.forms import field_at, form_of, is_explicit, quantity_of
 from crankstar.files.mistakes import Path as KeyPath
 from crankstar.files.mistakes import Tree
-from crankstar.files.parts import tells_mass
+from crankstar.files.parts import tells_mass, with_sums
 from crankstar.language.faults import ValueFaultError
-
-POWERS = {"mass": {"mass": 1}, "unbalance": {"mass": 1, "radius": 1}}
-POWERS["moment of inertia"] = {"mass": 1, "radius": 2}
-"""Powers of the units m and r in a quantity; lengths have their own unit once."""
 
 
 def relative_of(tree: Tree) -> frozenset[str]:
@@ -64,8 +61,8 @@ def unknown_scales(tree: Tree) -> frozenset[str]:
 
 
 def measured_scales(tree: Tree) -> dict[str, tuple[str, float]]:
-    """The bore pitch and the crank radius that a file gives with a unit: key, metres, by scale."""
-    return {scale: told for scale, told in _sizes(tree, with_unit=True).items() if scale != "mass"}
+    """The sizes that a file gives with a unit: their key and SI value, by scale."""
+    return _sizes(tree, with_unit=True)
 
 
 def _in_one_plane(tree: Tree, layout: Tree) -> bool:
@@ -118,6 +115,10 @@ def _sizes(tree: Tree, *, with_unit: bool = False) -> dict[str, tuple[str, float
         ("radius", "cylinder.stroke", cylinder.get("stroke"), 0.5, LENGTH),
         ("mass", "cylinder.reciprocating_mass", cylinder.get("reciprocating_mass"), 1.0, MASS),
     ]
+    whole = with_sums(tree)[0].get("cylinder")
+    if isinstance(whole, dict) and tells_mass(cylinder):
+        total = whole.get("reciprocating_mass")
+        places.append(("mass", "cylinder.parts", total, 1.0, MASS))
     out: dict[str, tuple[str, float]] = {}
     for scale, key, value, share, quantity in places:
         if value is None or (with_unit and not isinstance(value, str)):
@@ -137,7 +138,7 @@ def absolute(tree: Tree, sizes: Mapping[str, float], *, but: Collection[KeyPath]
         if quantity is None or isinstance(value, str | bool) or path in but:
             continue
         counted = quantity.relative_to & sizes.keys()
-        powers = POWERS.get(quantity.dimension, {})
+        powers = units.POWERS.get(quantity.dimension, {})
         factor = prod(sizes[unit] ** powers.get(unit, 1) for unit in counted)
         if counted:
             table[key] = units.text(value * factor, quantity)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from math import prod
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
@@ -199,28 +200,40 @@ def reader(
 
 
 def _refuse_bare(value: Any, quantity: Quantity, measured: Mapping[str, tuple[str, float]]) -> None:
-    """Refuse a bare length that may be metres, or times what the file counted in before."""
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    """Refuse a bare number that may be SI, or counted in a size that the file gives with a unit."""
+    if isinstance(value, bool) or not isinstance(value, int | float) or not value:
         return
-    if not 0 < abs(value) <= _KINDS[quantity.dimension].greatest_bare:
-        return
-    for scale in sorted(quantity.relative_to & measured.keys()):
-        if quantity.dimension in _LENGTHS:
-            key, size = measured[scale]
-            if quantity.least and value < GREATEST_SIZE * size:
-                continue  # of a bore or a rod that is plainly metres, or no size at all
-            raise ValueFaultError(
-                f"unit.bare-beside-{scale}",
-                value=seen(value),
-                key=key,
-                relative=text(value * size, quantity, digits=6),
-                absolute=text(value, quantity, digits=6),
-            )
+    scales = sorted(quantity.relative_to & measured.keys())
+    if not scales or abs(value) > _KINDS[quantity.dimension].greatest_bare:
+        return  # which is refused for its size
+    if quantity.least and value < 0:
+        return  # no size at all
+    key = measured[scales[0]][0]
+    powers = POWERS.get(quantity.dimension, {})
+    factor = prod(measured[scale][1] ** powers.get(scale, 1) for scale in scales)
+    raise ValueFaultError(
+        f"unit.bare-beside-{scales[0]}",
+        value=seen(value),
+        key=key,
+        relative=text(value * factor, quantity, digits=6),
+        absolute=text(value, quantity, digits=6),
+    )
 
 
-GREATEST_SIZE = 10.0
-"""Crank radii or bore pitches: more than any bore, rod or pitch has."""
-_LENGTHS = frozenset({"length", "length along the crankshaft"})
+POWERS: Mapping[str, Mapping[str, int]] = MappingProxyType(
+    {
+        "mass": {"mass": 1},
+        "unbalance": {"mass": 1, "radius": 1},
+        "moment of inertia": {"mass": 1, "radius": 2},
+        "bending stiffness": {"pitch": 2},
+        "stiffness": {"pitch": -1},
+    }
+)
+"""Powers of the units m, r and a in a quantity; lengths have their own unit once.
+
+A bending stiffness E I is in N a^2 and a support in N/a where the bore pitch a is not known: what
+the loads depend on, E I/(k a^3), is a ratio without a unit.
+"""
 
 
 def _fault(code: str, value: Any, quantity: Quantity, **values: Any) -> ValueFaultError:

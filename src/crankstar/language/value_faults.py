@@ -49,6 +49,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} without a unit, and {key} has one: give {relative} where it counts "
         "crank radii, or {absolute}"
     ),
+    "unit.bare-beside-mass": N_(
+        "{where} is {value} without a unit, and {key} has one: give {relative} where it counts in "
+        "that mass, or {absolute}"
+    ),
     "unit.implausible": N_(
         "{where} is {number} {unit}; the largest plausible value is {greatest} {unit}. "
         "Did you mean "

@@ -25,12 +25,15 @@ STOICHIOMETRIC: Mapping[Ignition, float] = {"spark": 14.7, "compression": 14.5}
 RICHEST: Mapping[Ignition, float] = {"spark": 0.8, "compression": 1.2}
 """Air-fuel ratio at full load over the stoichiometric one down to which no charger is assumed.
 
-It is the richest mixture in use with spark ignition, and the limit of smoke of a Diesel.
+Our judgement, from ranges that readers of the field give without one origin: spark ignition goes to
+0.8 for its greatest power and cool exhaust, a Diesel smokes below 1.2 to 1.4. The lower end is
+taken, since below it the fuel of the load plainly lacks air; above it the file may be right.
 """
 CHARGED: Mapping[Ignition, float] = {"spark": 0.8, "compression": 2.0}
-"""The same of an engine with a charger: the usual one of Diesels, which have air in plenty then.
+"""The same of an engine with a charger, from which its charge pressure is estimated.
 
-Usual values of these four, as in J. B. Heywood, Internal Combustion Engine Fundamentals.
+Our judgement: charged Diesels have 1.6 to 2.5 at full load, large ones more, for the sake of smoke
+and heat; 2.0 is the middle of what is built. Pressures that are estimated from it are marked.
 """
 LEAST_EFFICIENCY = 0.25
 """Indicated, of a cycle near full load: with less heat than this takes no charge is sought."""

@@ -18,6 +18,7 @@ from multiprocessing import get_context
 from pathlib import Path, PurePosixPath
 from urllib.parse import quote
 
+from crankstar.files.read_files import was_read
 from crankstar.language.messages import MessageError, language, speak
 from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import Choice, choice, shown_in
@@ -198,6 +199,7 @@ def _moved(draft: Path, place: Path) -> None:
     """Put a complete site in its place, file by file where one is; other files are left alone.
 
     The list names old and new files until the old ones are gone, the index comes after its pages.
+    Raises SiteError for a file that this command has read, itself or through another.
     """
     new = {path.relative_to(draft).as_posix() for path in draft.rglob("*") if path.is_file()}
     new.add(LIST)
@@ -206,6 +208,12 @@ def _moved(draft: Path, place: Path) -> None:
         draft.rename(place)
         return
     old = {*_listed(place)} - new
+    for file in sorted(old | new):
+        if (place / file).exists() and was_read(place / file):
+            raise SiteError(
+                "{file} is read by this command and would be lost; name another directory with -o",
+                file=one_line(str(place / file)),
+            )
     write(draft, LIST, _list({*old, *new}))
     for file in (LIST, *sorted(new - {LIST, INDEX}), INDEX):
         (place / file).parent.mkdir(parents=True, exist_ok=True)
