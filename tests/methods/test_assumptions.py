@@ -233,3 +233,10 @@ def test_what_a_sweep_varies_is_not_in_doubt(run: Run) -> None:
     paths = {row["path"] for row in json.loads(run(*words).out)["rests_on"]}
     assert "cylinder.rod_length" not in paths
     assert "cylinder.rotating_mass" in paths
+
+
+def test_where_the_roll_has_its_gas_the_verdict_does_not_say_that_it_is_left_out(run: Run) -> None:
+    said = " ".join(run("verdict", "audi-25-tfsi").out.split())
+    assert "gas.point.full" not in said
+    assert "gas.combustion_duration" in said
+    assert "gas.point" not in run("verdict", "i4").out

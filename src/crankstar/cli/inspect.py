@@ -307,7 +307,7 @@ def verdict(
 ) -> None:
     """State in short sentences which orders balance, which remain, and what would cure them."""
     from crankstar.remedy.fitting import recommended
-    from crankstar.studies.answers import amplitudes
+    from crankstar.studies.answers import outlook
     from crankstar.tables import verdict as tables
     from crankstar.tables.built_facts import with_built
     from crankstar.tables.ranges import resting, with_doubt
@@ -321,7 +321,7 @@ def verdict(
     facts = ranged_facts(partial(tables.verdict, speed=turning), spread, loaded)
     facts = with_built(facts, tree, loaded, speed=turning)
     form = form_of(output, ("txt", "xlsx"))
-    rests = resting_on(form, loaded, partial(amplitudes, loaded, speed=turning))
+    rests = resting_on(form, loaded, partial(outlook, loaded, speed=turning))
     document = with_doubt(resting(tables.verdict_document(loaded, facts), rests), loaded)
     if recommended(loaded) is not None:
         how = _(

@@ -211,7 +211,7 @@ def in_units(
     return {
         "units": units,
         "heading": ranged_lines(_heading, over, engine),
-        "rests_on": tuple(assumption_lines(rests_on(engine, amplitudes(engine)))),
+        "rests_on": tuple(assumption_lines(rests_on(engine, amplitudes(engine, gas=True)))),
         "table": vectors.rows(sums, remains.orders_shown(result, sums), scaling=scaling, ends=ends),
         "bearing_numbers": bearing_numbers(engine, over, loads),
         "gas_bearing_numbers": gas_bearing_numbers(engine),

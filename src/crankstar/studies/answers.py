@@ -59,6 +59,34 @@ def amplitudes(engine: Engine, *, speed: float | None = None, gas: bool = False)
     )
 
 
+def outlook(engine: Engine, *, speed: float | None = None) -> Answer:
+    """Force and couple of inertia, and the rolling moment with gas where a cycle is known."""
+    found = cycle_or_reason(engine, speed=speed)[0]
+    if found is None:
+        return amplitudes(engine, speed=speed)
+
+    def figures(each: Engine, _path: str) -> Figures:
+        from crankstar.studies.gas_results import roll_of
+
+        inertia = _inertia_sizes(each, speed)
+        again = cycle_or_reason(each, speed=speed)[0]
+        if again is None:
+            return inertia
+        plain = {key: size for key, size in inertia.items() if key[0] != "roll"}
+        return plain | _by_order("roll", roll_of(each, again))
+
+    def unit(quantity: str, each: Engine) -> str:
+        return "N*m" if quantity == "roll" else _inertia_unit(speed, quantity, each)
+
+    return Answer(
+        figures=figures,
+        unit=unit,
+        uses=("inertia", "gas"),
+        gas=found,
+        least=lambda each: _pushed(each, speed),
+    )
+
+
 def torques(engine: Engine, make: MakeCycle, *, running: bool = True) -> Answer:
     """The rolling moment of gas and inertia by order, the mean torque, and the peak pressure."""
     found = make(engine)

@@ -33,11 +33,11 @@ function Verdict() {
       {rests_on.length > 0 && (
         <>
           <p class="doubt">{t('This rests on:')}</p>
-          <ul class="doubt">
-            {rests_on.map((line) => (
-              <li key={line}>{line}</li>
-            ))}
-          </ul>
+          {rests_on.map((line) => (
+            <p key={line} class="doubt">
+              {line}
+            </p>
+          ))}
         </>
       )}
       <Words />
