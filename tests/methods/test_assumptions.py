@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from math import degrees, isfinite, pi
 
 import numpy as np
@@ -14,11 +15,13 @@ from crankstar import spectra
 from crankstar.dynamics.bearings import bearing_loads
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.engine.engine import Engine
+from crankstar.engine.main_bearings import main_bearings
 from crankstar.files import engine_of
 from crankstar.files.catalog import load, names
 from crankstar.mechanics.gas import cycle
 from crankstar.studies.answers import amplitudes, bearing_peaks, on_mounts, rests_on, torques, twist
 from crankstar.studies.assumptions import Assumption
+from crankstar.studies.changed_values import with_bearings_moved
 
 __all__ = ["run"]
 
@@ -240,3 +243,31 @@ def test_where_the_roll_has_its_gas_the_verdict_does_not_say_that_it_is_left_out
     assert "gas.point.full" not in said
     assert "gas.combustion_duration" in said
     assert "gas.point" not in run("verdict", "i4").out
+
+
+@pytest.mark.parametrize("units", ["si", "us", "kN, kN m"])
+def test_both_ends_of_a_range_are_in_one_unit(run: Run, units: str) -> None:
+    said = " ".join(run("analyze", "audi-25-tfsi", "--units", units).out.split())
+    found = re.search(r"the couple of order 1 is ([\d.]+) to ([\d.]+) (.+?), not ([\d.]+) ", said)
+    assert found
+    low, high, now = (float(found[place]) for place in (1, 2, 4))
+    # masses of 387 g, 990 g and none turn with pistons of 492 g
+    assert (low / now, high / now) == pytest.approx((1 + 0.387 / 0.492, 1 + 0.990 / 0.492), 3e-3)
+
+
+def test_a_bobweight_is_in_grams_at_both_ends(run: Run) -> None:
+    assert "633 to 1240 g, not 246 g" in " ".join(run("bobweight", "audi-25-tfsi").out.split())
+
+
+def test_bearings_of_a_single_are_shifted_by_a_share_of_their_distance() -> None:
+    engine = load("bmw-g650")
+    moved = with_bearings_moved(engine, 10.0)
+    shaft, other = engine.shafts[0], moved.shafts[0]
+    front, rear = main_bearings(engine, shaft)
+    assert other.bearings == pytest.approx([z + 0.1 * (front - rear) for z in (front, rear)])
+
+
+def test_gas_that_is_left_out_is_measured_by_the_greater_of_both() -> None:
+    for name in names():
+        found = assumptions(load(name))
+        assert all(each.effect <= 1 for each in found if each.status == "left out"), name

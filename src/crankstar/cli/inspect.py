@@ -254,7 +254,7 @@ def compare(
     from crankstar.studies.answers import amplitudes, rests_on
     from crankstar.tables import comparison as tables
     from crankstar.tables.analysis import analysis
-    from crankstar.tables.assumptions import assumption_remarks
+    from crankstar.tables.assumptions import assumption_facts, assumption_remarks
     from crankstar.tables.ranges import ranged_side_by_side
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -292,7 +292,11 @@ def compare(
         for one, name in zip(engines, own, strict=True):
             rests = rests_on(one, amplitudes(one, speed=turning))
             said = assumption_remarks(rests, of=name)
-            document = replace(document, parts=(*document.parts, *said))
+            rows = [{"engine": name, **row} for row in assumption_facts(rests).get("rests_on", [])]
+            facts = {"rests_on": [*document.facts.get("rests_on", []), *rows]}
+            document = replace(
+                document, parts=(*document.parts, *said), facts={**document.facts, **facts}
+            )
     give(tables.with_shares(document, engines), output, form=form)
 
 

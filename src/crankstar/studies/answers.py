@@ -52,10 +52,11 @@ def amplitudes(engine: Engine, *, speed: float | None = None, gas: bool = False)
     if not gas and engine.gas is not None:
         without = cycle_or_reason(engine, speed=speed)[0]
     return Answer(
-        figures=lambda each, _path: _inertia_sizes(each, speed),
+        figures=lambda each: _inertia_sizes(each, speed),
         unit=partial(_inertia_unit, speed),
         least=lambda each: _pushed(each, speed),
         without_gas=without,
+        gasless=not gas,
     )
 
 
@@ -65,7 +66,7 @@ def outlook(engine: Engine, *, speed: float | None = None) -> Answer:
     if found is None:
         return amplitudes(engine, speed=speed)
 
-    def figures(each: Engine, _path: str) -> Figures:
+    def figures(each: Engine) -> Figures:
         from crankstar.studies.gas_results import roll_of
 
         inertia = _inertia_sizes(each, speed)
@@ -87,18 +88,23 @@ def outlook(engine: Engine, *, speed: float | None = None) -> Answer:
     )
 
 
-def torques(engine: Engine, make: MakeCycle, *, running: bool = True) -> Answer:
-    """The rolling moment of gas and inertia by order, the mean torque, and the peak pressure."""
+def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool = False) -> Answer:
+    """The rolling moment of gas and inertia by order, the mean torque, and the peak pressure.
+
+    With `sums` force and couple too, as several engines have them.
+    """
     found = make(engine)
 
-    def figures(each: Engine, _path: str) -> Figures:
+    def figures(each: Engine) -> Figures:
         from crankstar.studies.gas_results import roll_of
 
         again = make(each)
         if again is None:
             return {}
         mean = float(gas_torque(again).mean.sum())
+        inertia = _inertia_sizes(each, again.speed) if sums else {}
         return {
+            **{key: size for key, size in inertia.items() if key[0] != "roll"},
             **_by_order("roll", roll_of(each, again)),
             ("mean torque", None): abs(mean),
             ("peak pressure", None): again.peak / 1e5,
@@ -107,7 +113,11 @@ def torques(engine: Engine, make: MakeCycle, *, running: bool = True) -> Answer:
     units = {"peak pressure": "bar"}
     return Answer(
         figures=figures,
-        unit=lambda quantity, _engine: units.get(quantity, "N*m"),
+        unit=lambda quantity, each: (
+            _inertia_unit(None if found is None else found.speed, quantity, each)
+            if quantity in ("force", "couple")
+            else units.get(quantity, "N*m")
+        ),
         uses=("inertia", "gas", *(("running",) if running else ())),
         gas=found,
     )
@@ -125,7 +135,7 @@ def bearing_peaks(
         turning = own if again is None else again.speed
         return bearing_loads(each, speed=turning, model=model, cycle=again)
 
-    def figures(each: Engine, _path: str) -> Figures:
+    def figures(each: Engine) -> Figures:
         loads = found(each, make(each))
         named = {"main bearing": loads.load, "crank pin": loads.pin, "cylinder wall": loads.guide}
         return {
@@ -138,6 +148,7 @@ def bearing_peaks(
         unit=lambda _quantity, each: found(each, make(each)).unit,
         uses=("inertia", "bearings", *(("gas",) if first is not None else ())),
         gas=first,
+        gasless=True,
     )
 
 
@@ -153,14 +164,9 @@ def twist(
 
     whole = torsion(engine, point=point, speed=speed, speeds=speeds)
     ends = [float(whole.speeds[0]), float(whole.speeds[-1])] if len(whole.speeds) else []
-    worst: list[float] = []
-    if whole.response is not None:
-        peak = whole.response.peak_turn(whole.free_end)
-        worst = [float(whole.response.speeds[int(np.argmax(peak))])]
 
-    def figures(each: Engine, path: str) -> Figures:
-        shaft = not path or path.startswith("torsion")
-        found = torsion(each, point=point, speed=speed, speeds=ends if shaft else worst)
+    def figures(each: Engine) -> Figures:
+        found = torsion(each, point=point, speed=speed, speeds=ends)
         out: dict[Figure, float] = {}
         if found.modes:
             out["natural frequency", None] = found.modes[0].frequency
@@ -175,6 +181,7 @@ def twist(
         unit=lambda quantity, _engine: units[quantity],
         uses=("inertia", "torsion", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
+        gasless=True,
     )
 
 
@@ -193,19 +200,14 @@ def on_mounts(
 
     whole = mounts(engine, point=point, speed=speed, speeds=speeds)
     ends = [] if whole.over is None else [float(each) for each in whole.over.speeds[[0, -1]]]
-    worst: list[float] = []
-    if whole.over is not None:
-        force = rms(whole.over.ground_force[..., :3])
-        worst = [float(whole.over.speeds[int(np.argmax(force.reshape(len(force), -1).max(1)))])]
 
-    def figures(each: Engine, path: str) -> Figures:
+    def figures(each: Engine) -> Figures:
         modes = mount_modes(mounted_block(each))
         out: dict[Figure, float] = {
             (f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)
         }
-        if worst:
-            stand = not path or path.startswith(("block", "mounts"))
-            found = mounts(each, point=point, speed=speed, speeds=ends if stand else worst)
+        if ends:
+            found = mounts(each, point=point, speed=speed, speeds=ends)
             if found.over is not None:
                 out["mount force", None] = float(rms(found.over.ground_force[..., :3]).max())
         return out
@@ -216,6 +218,7 @@ def on_mounts(
         unit=lambda quantity, _engine: "N" if quantity == "mount force" else "Hz",
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
+        gasless=True,
     )
 
 
@@ -226,12 +229,14 @@ def felt(
     from crankstar.dynamics.mount_worst import ROLL
     from crankstar.studies.single_faults import shaken
 
-    def figures(each: Engine, _path: str) -> Figures:
+    def figures(each: Engine) -> Figures:
         found = shaken(each, faults, point=point, speed=speed)
         velocity = np.abs(found.displacement(None)).max(axis=1) * found.orders * found.speed
         roll = np.abs(found.push[:, ROLL])
+        couple = np.hypot(*np.abs(found.push[:, 3:5]).T)
         orders = found.orders.tolist()
         return {
+            **{("couple", k): size for k, size in zip(orders, couple.tolist(), strict=True)},
             **{("velocity", k): 1e3 * v for k, v in zip(orders, velocity.tolist(), strict=True)},
             **{("roll", k): size for k, size in zip(orders, roll.tolist(), strict=True)},
         }
@@ -239,16 +244,17 @@ def felt(
     gas = cycle_or_reason(engine, point=point, speed=speed)[0]
     return Answer(
         figures=figures,
-        unit=lambda quantity, _engine: "N*m" if quantity == "roll" else "mm/s",
+        unit=lambda quantity, _engine: "mm/s" if quantity == "velocity" else "N*m",
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
+        gasless=True,
     )
 
 
 def external(engine: Engine, make: Callable[[Engine], Any]) -> Answer:
     """The external moments and the moments of the guide forces of a ship's engine by order."""
 
-    def figures(each: Engine, _path: str) -> Figures:
+    def figures(each: Engine) -> Figures:
         found = make(each)
         out: dict[Figure, float] = {}
         for order in found.after.orders.tolist():
@@ -278,7 +284,7 @@ def bobweights(engine: Engine, *, factor: float) -> Answer:
 
     unit = "m" if "mass" in engine.relative else "kg"
     return Answer(
-        figures=lambda each, _path: {
+        figures=lambda each: {
             ("bobweight", None): max(bobweight(pin, factor) for pin in loads(each))
         },
         unit=lambda _quantity, _engine: unit,

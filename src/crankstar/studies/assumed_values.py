@@ -34,6 +34,7 @@ from crankstar.studies.changed_values import (
     with_bearings_moved,
     with_block_inertia,
     with_block_mass,
+    with_block_place,
     with_gas_value,
     with_mount_loss,
     with_rods_of,
@@ -43,6 +44,8 @@ from crankstar.studies.changed_values import (
 
 DOUBTFUL = ("unverified", "placeholder")
 """Statuses of values of a file that nobody has read in a source."""
+OF_COMBUSTION = ("combustion_start", "combustion_duration", "wiebe_a", "wiebe_m")
+"""What has no effect beside a measured pressure."""
 OF_GAS = ("gas", "drive", "valves")
 """Tables of a file that no inertia depends on."""
 GAS_ENDS: Mapping[str, tuple[float, float]] = {
@@ -79,10 +82,12 @@ STIFFNESS_ENDS = (0.85, 1.15)
 """Ends of the stiffness of a throw by its dimensions: empirical rules differ by as much."""
 BAR_ENDS = (0.5, 2.0)
 """Ends of moments of inertia that are those of a round bar."""
+CENTRE_OFF = 0.2
+"""By how much of the span of the cylinders the centre of mass may lie off their middle."""
 BLOCK_ENDS = (0.6, 1.6)
 """Ends of the mass of a block that its file does not give, as multiples."""
 SHIFT = 10.0
-"""By how many per cent of the bore pitch a main bearing may lie elsewhere than is assumed."""
+"""By how many per cent of the least distance between two a main bearing may lie elsewhere."""
 
 
 def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
@@ -91,12 +96,12 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
         yield from _inertia(engine)
     if answer.without_gas is not None:
         yield _without_gas(engine, answer.without_gas)
+    elif answer.gas is None and answer.gasless:
+        yield Assumption("left out", "gas", N_("there is no gas in it"))
     if "gas" in answer.uses and answer.gas is not None:
         yield from _gas(engine, answer.gas)
     if "running" in answer.uses and (engine.drive is None or engine.drive.inertia is None):
-        yield Assumption(
-            "missing", "drive.inertia", N_("no flywheel in the file"), value=0.0, unit="kg*m^2"
-        )
+        yield Assumption("left out", "drive.inertia", N_("no flywheel in the file"))
     if "bearings" in answer.uses:
         yield from _bearings(engine)
     if "torsion" in answer.uses:
@@ -119,7 +124,8 @@ def _without_gas(engine: Engine, found: Cycle) -> Assumption:
     before = dict(zip(alone.orders.tolist(), np.abs(spectra.amplitude(alone)), strict=True))
     now = np.array([before.get(order, 0.0) for order in both.orders.tolist()])
     most = int(np.argmax(np.abs(wave - now)))
-    effect = float(abs(wave[most] - now[most]) / wave.max()) if wave.max() else 0.0
+    top = max(float(wave.max()), float(now.max()))
+    effect = float(abs(wave[most] - now[most])) / top if top else 0.0
     change = Moved(
         "roll", float(both.orders[most]), "N*m", float(now[most]),
         float(wave[most]), float(wave[most]), effect,
@@ -134,7 +140,7 @@ def _bearings(engine: Engine) -> Iterator[Assumption]:
     yield Assumption(
         "assumed", "crankshaft.bearings",
         N_("main bearings assumed beside the throws; how far they are shifted is not known"),
-        unit="% of a pitch", low=-SHIFT, high=SHIFT, vary=with_bearings_moved,
+        unit="% of a gap", low=-SHIFT, high=SHIFT, vary=with_bearings_moved,
     )  # fmt: skip
 
 
@@ -177,6 +183,14 @@ def _mounts(engine: Engine) -> Iterator[Assumption]:
         yield Assumption(
             "assumed", "block.mass", N_("usual for its reciprocating masses"),
             own.mass, "kg", low, high, vary=with_block_mass,
+        )  # fmt: skip
+    elif block.z is None:
+        middle = own.centre[2]
+        places = [cylinder.z for cylinder in engine.cylinders]
+        off = CENTRE_OFF * (max(places) - min(places) or 2 * engine.throw(engine.first).radius)
+        yield Assumption(
+            "assumed", "block.z", N_("in the middle of the cylinders"),
+            1e3 * middle, "mm", 1e3 * (middle - off), 1e3 * (middle + off), vary=with_block_place,
         )  # fmt: skip
     if own.assumed:
         low, high = BAR_ENDS
@@ -277,8 +291,8 @@ def _rods(engine: Engine, kind: EngineType | None) -> Iterator[Assumption]:
             N_("neither rod length nor l/r in the file"),
             value=engine.first.rod_length / radius,
             unit="r",
-            low=ends[0],
-            high=ends[1],
+            low=min(ends[0], engine.first.rod_length / radius),
+            high=max(ends[1], engine.first.rod_length / radius),
             vary=with_rods_of,
         )
         return
@@ -291,6 +305,8 @@ def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             "assumed", "gas.trace", N_("one measured trace is used at every speed and load")
         )
     for name in own.assumed:
+        if name in OF_COMBUSTION and engine.gas is not None and engine.gas.trace is not None:
+            continue
         path = f"gas.{name}"
         value = own.values.get(name)
         if name == "combustion_start" and isinstance(value, float):
@@ -339,6 +355,8 @@ def _unverified(engine: Engine, answer: Answer) -> Iterator[Assumption]:
         if point is not None and gas is not None and not _is_of(engine, gas, point[1]):
             continue
         vary = SCALED.get(path) if point is None else point_value(point[2], gas)
+        if path == "cylinder.reciprocating_mass" and any(each.weights for each in engine.shafts):
+            vary = None  # weights by a balance factor go with it, others do not
         if origin.status in DOUBTFUL:
             reason = N_("a guess") if origin.status == "placeholder" else N_("not read in a source")
             yield Assumption("unverified", path, reason, vary=vary)

@@ -87,20 +87,21 @@ def _nothing(_engine: Engine) -> Mapping[str, float]:
 class Answer:
     """An analysis of an engine by its figures: what is compared when a value of its file changes.
 
-    `figures` gives the maximum of each quantity and order of an engine; its second argument is the
-    key path of what was changed, "" for the engine itself. `unit` is that of a quantity, `least`
-    what each quantity is measured by at least; `given` are the key paths that a question gives
-    values of its own, as a sweep does. `gas` is the cycle that is part of the answer;
-    `without_gas` the one that its rolling moment leaves out.
+    `figures` gives the maximum of each quantity and order of an engine. `unit` is that of a
+    quantity, `least` what each quantity is measured by at least; `given` are the key paths of
+    values that a question has of its own, as a sweep does. `gas` is the cycle that is part of the
+    answer; `without_gas` the one that its rolling moment leaves out; `gasless` says that gas
+    belongs to it where it is known.
     """
 
-    figures: Callable[[Engine, str], Figures]
+    figures: Callable[[Engine], Figures]
     unit: Callable[[str, Engine], str]
     uses: Collection[Uses] = ("inertia",)
     gas: Cycle | None = None
     without_gas: Cycle | None = None
     least: Callable[[Engine], Mapping[str, float]] = _nothing
     given: Collection[str] = ()
+    gasless: bool = False
 
 
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:
@@ -108,15 +109,11 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
 
     What cannot be varied stays, behind those that can.
     """
-    now = answer.figures(engine, "")
+    now = answer.figures(engine)
     out: list[Assumption] = []
     for each in found:
         most = each.moved if each.vary is None else _moved(engine, each, now, answer)
-        if (
-            most is not None
-            and most.effect < SIGNIFICANT
-            and each.status in ("assumed", "unverified", "left out")
-        ):
+        if most is not None and most.effect < SIGNIFICANT:
             continue
         out.append(replace(each, moved=most))
     return tuple(sorted(out, key=lambda each: -each.effect))
@@ -130,7 +127,7 @@ def _moved(engine: Engine, each: Assumption, now: Figures, answer: Answer) -> Mo
     ends = (1 - TRIAL, 1 + TRIAL) if trial else (each.low, each.high)
     try:
         others = [
-            answer.figures(vary(engine, float(end)), each.path)
+            answer.figures(vary(engine, float(end)))
             for end in dict.fromkeys(ends)
             if end is not None
         ]

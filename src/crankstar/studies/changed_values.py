@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 from crankstar.engine.block import Block
@@ -13,6 +14,7 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas, OperatingPoint
 from crankstar.engine.main_bearings import main_bearings
+from crankstar.engine.records import Shaft
 from crankstar.mechanics.gas import Cycle
 
 Vary = Callable[[Engine, float], Engine]
@@ -23,6 +25,8 @@ def with_rotating_mass(engine: Engine, mass: float) -> Engine:
     """The engine with this mass (kg) per cylinder on its crankpins, where there was none."""
     counts: dict[tuple[str, int], int] = {}
     for cylinder in engine.cylinders:
+        if cylinder.articulated is not None:  # its big end is on a knuckle pin
+            continue
         key = (cylinder.shaft, cylinder.throw)
         counts[key] = counts.get(key, 0) + 1
     shafts = [
@@ -64,14 +68,15 @@ def with_gas_value(name: str, factor: float) -> Vary:
 
 
 def with_bearings_moved(engine: Engine, share: float) -> Engine:
-    """The engine with its assumed main bearings further forward by `share` (%) of the pitch."""
-    shift = share / 100 * engine.pitch
+    """The engine with its assumed main bearings further forward by `share` (%) of the least gap."""
+
+    def places(shaft: Shaft) -> tuple[float, ...]:
+        own = main_bearings(engine, shaft)
+        gap = min((front - rear for front, rear in pairwise(own)), default=0.0)
+        return tuple(z + share / 100 * gap for z in own)
+
     shafts = [
-        with_values(
-            shaft,
-            bearings=tuple(z + shift for z in main_bearings(engine, shaft)),
-            bearing_count=None,
-        )
+        with_values(shaft, bearings=places(shaft), bearing_count=None)
         if shaft.throws and not shaft.bearings
         else shaft
         for shaft in engine.shafts
@@ -98,6 +103,12 @@ def with_torsion_value(path: str, factor: float = 1.0) -> Vary:
 def with_block_mass(engine: Engine, mass: float) -> Engine:
     """The engine with a block of this mass (kg), where its file gives none."""
     return with_values(engine, block=Block(mass=mass))
+
+
+def with_block_place(engine: Engine, z: float) -> Engine:
+    """The engine with the centre of mass of its block at this place (mm) along the crankshaft."""
+    assert engine.block is not None  # noqa: S101  # its place is assumed
+    return with_values(engine, block=with_values(engine.block, z=z / 1e3))
 
 
 def with_block_inertia(mass: float, inertia: Sequence[float]) -> Vary:
@@ -201,7 +212,6 @@ SCALED: Mapping[str, Vary] = {
     "cylinder.reciprocating_mass": _all("reciprocating_mass"),
     "cylinder.rotating_mass": _of_throws("rotating_mass"),
     "cylinder.throw_mass": _of_throws("throw_mass"),
-    "cylinder.stroke": _of_throws("radius"),
     "gas.compression_ratio": _gas_value("compression_ratio"),
     "gas.intake_pressure": _gas_value("intake_pressure"),
     "gas.gamma": _gas_value("gamma"),

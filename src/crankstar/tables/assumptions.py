@@ -19,7 +19,7 @@ FIGURES = {
     "force": N_("force of order {order}"),
     "couple": N_("couple of order {order}"),
     "roll": N_("rolling moment of order {order}"),
-    "velocity": N_("velocity of order {order}"),
+    "velocity": N_("velocity of order {order}, peak"),
     "H moment": N_("H moment of order {order}"),
     "mean torque": N_("mean torque"),
     "peak pressure": N_("peak pressure"),
@@ -64,7 +64,7 @@ OTHERS = {
     "left out": N_("Not in these numbers: {paths}."),
     "assumed": N_("Assumed: {paths}."),
     "estimated": N_("Estimated: {paths}."),
-    "unverified": N_("Unverified, with no known effect here: {paths}."),
+    "unverified": N_("Unverified: {paths}."),
 }
 """Sentences for those of which it is not known how much they move, by status."""
 
@@ -76,6 +76,11 @@ def _line(each: Assumption) -> str:
     order = "" if own.order is None else order_text(own.order)
     figure = _(FIGURES[own.quantity], order=order, number=own.quantity.rpartition(" ")[2])
     words = {"path": each.path, "reason": _(each.reason), "figure": figure}
+    if own.trial and not own.now:
+        size = quantity_text(_rounded(own.high), own.unit)
+        return _(
+            "{path}: {reason}. A per cent of it makes the {figure} {size}.", **words, size=size
+        )
     if own.trial:
         share = max(abs(own.low - own.now), abs(own.high - own.now)) / own.now if own.now else 0.0
         return _(
@@ -113,10 +118,12 @@ def _span(own: Moved) -> str:
     """The values of a figure over the range of an assumption."""
     if abs(own.high - own.low) <= 1e-6 * abs(own.high):
         return quantity_text(_rounded(own.high), own.unit)
+    low = quantity_text(_rounded(own.low), own.unit)
     top = quantity_text(_rounded(own.high), own.unit)
-    if own.high >= 1e4 or own.low <= 0:
-        return _("{low} to {high}", low=quantity_text(_rounded(own.low), own.unit), high=top)
-    return _("{low} to {high}", low=number(_rounded(own.low)), high=top)
+    bare, _space, unit = low.partition(" ")
+    if unit == top.partition(" ")[2]:
+        low = bare
+    return _("{low} to {high}", low=low, high=top)
 
 
 def _value(each: Assumption, value: float | str | None) -> str:
@@ -129,8 +136,8 @@ def _value(each: Assumption, value: float | str | None) -> str:
         )
     if each.status == "estimated" and not each.unit:
         return _("{factor} times", factor=number(_rounded(value)))
-    if each.unit == "% of a pitch":
-        return _("{share} % of the bore pitch", share=number(value))
+    if each.unit == "% of a gap":
+        return _("{share} % of the distance between two", share=number(value))
     if each.path.endswith(("rod_length", "rod_ratio")):
         return f"l/r = {number(_rounded(value))}"
     return f"{number(_rounded(value))} {unit_text(each.unit)}".rstrip()
