@@ -29,7 +29,7 @@ from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
 from crankstar.spectra import Complex, Real
 from crankstar.tables.headings import heading, timing_lines
-from crankstar.tables.table import Column, Document, Remarks, Table, remarks
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 HIGHEST = 4.0
 """The highest order of the exhaust that is listed."""
