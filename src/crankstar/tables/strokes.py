@@ -186,7 +186,7 @@ def _orders(engine: Engine) -> Table:
     """|S_q| of every exhaust group of several cylinders and of the engine."""
     found = exhaust_orders(engine, highest=_highest(engine))
     kept = _kept(found.orders, found.sums)
-    columns = _order_columns(found.orders[kept])
+    columns, alone = _order_columns(found.orders[kept]), found.groups[0]
     rows: list[tuple[Value, ...]] = [
         (group.name, *np.abs(sums[kept]).tolist())
         for group, sums in zip(found.groups, found.sums, strict=True)
@@ -194,7 +194,7 @@ def _orders(engine: Engine) -> Table:
     ]
     if len(found.groups) > 1:
         rows.append((_("whole engine"), *np.abs(found.whole[kept]).tolist()))
-    rows = rows or [(found.groups[0].name, *np.abs(found.sums[0, kept]).tolist())]
+    rows = rows or [(alone.name, *np.abs(found.sums[0, kept]).tolist())]
     note = _("|sum of exp(-i q θ)| over the firing angles θ, in equal pulses of one cylinder.")
     notes = (note, *_up_to(engine))
     return Table(_("Exhaust orders"), columns, tuple(rows), notes=notes, key="exhaust_orders")
