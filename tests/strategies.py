@@ -332,11 +332,11 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
     valves = draw(maybe(timed_valves(engine)))
     more = {"gas": draw(maybe(GASES)), "drive": draw(maybe(DRIVES)), "oil": draw(maybe(OILS))}
     made = engine.model_copy(update={"valves": None if valves == Valves() else valves, **more})
-    return draw(_twisting(draw(_mounted(made)))) if draw(st.integers(0, 3)) == 0 else made
+    return draw(twisting(draw(mounted(made)))) if draw(st.integers(0, 3)) == 0 else made
 
 
 @st.composite
-def _mounted(draw: Draw, engine: Engine) -> Engine:
+def mounted(draw: Draw, engine: Engine) -> Engine:
     """The same on four mounts, on a raft or on the ground, where masses and lengths are known."""
     if engine.relative or engine.block is None:
         return engine
@@ -351,7 +351,7 @@ def _mounted(draw: Draw, engine: Engine) -> Engine:
 
 
 @st.composite
-def _twisting(draw: Draw, engine: Engine) -> Engine:
+def twisting(draw: Draw, engine: Engine) -> Engine:
     """The same with an elastic crankshaft, further ones coupled to it."""
     cranks = [shaft for shaft in engine.shafts if shaft.throws]
     if not cranks or cranks[0] is not engine.shafts[0]:

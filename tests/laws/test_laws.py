@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
+from tests.remade import carried, mirrored, opposite, remade, turned_in_space
 from tests.strategies import ANGLES, OF_ANY_KIND, OF_LAYOUT, PLACES, SPEEDS, engines, number
 
 from crankstar import spectra
@@ -40,36 +41,6 @@ REFERENCES = st.builds(Reference, PLACES, PLACES, PLACES)
 ORIGIN = Reference(0.0)
 FACTORS = number(0.2, 5.0)
 THETA = np.random.default_rng(2).uniform(0, 100, 97)
-
-Update = Callable[[Any], dict[str, Any]]
-
-
-def unchanged(_: Any) -> dict[str, Any]:
-    return {}
-
-
-def remade(
-    engine: Engine,
-    *,
-    shaft: Update = unchanged,
-    throw: Update = unchanged,
-    weight: Update = unchanged,
-    cylinder: Update = unchanged,
-    **own: Any,
-) -> Engine:
-    """A copy with other fields in every record of a kind."""
-    shafts = tuple(
-        s.model_copy(
-            update={
-                "throws": tuple(t.model_copy(update=throw(t)) for t in s.throws),
-                "weights": tuple(w.model_copy(update=weight(w)) for w in s.weights),
-                **shaft(s),
-            }
-        )
-        for s in engine.shafts
-    )
-    cylinders = tuple(c.model_copy(update=cylinder(c)) for c in engine.cylinders)
-    return engine.model_copy(update={"shafts": shafts, "cylinders": cylinders, **own})
 
 
 def felt(engine: Engine, reference: Reference = ORIGIN, speed: float = 1.0) -> Totals:
@@ -210,46 +181,13 @@ def test_shafts_turned_as_their_gears_turn_them_are_at_another_angle(
 def test_turning_the_whole_engine_turns_its_vectors_only(
     engine: Engine, bearing: float, reference: Reference
 ) -> None:
-    turn = np.exp(1j * bearing)
-
-    def carried(up: float, right: float) -> dict[str, float]:
-        place = complex(up, right) * turn
-        return {"up": place.real, "right": place.imag}
-
-    leaning = remade(
-        engine,
-        shaft=lambda s: carried(s.up, s.right),
-        throw=lambda t: {"angle": t.angle + bearing},
-        weight=lambda w: {"angle": w.angle + bearing},
-        cylinder=lambda c: {"bearing": c.bearing + bearing},
-    )
+    leaning = turned_in_space(engine, bearing)
     upright = felt(engine, reference)
     expected = upright._replace(
         force=spectra.turned(upright.force, bearing), couple=spectra.turned(upright.couple, bearing)
     )
-    found = felt(leaning, reference._replace(**carried(reference.up, reference.right)))
+    found = felt(leaning, reference._replace(**carried(reference.up, reference.right, bearing)))
     assert_alike(found, expected, sizes(engine, reference))
-
-
-def opposite(engine: Engine) -> str:
-    return "counter-clockwise" if engine.rotation == "clockwise" else "clockwise"
-
-
-def mirrored(engine: Engine) -> Engine:
-    """Left and right exchanged."""
-
-    def other_side(c: Cylinder) -> dict[str, Any]:
-        link = c.articulated and c.articulated.model_copy(update={"angle": -c.articulated.angle})
-        return {"bearing": -c.bearing, "offset": -c.offset, "articulated": link}
-
-    return remade(
-        engine,
-        shaft=lambda s: {"right": -s.right},
-        throw=lambda t: {"angle": -t.angle},
-        weight=lambda w: {"angle": -w.angle},
-        cylinder=other_side,
-        rotation=opposite(engine),
-    )
 
 
 @given(KNOWN, REFERENCES)

@@ -21,6 +21,7 @@ from crankstar.engine.dead_centres import pistons as moving_pistons
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import inline, tandem
 from crankstar.engine.records import Shaft
+from crankstar.firing.exhaust_orders import firing_rate
 from crankstar.firing.intervals import firing
 from crankstar.firing.strokes import (
     Window,
@@ -33,6 +34,7 @@ from crankstar.firing.strokes import (
 )
 from crankstar.firing.succession import followers
 from crankstar.language.faults import EngineError
+from crankstar.tables.strokes import strokes
 
 pytestmark = pytest.mark.quick
 
@@ -336,3 +338,26 @@ def test_a_crankshaft_that_turns_the_other_way_has_the_same_strokes() -> None:
     one, two = working_cycle(geared(-1, radians(90), cycle="two-stroke")).chambers
     assert two.exhaust.start_deg - one.exhaust.start_deg == pytest.approx(90)
     assert two.intake.length_deg == pytest.approx(120)
+
+
+@pytest.mark.parametrize(
+    ("name", "main"), [("v12-60", 6.0), ("jumo-205", 6.0), ("radial-9", 4.5), ("i4", 2.0)]
+)
+def test_exhaust_orders_are_listed_up_to_the_one_in_which_an_engine_fires(
+    name: str, main: float
+) -> None:
+    """A twelve fires six times a revolution: orders up to 4 alone would say that it is silent.
+
+    Second road: in that order the pulses at the dead centres add up.
+    """
+    engine = crankstar.load(name)
+    table = next(t for t in strokes(engine).tables if t.key == "exhaust_orders")
+    columns = {column.key: place for place, column in enumerate(table.columns)}
+    last = table.rows[-1]
+    fires = np.radians([top.angle_deg for top in dead_centres(engine).values()])
+    assert firing_rate(engine) == main
+    if main > 4:
+        own = abs(np.exp(-1j * main * fires).sum()) if main % 1 == 0 else 8.8754
+        assert own > 0.98 * len(engine.chambers)
+        assert last[columns[f"pulses/{main:g}"]] == pytest.approx(own, rel=1e-4)
+    assert bool(len(table.notes) > 1) == (main > 4)

@@ -12,7 +12,7 @@ from crankstar.charts.grammar import Chart, constant, field, of_rows, span
 from crankstar.charts.letters import SMALL, text_width
 from crankstar.charts.strokes import NO_ORDER
 from crankstar.engine.engine import Engine
-from crankstar.firing.exhaust_orders import exhaust_orders
+from crankstar.firing.exhaust_orders import exhaust_orders, firing_rate
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
 
@@ -21,6 +21,7 @@ HEIGHT, HEADROOM = 56, 1.35
 LIFT = 8.0
 """Px from the end of a bar to the middle of its number."""
 HIGHEST = 8.0
+"""The highest order that is drawn, or that in which the engine would fire evenly, if higher."""
 VISIBLE = 0.01
 """Share of all pulses of a panel from which an order is drawn."""
 EXTENT = 24
@@ -28,7 +29,7 @@ EXTENT = 24
 
 
 def exhaust_order_chart(engine: Engine) -> Chart:
-    """|S_q| of every exhaust group, and of the whole engine, up to order 8: bars in pulses.
+    """|S_q| of every exhaust group and of the whole engine, to order 8 at least: bars in pulses.
 
     S_q is the sum of exp(-i q theta) over the firing angles theta of a group. A group of one
     cylinder has all orders alike, and no panel of its own beside the whole engine.
@@ -39,7 +40,7 @@ def exhaust_order_chart(engine: Engine) -> Chart:
         only = words.encode(x=constant(panel_width() / 2), text=constant(_(NO_ORDER)))
         panels.append(layered([only], width=panel_width(), height=60))
     else:
-        found = exhaust_orders(engine, highest=HIGHEST)
+        found = exhaust_orders(engine, highest=max(HIGHEST, firing_rate(engine)))
         several = len(found.groups) > 1
         shown = [
             (group.name, len(group.chambers), np.abs(sums).tolist())

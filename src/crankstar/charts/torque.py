@@ -29,6 +29,7 @@ from crankstar.charts.grammar import Chart, constant, field, of_rows, span
 from crankstar.charts.letters import SMALL, folded, text_width
 from crankstar.charts.sums import checked_quantity
 from crankstar.engine.engine import Engine
+from crankstar.firing.exhaust_orders import firing_rate
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
@@ -195,7 +196,8 @@ def _loads(engine: Engine, found: Cycle) -> list[Panel]:
 
 def _orders(engine: Engine, found: Cycle) -> list[Panel]:
     waves = by_order(engine, found, gas_torque(found))
-    kept = [place for place, order in enumerate(waves.orders) if order <= HIGHEST]
+    highest = max(HIGHEST, firing_rate(engine))
+    kept = [place for place, order in enumerate(waves.orders) if order <= highest]
     series = [(_("gas"), BLUE, waves.gas)]
     if waves.inertia is not None:
         series += [(_("inertia"), GREEN, waves.inertia), (_("together"), GREY, waves.total)]

@@ -85,6 +85,16 @@ def exhaust_orders(engine: Engine, *, highest: float = USUAL_HIGHEST) -> Exhaust
     return ExhaustOrders(orders, groups, np.array(sums), _sum(orders, pulses))
 
 
+def firing_rate(engine: Engine) -> float:
+    """Firings in a revolution of the crankshaft: the main order of an engine that fires evenly.
+
+    >>> from crankstar.files.catalog import load
+    >>> firing_rate(load("v12-60")), firing_rate(load("radial-9"))
+    (6.0, 4.5)
+    """
+    return len(engine.chambers) * 360 / engine.cycle_angle
+
+
 def checked(engine: Engine, *, highest: float) -> Firing:
     """The firings of an engine that has some; raises as `exhaust_orders`."""
     if not 0 < highest <= GREATEST:

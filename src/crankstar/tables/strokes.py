@@ -10,7 +10,7 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import EVENTS
-from crankstar.firing.exhaust_orders import ExhaustOrders, exhaust_orders
+from crankstar.firing.exhaust_orders import exhaust_orders, firing_rate
 from crankstar.firing.intervals import Firing
 from crankstar.firing.strokes import (
     EVEN,
@@ -27,8 +27,9 @@ from crankstar.firing.strokes import (
 from crankstar.firing.succession import Follower, in_succession, neighbours, partners
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
+from crankstar.spectra import Complex, Real
 from crankstar.tables.headings import heading, timing_lines
-from crankstar.tables.table import Column, Document, Remarks, Table, remarks
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 HIGHEST = 4.0
 """The highest order of the exhaust that is listed."""
@@ -183,24 +184,58 @@ def _exhausts(cycle: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
 
 def _orders(engine: Engine) -> Table:
     """|S_q| of every exhaust group of several cylinders and of the engine."""
-    found = exhaust_orders(engine, highest=HIGHEST)
-    columns = (
-        Column(_("exhaust group"), kind="text", key="name", label=True),
-        *(
-            Column(_("order {order}", order=order_text(order)), key=f"pulses/{order_text(order)}")
-            for order in found.orders.tolist()
-        ),
-    )
-    rows = [
-        (group.name, *np.abs(sums).tolist())
+    found = exhaust_orders(engine, highest=_highest(engine))
+    kept = _kept(found.orders, found.sums)
+    columns, alone = _order_columns(found.orders[kept]), found.groups[0]
+    rows: list[tuple[Value, ...]] = [
+        (group.name, *np.abs(sums[kept]).tolist())
         for group, sums in zip(found.groups, found.sums, strict=True)
         if len(group.chambers) > 1
     ]
     if len(found.groups) > 1:
-        rows.append((_("whole engine"), *np.abs(found.whole).tolist()))
+        rows.append((_("whole engine"), *np.abs(found.whole[kept]).tolist()))
+    rows = rows or [(alone.name, *np.abs(found.sums[0, kept]).tolist())]
     note = _("|sum of exp(-i q θ)| over the firing angles θ, in equal pulses of one cylinder.")
-    title = _("Exhaust orders")
-    return Table(title, columns, tuple(rows or _alone(found)), notes=(note,), key="exhaust_orders")
+    notes = (note, *_up_to(engine))
+    return Table(_("Exhaust orders"), columns, tuple(rows), notes=notes, key="exhaust_orders")
+
+
+def _highest(engine: Engine) -> float:
+    """The highest order that is listed: at least that in which an even engine fires."""
+    return max(HIGHEST, firing_rate(engine))
+
+
+def _kept(orders: Real, sums: Complex) -> Real:
+    """Which orders are listed: all up to HIGHEST, above it those that some group has."""
+    return np.flatnonzero((orders <= HIGHEST + 1e-9) | (np.abs(sums) > 0).any(axis=0))
+
+
+def _up_to(engine: Engine) -> list[str]:
+    """Which orders above HIGHEST are listed."""
+    highest = _highest(engine)
+    if highest <= HIGHEST:
+        return []
+    return [
+        _(
+            "Orders up to {highest}, the number of firings per revolution; above {usual} those "
+            "that occur.",
+            highest=order_text(highest),
+            usual=order_text(HIGHEST),
+        )
+    ]
+
+
+def _order_columns(orders: Real, unit: str = "") -> tuple[Column, ...]:
+    """The exhaust group, and a column for each order."""
+    return (
+        Column(_("exhaust group"), kind="text", key="name", label=True),
+        *(
+            Column(
+                _("order {order}", order=order_text(order)), unit, key=f"pulses/{order_text(order)}"
+            )
+            for order in orders.tolist()
+        ),
+    )
 
 
 def _pulses(engine: Engine) -> tuple[Table, ...]:
@@ -212,35 +247,23 @@ def _pulses(engine: Engine) -> tuple[Table, ...]:
     from crankstar.mechanics.operating_points import GasError
 
     try:
-        found = exhaust_pulses(engine, cycle(engine), highest=HIGHEST)
+        found = exhaust_pulses(engine, cycle(engine), highest=_highest(engine))
     except GasError:
         return ()
-    columns = (
-        Column(_("exhaust group"), kind="text", key="name", label=True),
-        *(
-            Column(
-                _("order {order}", order=order_text(order)), "Pa", key=f"pulses/{order_text(order)}"
-            )
-            for order in found.orders.tolist()
-        ),
-    )
+    kept = _kept(found.orders, found.sums)
+    columns = _order_columns(found.orders[kept], "Pa")
     rows = [
-        (group.name, *np.abs(sums).tolist())
+        (group.name, *np.abs(sums[kept]).tolist())
         for group, sums in zip(found.groups, found.sums, strict=True)
     ]
     if len(found.groups) > 1:
-        rows.append((_("whole engine"), *np.abs(found.whole).tolist()))
+        rows.append((_("whole engine"), *np.abs(found.whole[kept]).tolist()))
     note = _(
         "Pressure above that of the exhaust while it is open, times the lift of the valve, at the "
         "load of the file: ratios of orders, not a sound pressure."
     )
     title = _("Exhaust pulses of the cycle")
     return (Table(title, columns, tuple(rows), notes=(note,), key="exhaust_pulses"),)
-
-
-def _alone(found: ExhaustOrders) -> list[tuple[Any, ...]]:
-    """The row of the one cylinder of an engine."""
-    return [(found.groups[0].name, *np.abs(found.sums[0]).tolist())]
 
 
 def _disturbances(cycle: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
