@@ -107,7 +107,7 @@ def test_analyze_shows_torque_and_roll_with_gas_as_torque_does(run: Run, four: s
 def test_without_a_cycle_analyze_says_nothing_of_gas(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "bare.toml"
     place.write_text(FILE.partition("[gas]")[0], encoding="utf-8")
-    assert "gas" not in printed(run, "analyze", str(place))
+    assert "with gas" not in printed(run, "analyze", str(place))
     assert "gas_orders" not in answer(run, "analyze", str(place))
 
 

@@ -188,7 +188,8 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
     """
     shares = [share for _name, share in state.shares]
 
-    def mean(one: float, other: float) -> float:
+    def mean(pair: tuple[float, float]) -> float:
+        one, other = pair
         return one if one == other else shares[0] * one + shares[1] * other
 
     first, last = ends
@@ -204,8 +205,8 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
     return replace(
         first,
         pressure=rows,
-        imep=mean(first.imep, last.imep),
-        friction=mean(first.friction, last.friction),
+        imep=mean((first.imep, last.imep)),
+        friction=mean((first.friction, last.friction)),
         peak=float(rows.max()),
         speed=state.speed,
         name="",
@@ -218,7 +219,7 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
 
 
 def _values_between(
-    one: Mapping[Any, Any], other: Mapping[Any, Any], mean: Callable[[float, float], float]
+    one: Mapping[Any, Any], other: Mapping[Any, Any], mean: Callable[[tuple[float, float]], float]
 ) -> dict[Any, Any]:
     """What both have, numbers between theirs."""
     out: dict[Any, Any] = {}
@@ -227,7 +228,7 @@ def _values_between(
         if isinstance(first, Mapping):
             out[name] = _values_between(first, last, mean)
         else:
-            out[name] = mean(first, last) if isinstance(first, float) else first
+            out[name] = mean((first, last)) if isinstance(first, float) else first
     return out
 
 
