@@ -510,7 +510,7 @@ export interface CriticalShown {
 }
 /** The forced vibration in all orders at the speed of an operating point, or a critical one. */
 export interface Vibration {
-  /** the operating point whose gas drives; empty without a name */
+  /** the operating points whose gas drives; empty without a name */
   point: string
   /** whether there is gas, or the moving parts alone */
   gas: boolean

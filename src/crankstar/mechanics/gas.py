@@ -191,8 +191,8 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
     """
     shares = [share for _name, share in state.shares]
 
-    def mean(one: float, other: float) -> float:
-        return one if one == other else shares[0] * one + shares[1] * other
+    def mean(pair: tuple[float, float]) -> float:
+        return pair[0] if pair[0] == pair[1] else float(np.dot(shares, pair))
 
     first, last = ends
     rows = shares[0] * first.pressure + shares[1] * last.pressure
@@ -207,8 +207,8 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
     return replace(
         first,
         pressure=rows,
-        imep=mean(first.imep, last.imep),
-        friction=mean(first.friction, last.friction),
+        imep=mean((first.imep, last.imep)),
+        friction=mean((first.friction, last.friction)),
         peak=float(rows.max()),
         speed=state.speed,
         name="",
@@ -221,7 +221,7 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
 
 
 def _values_between(
-    one: Mapping[Any, Any], other: Mapping[Any, Any], mean: Callable[[float, float], float]
+    one: Mapping[Any, Any], other: Mapping[Any, Any], mean: Callable[[tuple[float, float]], float]
 ) -> dict[Any, Any]:
     """What both have, numbers between theirs."""
     out: dict[Any, Any] = {}
@@ -230,7 +230,7 @@ def _values_between(
         if isinstance(first, Mapping):
             out[name] = _values_between(first, last, mean)
         else:
-            out[name] = mean(first, last) if isinstance(first, float) else first
+            out[name] = mean((first, last)) if isinstance(first, float) else first
     return out
 
 
