@@ -173,3 +173,13 @@ def test_the_diagnosis_of_a_misfire_on_a_trace_names_its_cylinder() -> None:
     first = diagnosed(engine, lines).suspects[0]
     assert first.faults[0].number == 3
     assert first.faults[0].size == pytest.approx(1.0, rel=1e-6)
+
+
+def test_weak_pistons_that_leave_their_chamber_nothing_to_burn_are_off() -> None:
+    """Two pistons of one chamber that lack 60 and 50 % of it are a misfire, and named as one."""
+    engine = crankstar.load("jumo-205")
+    key, (upper, lower) = next((key, own) for key, own in engine.chambers.items() if len(own) == 2)
+    weak = cycle(engine, weaker={upper.number: 0.6, lower.number: 0.5})
+    still = cycle(engine, off=[upper.number])
+    assert weak.off == still.off == (key,)
+    assert weak.pressure == pytest.approx(still.pressure, rel=1e-12)

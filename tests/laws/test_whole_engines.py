@@ -37,7 +37,7 @@ from crankstar.studies.single_faults import shaken
 
 Loaded = tuple[Engine, Cycle]
 laws = settings(
-    max_examples=40 if RELEASE else 5,
+    max_examples=40 if RELEASE else 2,
     deadline=None,
     phases=[Phase.explicit, Phase.generate],
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
@@ -241,6 +241,7 @@ def test_a_speed_has_one_state_in_every_function(loaded: Loaded, speed: float) -
         assert np.abs(rolled + moving * spectra.amplitude(gas)).max() < 1e-7 * size
 
 
+@pytest.mark.release
 @laws
 @given(whole_engines(), st.sampled_from([0.005, 0.02, 0.08]))
 def test_a_flywheel_for_an_irregularity_gives_it(loaded: Loaded, asked: float) -> None:

@@ -110,6 +110,9 @@ def cycle(
     given = {"imep": imep, "bmep": bmep, "peak_pressure": peak_pressure}
     load = {name: value for name, value in given.items() if value is not None}
     state = operating_state(engine, point=point, speed=speed)
+    silent = chambers_of(engine, off)
+    if not motored:  # weak pistons of one chamber may together leave it nothing to burn
+        silent |= {number for number, share in lost.items() if share >= 1}
 
     def found(**asked: float) -> Cycle:
         ends = [
@@ -124,7 +127,7 @@ def cycle(
             for name, _share in state.shares
         ]
         one = ends[0] if len(ends) == 1 else _between(ends, state)
-        return replace(one, off=tuple(sorted(chambers_of(engine, off))))
+        return replace(one, off=tuple(sorted(silent)))
 
     one = found()
     if peak_pressure is None or motored:
@@ -189,8 +192,7 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
     shares = [share for _name, share in state.shares]
 
     def mean(pair: tuple[float, float]) -> float:
-        one, other = pair
-        return one if one == other else shares[0] * one + shares[1] * other
+        return pair[0] if pair[0] == pair[1] else float(np.dot(shares, pair))
 
     first, last = ends
     rows = shares[0] * first.pressure + shares[1] * last.pressure
