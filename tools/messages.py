@@ -88,6 +88,7 @@ MESSAGE_ERRORS = [
     "ChartError",
     "DerivationError",
     "ErrataError",
+    "ExportError",
     "FatigueError",
     "GasError",
     "MarineError",

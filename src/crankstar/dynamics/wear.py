@@ -60,7 +60,7 @@ def wear(load: Spectrum, *, speed_ratio: float, inward: bool = False) -> Wear:
     """
     turns = spectra.period(load)
     theta = np.arange(SAMPLES * turns) * (2 * pi / SAMPLES)
-    vectors = spectra.value(load, theta) * np.exp(-1j * load.sense * speed_ratio * theta)
+    vectors = spectra.over_period(load, theta.size) * np.exp(-1j * load.sense * speed_ratio * theta)
     vectors = -vectors if inward else vectors
     bearing = (np.arange(PLACES) - PLACES // 2) * (2 * pi / PLACES)
     pressed = _pressed(vectors, bearing)
