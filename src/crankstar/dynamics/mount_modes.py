@@ -125,8 +125,8 @@ def torque_roll_axis(block: MountedBlock) -> Axis:
     >>> from crankstar.dynamics.mounted_block import mounted_block
     >>> at = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
     >>> mounts = [{"name": n, "right": r, "z": z, "stiffness": "50 N/mm"} for n, r, z in at]
-    >>> whole = {"mass": "150 kg", "inertia_up": 8, "inertia_right": 9, "inertia_z": 4}
-    >>> whole = {**whole, "product_up_z": 1}
+    >>> about = {"inertia_up": "8 kg*m^2", "inertia_right": "9 kg*m^2", "inertia_z": "4 kg*m^2"}
+    >>> whole = {"mass": "150 kg", "product_up_z": "1 kg*m^2", **about}
     >>> five = load("audi-25-tfsi", changes={"mounts": mounts, "block": whole})
     >>> torque_roll_axis(mounted_block(five)).direction.round(3).tolist()  # rises to the front
     [0.124, 0.0, 0.992]

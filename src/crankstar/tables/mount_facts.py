@@ -36,7 +36,8 @@ def mount_sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
     >>> from crankstar.files.catalog import load
     >>> at = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
     >>> rubber = [{"name": n, "right": r, "z": z, "stiffness": "50 N/mm"} for n, r, z in at]
-    >>> block = {"mass": "150 kg", "inertia_up": 8, "inertia_right": 9, "inertia_z": 4, "z": "0 m"}
+    >>> about = {"inertia_up": "8 kg*m^2", "inertia_right": "9 kg*m^2", "inertia_z": "4 kg*m^2"}
+    >>> block = {"mass": "150 kg", "z": "0 m", **about}
     >>> five = load("audi-25-tfsi", changes={"mounts": rubber, "block": block})
     >>> mount_sentences(five)[0]  # sqrt(2 * 50 N/mm * (0.5 m)^2 / 4 kg m^2)/2 pi
     'Roll on the mounts: 12.58 Hz, all six modes between 2.621 and 12.58 Hz.'
