@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 import re
 from pathlib import Path
@@ -104,10 +106,12 @@ def test_analyze_shows_torque_and_roll_with_gas_as_torque_does(run: Run, four: s
     assert f"{second:.5g}" in text
 
 
-def test_without_a_cycle_analyze_says_nothing_of_gas(run: Run, tmp_path: Path) -> None:
+def test_without_a_cycle_analyze_says_only_that_its_roll_is_without_gas(
+    run: Run, tmp_path: Path
+) -> None:
     place = tmp_path / "bare.toml"
     place.write_text(FILE.partition("[gas]")[0], encoding="utf-8")
-    assert "gas" not in printed(run, "analyze", str(place))
+    assert "gas" not in printed(run, "analyze", str(place)).replace("oll without gas", "")
     assert "gas_orders" not in answer(run, "analyze", str(place))
 
 
@@ -394,3 +398,14 @@ def test_the_name_of_a_cylinder_stands_where_its_curve_is_low() -> None:
     assert len(sides) == 7
     assert sides["cylinder 1"] == "right"
     assert sides["cylinder 6"] != "right"  # the last to fire, high at the end of the cycle
+
+
+def test_the_csv_of_torque_has_every_table_of_the_screen(run: Run) -> None:
+    """The cycle, the running and the flywheel too, which JSON has as facts."""
+    out = run("torque", str(CASES / "genset-four.toml"), "--irregularity", "0.02", "--csv").out
+    rows = [*csv.DictReader(io.StringIO(out))]
+    assert {row["table"] for row in rows} == {"orders", "work", "running", "wheel", "side_thrust"}
+    values = {(row["table"], row["quantity"]): row["value"] for row in rows if row["quantity"]}
+    assert float(values["work", "imep"]) == pytest.approx(9e5)
+    assert float(values["work", "mean_torque"]) == pytest.approx(310.08, rel=1e-4)
+    assert float(values["wheel", "irregularity"]) == 0.02
