@@ -495,3 +495,13 @@ def test_a_crankshaft_that_balances_itself_gets_no_weights_of_rounding(
     told = run("balance", "i6", "--factor", "0.5", "--weights", planes).out
     assert not re.search(r"\de-\d\d", told)
     assert "No weights." in told
+
+
+def test_an_option_without_effect_here_is_marked(run: Run) -> None:
+    """No weights to take away, nothing to prove, nothing left out of the file."""
+    case = str(Path(__file__).parents[1] / "cases" / "genset-four.toml")
+    told = run("balance", case, "--bare", "--prove").err.splitlines()
+    assert [line.partition(" ")[0] for line in told] == ["--prove", "--bare"]
+    marine = str(Path(__file__).parents[1] / "cases" / "marine-seven.toml")
+    assert run("torque", marine, "--estimate").err.startswith("--estimate changes nothing")
+    assert not run("balance", "single", "--factor", "0.5", "--prove").err

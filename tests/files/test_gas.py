@@ -321,8 +321,8 @@ def test_a_spreadsheet_holds_the_cycle_the_orders_and_the_speed(
     sheets = [*openpyxl.load_workbook(tmp_path / "t.xlsx").worksheets]
     rows = [row for sheet in sheets for row in sheet.iter_rows(values_only=True)]
     cells = {row[0]: row[1] for row in reversed(rows) if len(row) > 1}
-    assert cells["mean gas torque"] == pytest.approx(told["mean_torque"])
-    assert cells["degree of irregularity"] == pytest.approx(told["irregularity"])
+    assert cells["mean_torque"] == pytest.approx(told["mean_torque"])
+    assert cells["irregularity"] == pytest.approx(told["irregularity"])
     second = next(row for row in told["orders"] if row["order"] == 2.0)
     assert cells[2] == pytest.approx(float(np.hypot(*second["gas"])))
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 import re
 from pathlib import Path
@@ -394,3 +396,14 @@ def test_the_name_of_a_cylinder_stands_where_its_curve_is_low() -> None:
     assert len(sides) == 7
     assert sides["cylinder 1"] == "right"
     assert sides["cylinder 6"] != "right"  # the last to fire, high at the end of the cycle
+
+
+def test_the_csv_of_torque_has_every_table_of_the_screen(run: Run) -> None:
+    """The cycle, the running and the flywheel too, which JSON has as facts."""
+    out = run("torque", str(CASES / "genset-four.toml"), "--irregularity", "0.02", "--csv").out
+    rows = [*csv.DictReader(io.StringIO(out))]
+    assert {row["table"] for row in rows} == {"orders", "work", "running", "wheel", "side_thrust"}
+    values = {(row["table"], row["quantity"]): row["value"] for row in rows if row["quantity"]}
+    assert float(values["work", "imep"]) == pytest.approx(9e5)
+    assert float(values["work", "mean_torque"]) == pytest.approx(310.08, rel=1e-4)
+    assert float(values["wheel", "irregularity"]) == 0.02

@@ -19,7 +19,7 @@ from crankstar.cli.options import (
     together,
     write_engine,
 )
-from crankstar.cli.output import display, working
+from crankstar.cli.output import complain, display, working
 from crankstar.cli.tabulating import resting_on
 from crankstar.engine.copies import with_values
 from crankstar.language.messages import _
@@ -66,6 +66,10 @@ def balance(
             from crankstar.derive.cure import proofs
 
             proof = proofs(job.before, job.after)
+            if not proof:
+                complain(_("--prove changes nothing here: there is no equation to prove."))
+        if options.bare and not any(shaft.weights for shaft in loaded.shafts if shaft.throws):
+            complain(_("--bare changes nothing here: the crankshafts of the file have no weights."))
     if options.recommended and needs(job.after, zero=OPTIMISED):
         command = command_text("balance", engine, {"--set": settings})
         flags = {"--estimate": estimate, "--bare": options.bare}

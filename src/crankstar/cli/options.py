@@ -14,13 +14,14 @@ from typing import Annotated, Any, NamedTuple, TypeVar, cast
 
 from cyclopts import Parameter, Token
 
+from crankstar.cli.output import complain
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.files import changed, engine_of
 from crankstar.files.box import Spread, spread
 from crankstar.files.catalog import load, tree_of
 from crankstar.files.changes import throw_angles
-from crankstar.language.messages import MessageError
+from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import seen
 from crankstar.options import values as request
 from crankstar.options.values import RequestError
@@ -191,7 +192,12 @@ def completed_tree(
     if estimate:
         from crankstar.files.estimate import estimated
 
-        tree = estimated(tree, name=shown).tree
+        found = estimated(tree, name=shown)
+        if not found.filled:
+            complain(
+                _("--estimate changes nothing here: the file has all that could be estimated.")
+            )
+        tree = found.tree
     return shown, tree, turned
 
 

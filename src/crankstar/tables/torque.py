@@ -123,22 +123,24 @@ def torque_document(
     more = [] if gears is None else [gears]
     more.append(side_thrust_table(engine, cycle, machine=machine))
     told = [*_other_points(engine, cycle), *notes(engine, cycle), *_provisos(waves)]
+    pairs = [] if wheel is None else [wheel_table(wheel)]
     if running is not None:
+        pairs = [running_table(running), *pairs]
         changed = changes_table(engine, running)
         more += [changed] if changed.rows or machine else []
         told += [] if changed.rows else [unchanged_sentence()]
     more += [] if loads is None else [tangential_table(loads)]
+    work = work_table(cycle, found)
     if machine:
-        return Document(engine.name, (table, *more), facts)
+        return Document(engine.name, (table, work, *pairs, *more), facts)
     return Document(
         engine.name,
         (
             heading(engine),
-            work_table(cycle, found),
+            work,
             table,
             roll_table(waves, shown),
-            *(() if running is None else (running_table(running),)),
-            *(() if wheel is None else (wheel_table(wheel),)),
+            *pairs,
             *more,
             *remarks(*told, kind="note"),
             *remarks(*assumed_notes(engine, cycle), unverified_gas(engine), kind="assumed"),
@@ -192,11 +194,17 @@ class Wheel(NamedTuple):
 def wheel_table(wheel: Wheel) -> Table:
     """The flywheel for a wanted degree of irregularity."""
     return _pairs(
+        "wheel",
         _("Flywheel for a degree of irregularity"),
         [
-            (_("degree of irregularity"), wheel.irregularity, ""),
-            (_("inertia of crankshaft, flywheel and coupled parts"), wheel.inertia, "kg*m^2"),
-            (_("mean inertia of pistons and rods beside it"), wheel.moving, "kg*m^2"),
+            (_("degree of irregularity"), "irregularity", wheel.irregularity, ""),
+            (
+                _("inertia of crankshaft, flywheel and coupled parts"),
+                "inertia",
+                wheel.inertia,
+                "kg*m^2",
+            ),
+            (_("mean inertia of pistons and rods beside it"), "moving", wheel.moving, "kg*m^2"),
         ],
     )
 
@@ -208,22 +216,23 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
     if cycle.off or cycle.weaker:
         name = _("indicated mean effective pressure, mean of all cylinders")
     rows: list[tuple[Value, ...]] = [
-        (name, cycle.imep, "Pa"),
-        (_("peak pressure"), cycle.peak, "Pa"),
-        (_("mean gas torque"), mean, "N*m"),
+        (name, "imep", cycle.imep, "Pa"),
+        (_("peak pressure"), "peak_pressure", cycle.peak, "Pa"),
+        (_("mean gas torque"), "mean_torque", mean, "N*m"),
     ]
     if cycle.air_fuel_ratio is not None:
-        rows.insert(2, (_("air-fuel ratio"), float(f"{cycle.air_fuel_ratio:.4g}"), ""))
+        ratio = float(f"{cycle.air_fuel_ratio:.4g}")
+        rows.insert(2, (_("air-fuel ratio"), "air_fuel_ratio", ratio, ""))
     if cycle.speed is not None:
         rows += [
-            (_("friction mean effective pressure"), cycle.friction, "Pa"),
-            (_("brake torque"), mean - lost, "N*m"),
-            (_("brake power"), (mean - lost) * cycle.speed, "W"),
+            (_("friction mean effective pressure"), "friction_pressure", cycle.friction, "Pa"),
+            (_("brake torque"), "brake_torque", mean - lost, "N*m"),
+            (_("brake power"), "brake_power", (mean - lost) * cycle.speed, "W"),
         ]
     title = _("One cycle")
     if cycle.speed is not None:
         title = _("One cycle at {rpm} rpm", rpm=number(cycle.speed * 30 / pi))
-    return _pairs(burning_words(at_points(title, cycle), cycle), rows)
+    return _pairs("work", burning_words(at_points(title, cycle), cycle), rows)
 
 
 def running_table(running: Running) -> Table:
@@ -232,16 +241,27 @@ def running_table(running: Running) -> Table:
     least, greatest = _first(-rpm), _first(rpm)
     irregular = running.irregularity
     return _pairs(
+        "running",
         _("Uneven running"),
         [
-            (_("inertia of all that turns"), running.inertia, "kg*m^2"),
-            (_("fluctuation of energy"), running.fluctuation, "J"),
-            (_("degree of irregularity"), irregular, ""),
-            (_("the same, linear estimate"), running.linear, ""),
-            (_("least speed"), float(rpm[least]), "rpm"),
-            (_("crank angle of the least speed"), degrees(running.theta[least]), "deg"),
-            (_("greatest speed"), float(rpm[greatest]), "rpm"),
-            (_("crank angle of the greatest speed"), degrees(running.theta[greatest]), "deg"),
+            (_("inertia of all that turns"), "inertia", running.inertia, "kg*m^2"),
+            (_("fluctuation of energy"), "fluctuation", running.fluctuation, "J"),
+            (_("degree of irregularity"), "irregularity", irregular, ""),
+            (_("the same, linear estimate"), "linear", running.linear, ""),
+            (_("least speed"), "least_rpm", float(rpm[least]), "rpm"),
+            (
+                _("crank angle of the least speed"),
+                "least_deg",
+                degrees(running.theta[least]),
+                "deg",
+            ),
+            (_("greatest speed"), "greatest_rpm", float(rpm[greatest]), "rpm"),
+            (
+                _("crank angle of the greatest speed"),
+                "greatest_deg",
+                degrees(running.theta[greatest]),
+                "deg",
+            ),
         ],
     )
 
@@ -251,13 +271,15 @@ def _first(values: Real) -> int:
     return int(np.argmax(values >= values.max() - 1e-9 * np.ptp(values)))
 
 
-def _pairs(title: str, rows: Sequence[tuple[Value, ...]]) -> Table:
+def _pairs(key: str, title: str, rows: Sequence[tuple[Value, ...]]) -> Table:
+    """Quantities one under another: in words, by name for machines, value, unit."""
     columns = (
         Column("", kind="text", label=True),
-        Column(_("value"), ROW_UNIT),
-        Column(_("unit"), kind="unit"),
+        Column("", kind="text", key="quantity", machine=True),
+        Column(_("value"), ROW_UNIT, key="value"),
+        Column(_("unit"), kind="unit", key="unit"),
     )
-    return Table(title, columns, tuple(rows))
+    return Table(title, columns, tuple(rows), key=key)
 
 
 def _valued(name: str, value: float) -> str:
