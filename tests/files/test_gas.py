@@ -94,7 +94,7 @@ def test_a_trace_is_the_same_written_and_read_back() -> None:
         ({"trace": trace(20)}, "trace.unit"),
         ({"trace": trace(angles=range(-360, 300, 2))}, "trace.gap"),
         ({"trace": trace(angles=range(-360, 0, 2))}, "trace.gap"),
-        ({"trace": trace(angles=range(-360, 362, 2))}, "trace.more-than-a-cycle"),
+        ({"trace": trace(angles=range(-360, 364, 2))}, "trace.more-than-a-cycle"),
         ({"trace": trace(angles=range(360, -360, -2))}, "trace.not-ascending"),
         ({"trace": trace(angles=range(-360, 360, 40))}, "trace.too-few"),
         ({"trace": trace(angles=range(0, 700, 2))}, "trace.jump"),
