@@ -42,15 +42,15 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, a number without a unit; {dimension} is needed, such as {example}"
     ),
     "unit.bare-beside-pitch": N_(
-        "{where} is {value} without a unit, and {key} has one: give {relative} where it counts "
+        "{where} is {value} without a unit, and {key} has one; give {relative} where it counts "
         "bore pitches, or {absolute}"
     ),
     "unit.bare-beside-radius": N_(
-        "{where} is {value} without a unit, and {key} has one: give {relative} where it counts "
+        "{where} is {value} without a unit, and {key} has one; give {relative} where it counts "
         "crank radii, or {absolute}"
     ),
     "unit.bare-beside-mass": N_(
-        "{where} is {value} without a unit, and {key} has one: give {relative} where it counts in "
+        "{where} is {value} without a unit, and {key} has one; give {relative} where it counts in "
         "that mass, or {absolute}"
     ),
     "unit.implausible": N_(
