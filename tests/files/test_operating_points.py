@@ -70,9 +70,13 @@ def numbers(found: Any) -> Any:
     if isinstance(found, dict):
         skipped = ("point", "points", "operating_point", "operating_points", "gas_over_speeds")
         names = (*skipped, *RANGE, "engine", "file")
+        if "speeds" in found:  # rests on what its range has, too
+            names = (*names, "rests_on")
         return {key: numbers(value) for key, value in found.items() if key not in names}
     if isinstance(found, float):
         return float(f"{found:.8g}")
+    if isinstance(found, str):  # of the file with one load, that load has no name
+        return found.replace("gas.point.idle", "gas")
     return [numbers(each) for each in found] if isinstance(found, list) else found
 
 

@@ -92,6 +92,6 @@ def guide(
             drive=drive,
             machine=form not in ("txt", "xlsx"),
         )
-        answered = partial(amplitudes, loaded, speed=turning)
+        answered = partial(amplitudes, loaded, point=point or "", speed=turning)
         document = resting(document, resting_on(form, loaded, answered))
     give(document, output, form=form)

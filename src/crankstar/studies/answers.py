@@ -26,6 +26,7 @@ from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.assumed_values import assumed_values
@@ -43,14 +44,19 @@ def rests_on(engine: Engine, answer: Answer) -> tuple[Assumption, ...]:
     return moved(engine, found, answer)
 
 
-def amplitudes(engine: Engine, *, speed: float | None = None, gas: bool = False) -> Answer:
+def amplitudes(
+    engine: Engine, *, point: str = "", speed: float | None = None, gas: bool = False
+) -> Answer:
     """Force, couple and rolling moment of inertia by order, at `speed` (rad/s) or the engine's.
 
-    With `gas` the rolling moment is not said to leave it out.
+    With `gas` the rolling moment is not said to leave it out; `point` is the operating point at
+    which it does. Raises GasError for a point that the engine has not.
     """
     without = None
     if not gas and engine.gas is not None:
-        without = cycle_or_reason(engine, speed=speed)[0]
+        without = cycle_or_reason(engine, point=point, speed=speed)[0]
+    if point and speed is None:
+        speed = operating_state(engine, point=point).speed
     return Answer(
         figures=lambda each: _inertia_sizes(each, speed),
         unit=partial(_inertia_unit, speed),

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from crankstar.language.messages import N_, _, passage
-from crankstar.language.numbers import number, order_text, unit_text
+from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.studies.assumptions import Assumption, Moved
 from crankstar.tables.table import Remarks
@@ -130,17 +130,13 @@ def _value(each: Assumption, value: float | str | None) -> str:
     """A value of an assumption with its unit."""
     if not isinstance(value, float):
         return "" if value is None else str(value)
-    if each.unit == "kg":
-        return (
-            f"{number(_rounded(1e3 * value))} g" if value < 1 else f"{number(_rounded(value))} kg"
-        )
     if each.status == "estimated" and not each.unit:
         return _("{factor} times", factor=number(_rounded(value)))
     if each.unit == "% of a gap":
         return _("{share} % of the distance between two", share=number(value))
     if each.path.endswith(("rod_length", "rod_ratio")):
         return f"l/r = {number(_rounded(value))}"
-    return f"{number(_rounded(value))} {unit_text(each.unit)}".rstrip()
+    return quantity_text(_rounded(value), each.unit)
 
 
 def assumption_facts(found: Sequence[Assumption]) -> dict[str, Any]:
