@@ -70,7 +70,7 @@ def numbers(found: Any) -> Any:
     if isinstance(found, dict):
         skipped = ("point", "points", "operating_point", "operating_points", "gas_over_speeds")
         names = (*skipped, *RANGE, "engine", "file")
-        if "speeds" in found:  # rests on what its range has, too
+        if {"speeds", "response", "criticals"} & {*found}:  # rests on what its range has, too
             names = (*names, "rests_on")
         return {key: numbers(value) for key, value in found.items() if key not in names}
     if isinstance(found, float):

@@ -365,9 +365,9 @@ def test_estimated_stiffness_is_said_to_be(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "estimated.json"
     place.write_text(json.dumps(tree), encoding="utf-8")
     text = " ".join(run("torsion", str(place)).out.split())
-    assert "estimated from their dimensions" in text
-    assert "Shear modulus: 80 GPa, assumed" in text
-    assert "Loss factor of the shafts: 0.02, assumed" in text
+    assert "torsion.stiffness: stiffness of the throws from their dimensions" in text
+    assert "torsion.dimensions.shear_modulus: 80 GPa assumed" in text
+    assert "torsion.loss_factor: 0.02 assumed" in text
 
 
 def test_a_drive_line_without_cylinders_has_modes_and_criticals(run: Run, chain: str) -> None:

@@ -105,7 +105,7 @@ def test_the_front_page_says_what_it_is_how_it_shakes_and_what_to_do() -> None:
     page = report(subject("audi-25-tfsi", full=False))
     front = page[: page.index('<nav class="contents">')]
     headings = re.findall(r"<h2>([^<]*)</h2>", front)
-    assert headings == ["What it is", "How it shakes", "What to do"]
+    assert headings == ["What it is", "How it shakes", "What to do", "What it rests on"]
     assert "1534.3 N m" in front
     assert "balance shaft" in front
     assert "<svg" in front

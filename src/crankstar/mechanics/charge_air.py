@@ -89,7 +89,7 @@ def boosted(
 
         p = p_assumed usual / ratio    until the ratio is the usual one,
 
-    and an assumed exhaust pressure rises with it: that of a turbine. The heat of the load depends
+    and an assumed exhaust pressure, that of a turbine, and an assumed limit rise with it. The heat of the load depends
     on the charge a little, so that the ratio is sought in steps: `heat` gives it (per swept volume,
     Pa) for values, and `load` is the indicated mean effective pressure, Pa.
     """
@@ -106,9 +106,8 @@ def boosted(
             break
         raised = max(now["intake_pressure"] * rises, values["intake_pressure"])
         out["intake_pressure"] = raised
-        if "exhaust_pressure" in assumed:
-            share = raised / values["intake_pressure"]
-            out["exhaust_pressure"] = values["exhaust_pressure"] * share
+        for name in {"exhaust_pressure", "peak_pressure"}.intersection(assumed):
+            out[name] = values[name] * raised / values["intake_pressure"]
     return out
 
 

@@ -71,7 +71,9 @@ most of it early, as injected fuel does.
 Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9; I. Wiebe (1962).
 """
 LIMIT = 80e5
-"""Pa: the assumed limit of pressure of a limited-pressure cycle."""
+"""Pa: the assumed limit of pressure of a limited-pressure cycle that draws in free air."""
+AIR = 1e5
+"""Pa: free air; a higher charge pressure raises the assumed limit alike."""
 SPEEDS_BETWEEN = 2
 """Speeds that points must have for there to be a load between them."""
 AIR_STANDARD = 1.4
@@ -284,7 +286,7 @@ def _assumed(
     if process != "heat-release":
         values["gamma"] = AIR_STANDARD
     if process == "limited-pressure":
-        values["peak_pressure"] = LIMIT
+        values["peak_pressure"] = LIMIT * max(1.0, given.get("intake_pressure", AIR) / AIR)
     if engine.cycle == "two-stroke":  # the charge drives the exhaust out
         if "intake_pressure" in given:
             values["exhaust_pressure"] = given["intake_pressure"] / SCAVENGING

@@ -8,7 +8,7 @@ from crankstar.language.messages import N_, _
 from crankstar.remedy.fitting import recommended, recommended_like
 from crankstar.report.markup import figure
 from crankstar.report.subject import Subject
-from crankstar.report.title import data
+from crankstar.report.title import MOST_TRUSTED, data
 from crankstar.report.views import small_views
 from crankstar.tables.html import paragraph, text
 from crankstar.tables.ranges import estimated_paths
@@ -25,8 +25,6 @@ ESTIMATED = N_(
     "marked “estimated” and has a range; the section Sources, or `crankstar show`, says where each "
     "of them comes from."
 )
-MOST_TRUSTED = 3
-"""Lines of what the numbers rest on, of the most effect, on the front page."""
 SHOWN = 7
 """Lines of the data sheet on the front page."""
 

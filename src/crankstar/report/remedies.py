@@ -32,7 +32,7 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
     spectra = gallery.figure(
         "spectrum",
         _("The spectra before and after, on common axes."),
-        "wide low",
+        "wide",
         beside=after,
         spreads=[fitted_spread(subject.spreads[0], fitted, after)],
         speed=subject.at,
@@ -48,7 +48,7 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
     drawn = [spectra]
     if fitted.ratios and subject.full:
         caption = _("The balance shafts in their places, from the front and from the side.")
-        drawn.append(gallery.figure("balance-shafts", caption, "low", of=fitted.after))
+        drawn.append(gallery.figure("balance-shafts", caption, of=fitted.after))
     body = lead + tables + figures(drawn)
     return section(title, body, name="remedies")
 

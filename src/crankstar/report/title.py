@@ -27,6 +27,8 @@ BESIDES = ("firing", "relatives")
 """The topics of the verdict that the front page does not have."""
 LONG = 40
 """Letters from which a value has a line of its own."""
+MOST_TRUSTED = 3
+"""Lines of what the numbers rest on, of the most effect, on the front page; here are the others."""
 
 
 class Datum(NamedTuple):
@@ -63,7 +65,7 @@ def status(engine: Engine, keys: Iterable[str]) -> str:
 
 
 def _doubt(subject: Subject) -> str:
-    lines = [paragraph(line, "doubt") for line in subject.rests_on]
+    lines = [paragraph(line, "doubt") for line in subject.rests_on[MOST_TRUSTED:]]
     source = _(
         "Unverified values and placeholders have no published source; see the section Sources."
     )

@@ -136,6 +136,8 @@ def _value(each: Assumption, value: float | str | None) -> str:
         return _("{share} % of the distance between two", share=number(value))
     if each.path.endswith(("rod_length", "rod_ratio")):
         return f"l/r = {number(_rounded(value))}"
+    if each.unit == "GPa":  # a modulus, no pressure: in GPa everywhere
+        return f"{number(_rounded(value))} GPa"
     return quantity_text(_rounded(value), each.unit)
 
 

@@ -27,7 +27,7 @@ PEAKS = {
     "horizontal": N_("horizontal {size}"),
     "pitch": N_("pitch {size}"),
     "yaw": N_("yaw {size}"),
-    "roll": N_("roll without gas {size}"),
+    "roll": N_("roll {size}"),
 }
 """The parts of force and couple, and the rolling moment, with their peaks."""
 
