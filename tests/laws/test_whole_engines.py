@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from math import pi
+from typing import Any
 
 import numpy as np
 import pytest
@@ -23,16 +25,21 @@ from crankstar.dynamics.uneven import UnevenError, driven, flywheel_for
 from crankstar.engine.copies import turned_on, with_values
 from crankstar.engine.dead_centres import pistons
 from crankstar.engine.engine import Engine
+from crankstar.files import changed, engine_of, keys_of, toml, tree_of
+from crankstar.files.tolerances import tolerances_of
 from crankstar.language.faults import EngineError
-from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.balance import balance, default_reference, scales, total
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_loads import gas_over_speeds
 from crankstar.mechanics.gas_pins import head_forces
 from crankstar.mechanics.gas_torque import gas_torque, over_cycle
+from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.side_thrust import pressure_at
 from crankstar.spectra import Complex
+from crankstar.studies.error_sources import sources_of
+from crankstar.studies.linear_law import QUANTITIES, linear, summed_parts
 from crankstar.studies.single_faults import shaken
 
 Loaded = tuple[Engine, Cycle]
@@ -263,3 +270,71 @@ def test_a_flywheel_for_an_irregularity_gives_it(loaded: Loaded, asked: float) -
         own = driven(with_values(engine, drive=drive), found)
         assert own is not None
         assert own.irregularity == pytest.approx(asked, rel=1e-6)
+
+
+def moving_values(engine: Engine) -> tuple[dict[str, Any], list[str]]:
+    """The file of an engine, and the paths of masses, unbalances and throws that its forces have.
+
+    A slave's own masses are left out: those of its knuckle pin are its master's.
+    """
+    tree = {key: own for key, own in tree_of(toml(engine)).items() if key != "provenance"}
+    paths = [
+        f"cylinders[{number}].{key}"
+        for number, own in enumerate(tree["cylinders"], 1)
+        for key in ("reciprocating_mass", "rotating_mass")
+        if key in own and not {"parts", "articulated"} & {*own}
+    ]
+    moving = {"throw": ("radius", "rotating_mass"), "weight": ("unbalance",)}
+    paths += [
+        f"shaft[{number}].{kind}[{place}].{key}"
+        for number, shaft in enumerate(tree["shaft"], 1)
+        for kind, keys in moving.items()
+        for place, own in enumerate(shaft.get(kind, ()), 1)
+        for key in keys
+        if key in own
+    ]
+    return tree, paths
+
+
+def value_at(tree: Mapping[str, Any], path: str) -> str:
+    """What the file has at a path."""
+    place: Any = tree
+    for key in keys_of(path):
+        place = place[key]
+    return str(place)
+
+
+@laws
+@given(whole_engines(), st.data())
+def test_the_error_of_a_value_moves_forces_as_a_change_of_it_does(
+    loaded: Loaded, data: st.DataObject
+) -> None:
+    """A value with its tolerance, and the file read again with the value a little up and down."""
+    engine, _found = loaded
+    tree, paths = moving_values(engine)
+    assume(paths)
+    path = data.draw(st.sampled_from(paths))
+    said = value_at(tree, path)
+    amount, unit = said.split(" ", 1)
+    size = float(amount)
+    step = 3e-5 * abs(size)
+    assume(step > 0)
+    toleranced = changed(tree, {path: f"{said} +- {step!r} {unit}"})
+    errors = sources_of(toleranced, tolerances_of(toleranced), engine).errors
+    how: dict[str, Any] = {
+        "orders": (0.5, 1.0, 2.0, 4.0),
+        "reference": default_reference(engine),
+        "scale": scales(engine, engine.speed)[0],
+    }
+    lines = linear(engine, errors, **how)
+    low, high = (
+        summed_parts(mechanism(engine_of(changed(tree, {path: f"{each!r} {unit}"}))), **how)
+        for each in (size - step, size + step)
+    )
+    bounds = np.array([each.bound for each in errors])
+    for quantity in QUANTITIES:
+        for place in (0, 1):
+            change = (high[quantity][place] - low[quantity][place]) / 2
+            found = bounds @ lines[quantity].rates[place]
+            rounding = 1e-10 * np.abs(low[quantity][place]).max()
+            assert np.abs(found - change).max() <= 2e-5 * np.abs(change).max() + rounding, path
