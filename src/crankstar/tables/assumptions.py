@@ -91,8 +91,19 @@ def _line(each: Assumption) -> str:
     words |= {"sizes": _span(own), "now": quantity_text(_rounded(own.now), own.unit)}
     if each.status == "left out":
         return _("{path}: {reason}. With it the {figure} is {sizes}, not {now}.", **words)
-    if each.low == each.high:
-        return _("{path}: {reason}. With usual ones the {figure} is {sizes}, not {now}.", **words)
+    if each.path == "crankshaft.weight":
+        factor = dict(each.values)["factor"]
+        if factor is None:
+            return _(
+                "{path}: {reason}. With two on the end webs the {figure} is {sizes}, not {now}.",
+                **words,
+            )
+        return _(
+            "{path}: {reason}. With usual ones (all rotating masses and {share} % of the "
+            "reciprocating masses) the {figure} is {sizes}, not {now}.",
+            **words,
+            share=number(100 * factor),
+        )
     words |= {"low": _value(each, each.low), "high": _value(each, each.high)}
     if each.status == "assumed" and each.value is not None:
         return _(
