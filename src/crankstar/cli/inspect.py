@@ -131,7 +131,7 @@ def analyze(
     )
     point = request.reference(reference, loaded)
     _refuse_foreign(orders, [loaded], gas=False)
-    answered = partial(of_amplitudes, loaded, speed=turning)
+    answered = partial(of_amplitudes, loaded, speed=turning, both=True)
     if form != "txt":
         first = balance(loaded, reference=point)
         picked = request.orders(orders, first.force.orders.tolist())
@@ -289,8 +289,9 @@ def compare(
 
     document = ranged_side_by_side(sheet, [each.spread for each in loaded], engines)
     if form not in ("csv", "parquet"):
+        both = all(each.gas is not None for each in engines)
         for one, name in zip(engines, own, strict=True):
-            rests = rests_on(one, amplitudes(one, speed=turning))
+            rests = rests_on(one, amplitudes(one, speed=turning, both=both))
             said = assumption_remarks(rests, of=name)
             rows = [{"engine": name, **row} for row in assumption_facts(rests).get("rests_on", [])]
             facts = {"rests_on": [*document.facts.get("rests_on", []), *rows]}

@@ -98,7 +98,8 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     if answer.without_gas is not None:
         yield _without_gas(engine, answer.without_gas)
     elif answer.gas is None and answer.gasless:
-        yield Assumption("left out", "gas", N_("there is no gas in it"))
+        reason = answer.why_gasless or N_("there is no gas in it")
+        yield Assumption("left out", "gas", reason, explained=bool(answer.why_gasless))
     if "gas" in answer.uses and answer.gas is not None:
         yield from _gas(engine, answer.gas)
     if "running" in answer.uses and (engine.drive is None or engine.drive.inertia is None):

@@ -19,6 +19,7 @@ FIGURES = {
     "force": N_("force of order {order}"),
     "couple": N_("couple of order {order}"),
     "roll": N_("rolling moment of order {order}"),
+    "roll with gas": N_("rolling moment with gas of order {order}"),
     "velocity": N_("velocity of order {order}, peak"),
     "H moment": N_("H moment of order {order}"),
     "mean torque": N_("mean torque"),
@@ -116,7 +117,9 @@ def _line(each: Assumption) -> str:
 
 
 def _named(each: Assumption) -> str:
-    """The key path, with the value that is assumed."""
+    """The key path, with the value that is assumed, or the reason where it says what to do."""
+    if each.explained:
+        return f"{each.path} ({_(each.reason)})"
     value = _value(each, each.value) if each.status == "assumed" else ""
     return f"{each.path} ({value})" if value else each.path
 
