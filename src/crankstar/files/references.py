@@ -113,12 +113,12 @@ def _sizes(tree: Tree, *, with_unit: bool = False) -> dict[str, tuple[str, float
         ("pitch", "layout.row_pitch", layout.get("row_pitch"), 1.0, LENGTH),
         ("pitch", "bore_pitch", tree.get("bore_pitch"), 1.0, LENGTH),
         ("radius", "cylinder.stroke", cylinder.get("stroke"), 0.5, LENGTH),
-        ("mass", "cylinder.reciprocating_mass", cylinder.get("reciprocating_mass"), 1.0, MASS),
     ]
+    total, key = cylinder.get("reciprocating_mass"), "cylinder.reciprocating_mass"
     whole = with_sums(tree)[0].get("cylinder")
     if isinstance(whole, dict) and tells_mass(cylinder):
-        total = whole.get("reciprocating_mass")
-        places.append(("mass", "cylinder.parts", total, 1.0, MASS))
+        total, key = whole.get("reciprocating_mass"), "cylinder.parts"
+    places.append(("mass", key, total, 1.0, MASS))
     out: dict[str, tuple[str, float]] = {}
     for scale, key, value, share, quantity in places:
         if value is None or (with_unit and not isinstance(value, str)):
