@@ -15,8 +15,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from crankstar.engine.basis import Crankshaft
-from crankstar.engine.basis import BALANCE_FACTOR
+from crankstar.engine.basis import BALANCE_FACTOR, Crankshaft
 from crankstar.engine.copies import throws_of_weights, with_values, wrapped
 from crankstar.engine.crankshafts import balance_shaft, crankshaft
 from crankstar.engine.engine import Engine

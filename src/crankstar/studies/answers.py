@@ -15,7 +15,6 @@ frequencies. `rests_on` varies what the file lacks and says which figure of them
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
@@ -76,9 +75,7 @@ def amplitudes(
     )
 
 
-def _gas_of(
-    engine: Engine, *, speed: float | None, point: str = ""
-) -> tuple[Cycle | None, str]:
+def _gas_of(engine: Engine, *, speed: float | None, point: str = "") -> tuple[Cycle | None, str]:
     """The cycle of an engine, or why there is none though its file has gas."""
     if engine.gas is None:
         return None, ""
