@@ -116,9 +116,10 @@ def _is_bare_sum(fault: Fault, tree: Tree) -> bool:
     """Whether a bare mass is the sum of parts, each of which has a fault of its own."""
     table: Any = tree
     for key in fault.path[:-1]:
-        inside = isinstance(table, dict) and key in table
-        inside = inside or (isinstance(table, list) and isinstance(key, int) and key < len(table))
-        table = table[key] if inside else None
+        try:
+            table = table[key]
+        except (KeyError, IndexError, TypeError):
+            return False
     return (
         fault.code.startswith("unit.bare-beside")
         and isinstance(table, dict)
