@@ -186,7 +186,8 @@ V_TWIN: Any = {
 def with_unbalance(value: Any, **cylinder: Any) -> Any:
     weight = [{"throw": 1, "unbalance": value}]
     own = {key: size for key, size in {**V_TWIN["cylinder"], **cylinder}.items() if size}
-    return {**V_TWIN, "cylinder": own, "crankshaft": [{"weight": weight}]}
+    layout = {**V_TWIN["layout"], "bank_offset": 0}
+    return {**V_TWIN, "cylinder": own, "layout": layout, "crankshaft": [{"weight": weight}]}
 
 
 @pytest.mark.parametrize(
