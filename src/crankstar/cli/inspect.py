@@ -27,6 +27,7 @@ from crankstar.cli.options import (
     engine_tree,
     loaded_engine,
     loaded_values,
+    mark_speed,
     option,
     together,
     write_tree,
@@ -129,6 +130,7 @@ def analyze(
     (loaded, spread), turning = together(
         partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
     )
+    mark_speed(speed, loaded)
     point = request.reference(reference, loaded)
     _refuse_foreign(orders, [loaded], gas=False)
     answered = partial(of_amplitudes, loaded, speed=turning, both=True)
@@ -210,6 +212,7 @@ def bearings(
         partial(request.cylinders_off, off),
     )
     burning = gas or point is not None or bool(silent)
+    mark_speed(speed, loaded)
     _refuse_foreign(orders, [loaded], gas=burning)
     several = 1 if spread is None else len(spread.engines)
     engines = count(1)
@@ -269,6 +272,7 @@ def compare(
         )
     )
     engines = [each.engine for each in loaded]
+    mark_speed(speed, *engines)
     _refuse_foreign(orders, engines, gas=False)
     whole = analysis(engines[0], speed=turning)
     wanted = request.orders(orders, whole.normalised.force.orders.tolist()) or ()
@@ -323,6 +327,7 @@ def verdict(
         partial(engine_over_ranges, engine, settings, estimate=estimate),
         partial(request.speed, speed),
     )
+    mark_speed(speed, loaded)
     facts = ranged_facts(partial(tables.verdict, speed=turning), spread, loaded)
     facts = with_built(facts, tree, loaded, speed=turning)
     form = form_of(output, ("txt", "xlsx"))
