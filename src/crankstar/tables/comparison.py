@@ -340,7 +340,10 @@ def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
             _share(cell, cells[0] or 0.0, 1) if cell else None,
         )
         for what, order, cells, unit in sizes
-        for engine, result, cell in zip(compared.names, compared.results, cells, strict=True)
+        for own, engine, result, cell in zip(
+            engines, compared.names, compared.results, cells, strict=True
+        )
+        if (own.torsion is not None if what.startswith("torsion") else own.mounts)
     ]
 
 
