@@ -121,7 +121,7 @@ READINGS = """order,up,right,z,direction,amplitude,phase
 """
 
 
-RANGE = ("speeds", "response", "criticals", "barred")
+RANGE = ("speeds", "response", "criticals", "barred", "greatest")
 """What stands in a document over a range of speeds, over which a named point is the same."""
 
 

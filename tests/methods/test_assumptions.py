@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from math import degrees, isfinite, pi
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from crankstar.dynamics.bearings import bearing_loads
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
-from crankstar.files import engine_of
+from crankstar.files import engine_of, toml
 from crankstar.files.catalog import load, names
 from crankstar.mechanics.gas import cycle
 from crankstar.studies.answers import amplitudes, bearing_peaks, on_mounts, rests_on, torques, twist
@@ -271,3 +272,103 @@ def test_gas_that_is_left_out_is_measured_by_the_greater_of_both() -> None:
     for name in names():
         found = assumptions(load(name))
         assert all(each.effect <= 1 for each in found if each.status == "left out"), name
+
+
+def single(**more: object) -> dict[str, object]:
+    """A single without a rotating mass, r = 40 mm, m = 500 g, at 6000 rpm."""
+    sizes = {"bore": "80 mm", "stroke": "80 mm", "rod_length": "140 mm"}
+    return {
+        "name": "one",
+        "speed": "6000 rpm",
+        "cylinder": {**sizes, "reciprocating_mass": "500 g"},
+        "layout": {"type": "inline", "throws": [0]},
+        **more,
+    }
+
+
+@pytest.mark.parametrize("bore", [True, False])
+def test_a_rotating_mass_missing_beside_counterweights_moves_the_force_they_balance(
+    bore: bool,
+) -> None:
+    """Up (m + m_rot) r - u, to the right m_rot r - u: the greatest of both, times w^2."""
+    tree = single(crankshaft=[{"weight": [{"throw": 1, "unbalance": "12 g*m"}]}])
+    if not bore:
+        del tree["cylinder"]["bore"]  # type: ignore[attr-defined]
+    own = of(assumptions(engine_of(tree)), "cylinder.rotating_mass")
+    assert own.moved is not None
+    assert own.low is not None
+    assert own.high is not None
+    assert 0.1 < own.low < own.high < 1.5
+    speed = 6000 * pi / 30
+    sizes = [
+        speed**2 * max(abs((0.5 + turning) * 0.04 - 0.012), abs(turning * 0.04 - 0.012))
+        for turning in (0.0, own.low, own.high)
+    ]
+    assert (own.moved.quantity, own.moved.order) == ("force", 1.0)
+    assert (own.moved.now, own.moved.low, own.moved.high) == pytest.approx(sizes, rel=1e-6)
+
+
+def test_counterweights_of_a_balance_factor_go_with_the_rotating_mass() -> None:
+    """Outside nothing moves; the crankpin carries what a file with that mass has on it."""
+    tree = single(balance_factor=0.5)
+    engine = engine_of(tree)
+    assert "cylinder.rotating_mass" not in {each.path for each in assumptions(engine)}
+    own = of(
+        rests_on(engine, bearing_peaks(engine, lambda _engine: None)), "cylinder.rotating_mass"
+    )
+    assert own.moved is not None
+    assert own.moved.quantity == "crank pin"
+    whole = engine_of(tree, changes={"cylinder.rotating_mass": f"{own.high} kg"})
+    loads = bearing_loads(whole, speed=whole.speed)
+    assert own.moved.high == pytest.approx(float(spectra.peaks(loads.pin).max()), rel=1e-6)
+    explicit = bearing_loads(
+        engine_of(tree, changes={"cylinder.rotating_mass": "0 kg"}), speed=whole.speed
+    )
+    assert own.moved.now == pytest.approx(float(spectra.peaks(explicit.pin).max()), rel=1e-6)
+
+
+def test_usual_counterweights_say_what_they_balance(run: Run) -> None:
+    """Half of the reciprocating masses leaves half of the primary couple."""
+    own = of(assumptions(load("audi-25-tfsi")), "crankshaft.weight")
+    assert own.moved is not None
+    assert dict(own.values) == {"factor": 0.5}
+    assert own.moved.high == pytest.approx(own.moved.now / 2, rel=1e-9)
+    told = " ".join(run("analyze", "audi-25-tfsi").out.split())
+    assert "usual ones (all rotating masses and 50 % of the reciprocating masses)" in told
+
+
+def test_a_pressure_that_is_assumed_moves_the_roll_beside_which_it_stands(
+    run: Run, tmp_path: Path
+) -> None:
+    tree = single(gas={"compression_ratio": 9.5}, cycle="four-stroke", firing_order=[1])
+    found = rests_on(engine_of(tree), amplitudes(engine_of(tree), both=True))
+    own = of(found, "gas.imep")
+    assert own.moved is not None
+    assert (own.value, own.unit) == (9.0, "bar")
+    assert own.moved.quantity == "roll with gas"
+    sizes = []
+    for pressure in (9.0, own.low, own.high):
+        changed = engine_of(tree, changes={"gas.imep": f"{pressure} bar"})
+        place = tmp_path / "one.toml"
+        place.write_text(toml(changed), encoding="utf-8")
+        rows = json.loads(run("torque", "one.toml", "--json").out)["orders"]
+        [row] = [each for each in rows if each["order"] == own.moved.order]
+        # gas and inertia torque, whose sum the block feels
+        sizes.append(abs(complex(*row["gas"]) + complex(*row["inertia"])))
+    assert own.moved.now == pytest.approx(sizes[0], rel=1e-6)
+    assert sorted((own.moved.low, own.moved.high)) == pytest.approx(sorted(sizes[1:]), rel=1e-6)
+
+
+@pytest.mark.parametrize("verb", ["analyze", "bearings", "torsion"])
+def test_gas_that_cannot_be_computed_says_what_would_put_it_in(
+    run: Run, verb: str, tmp_path: Path
+) -> None:
+    torsion_table = {
+        "inertia": "0.02 kg*m^2",
+        "disc": [{"name": "wheel", "inertia": 0.2, "to": "rear", "stiffness": 1e6}],
+    }
+    tree = single(gas={"imep": "9 bar"}, firing_order=[1], torsion=torsion_table)
+    del tree["cylinder"]["bore"]  # type: ignore[attr-defined]
+    (tmp_path / "one.json").write_text(json.dumps(tree), encoding="utf-8")
+    told = " ".join(run(verb, "one.json").out.split())
+    assert "Not in these numbers: gas (gas forces need the bore: give cylinder.bore" in told

@@ -9,7 +9,7 @@ import pytest
 
 from crankstar.dynamics.bearings import bearing_loads
 from crankstar.engine.engine import Engine
-from crankstar.files import EngineFileError, catalog, engine_of
+from crankstar.files import EngineFileError, catalog, engine_of, explicit
 from crankstar.files.forms import is_explicit
 from crankstar.mechanics.balance import balance, total
 from crankstar.tables.conditions import pitch_key
@@ -165,3 +165,99 @@ def test_parts_with_units_are_a_mass_that_bare_masses_are_scaled_by() -> None:
 def test_the_rear_shaft_of_a_square_four_stays_four_crank_radii_away() -> None:
     engine = engine_of(catalog.tree_of("square-four")[1], changes={"cylinder.stroke": "80 mm"})
     assert max(abs(shaft.right) for shaft in engine.shafts) == pytest.approx(0.16)
+
+
+V_TWIN: Any = {
+    "name": "twin",
+    "speed": "6000 rpm",
+    "cylinder": {"bore": "90 mm", "stroke": "80 mm", "rod_length": "140 mm"},
+    "layout": {
+        "type": "vee",
+        "throws": [0],
+        "bank_offset": "20 mm",
+        "banks": [
+            {"bearing": "45 deg", "cylinders": [1]},
+            {"bearing": "-45 deg", "cylinders": [2]},
+        ],
+    },
+}
+
+
+def with_unbalance(value: Any, **cylinder: Any) -> Any:
+    weight = [{"throw": 1, "unbalance": value}]
+    own = {key: size for key, size in {**V_TWIN["cylinder"], **cylinder}.items() if size}
+    layout = {**V_TWIN["layout"], "bank_offset": 0}
+    return {**V_TWIN, "cylinder": own, "layout": layout, "crankshaft": [{"weight": weight}]}
+
+
+@pytest.mark.parametrize(
+    ("cylinder", "code", "relative", "absolute"),
+    [
+        ({}, "unit.bare-per-mass", "20 mm", "500 mm"),
+        (
+            {"reciprocating_mass": "500 g", "stroke": "", "bore": "", "rod_length": ""},
+            "unit.bare-per-radius",
+            "250 g",
+            "500 g",
+        ),
+    ],
+)
+def test_a_bare_unbalance_beside_one_of_its_two_sizes_is_refused_with_both_readings(
+    cylinder: Any, code: str, relative: str, absolute: str
+) -> None:
+    """Half of m r, r = 40 mm or m = 500 g, or half a metre times m, half a kilogram times r."""
+    with pytest.raises(EngineFileError) as caught:
+        engine_of(with_unbalance(0.5, **cylinder))
+    [fault] = caught.value.faults
+    assert fault.path == ("crankshaft", 0, "weight", 0, "unbalance")
+    values = (fault.code, fault.values["relative"], fault.values["absolute"])
+    assert values == (code, relative, absolute)
+    engine = engine_of(with_unbalance(relative, **cylinder))
+    # a 90 deg V twin has a primary vector of m r that turns with the crank: half of it is left
+    force = total(balance(engine)).force
+    assert abs(force.forward[force.orders.tolist().index(1.0)]) == pytest.approx(0.5, rel=1e-9)
+
+
+def test_an_unbalance_over_an_unknown_mass_is_written_and_kept_when_the_mass_is_added() -> None:
+    tree = with_unbalance("20 mm")
+    engine = engine_of(tree)
+    written = explicit(engine)
+    assert written["shaft"][0]["weight"][0]["unbalance"] == "20 mm"
+    assert engine_of(written).shafts[0].weights == engine.shafts[0].weights
+    whole = engine_of(tree, changes={"cylinder.reciprocating_mass": "500 g"})
+    assert whole.shafts[0].weights[0].unbalance == pytest.approx(0.5 * 0.04 / 2)
+
+
+def test_an_inertia_over_an_unknown_mass_is_an_area() -> None:
+    tree = {**V_TWIN, "firing_order": [1, 2], "drive": {"inertia": 2.0}}
+    with pytest.raises(EngineFileError) as caught:
+        engine_of(tree)
+    [fault] = caught.value.faults
+    assert (fault.code, fault.values["relative"]) == ("unit.bare-per-mass", "3200 mm^2")
+    engine = engine_of({**tree, "drive": {"inertia": "3200 mm^2"}})
+    assert engine.drive is not None
+    assert engine.drive.inertia == pytest.approx(2.0 * 0.04**2)
+
+
+@pytest.mark.parametrize("places", [[0.05, -0.05], ["50 mm", "-50 mm"]])
+def test_bearings_of_a_v_twin_may_be_a_stroke_beyond_its_crankpin(places: list[Any]) -> None:
+    mass = {**V_TWIN["cylinder"], "reciprocating_mass": "500 g"}
+    tree = {**V_TWIN, "cylinder": mass, "crankshaft": [{"bearings": places}]}
+    assert engine_of(tree).shafts[0].bearings == pytest.approx((0.05, -0.05))
+    tree["crankshaft"] = [{"bearings": ["250 mm", "-250 mm"]}]
+    with pytest.raises(EngineFileError) as caught:
+        engine_of(tree)
+    assert [fault.code for fault in caught.value.faults] == ["bearings.outside"] * 2
+
+
+def test_bare_parts_beside_one_with_a_unit_are_named_and_no_sum_of_them() -> None:
+    cylinder = {"stroke": "80 mm", "parts": {"piston": "400 g", "pin": 0.1, "big_end": 0.5}}
+    tree: Any = {"name": "one", "cylinder": cylinder, "layout": {"type": "inline", "throws": [0]}}
+    with pytest.raises(EngineFileError) as caught:
+        engine_of(tree)
+    faults = caught.value.faults
+    assert [fault.path for fault in faults] == [
+        ("cylinder", "parts", "pin"),
+        ("cylinder", "parts", "big_end"),
+    ]
+    assert {fault.values["key"] for fault in faults} == {"cylinder.parts"}

@@ -15,6 +15,7 @@ from crankstar.cli.options import (
     Speed,
     command_text,
     engine_over_ranges,
+    mark_speed,
     option,
     together,
     write_engine,
@@ -54,6 +55,7 @@ def balance(
         partial(engine_over_ranges, engine, settings, estimate=estimate),
         partial(request.speed, speed),
     )
+    mark_speed(speed, loaded)
     with working(_("balancing ...")):
         with values_kept() if spread else nullcontext():  # a refusal is marked as estimated
             job = balanced(loaded, options, speed=speed, own_factor=own)

@@ -27,6 +27,7 @@ from crankstar.cli.options import (
     engine_tree,
     loaded_engine,
     loaded_values,
+    mark_speed,
     option,
     together,
     write_tree,
@@ -129,9 +130,10 @@ def analyze(
     (loaded, spread), turning = together(
         partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
     )
+    mark_speed(speed, loaded)
     point = request.reference(reference, loaded)
     _refuse_foreign(orders, [loaded], gas=False)
-    answered = partial(of_amplitudes, loaded, speed=turning)
+    answered = partial(of_amplitudes, loaded, speed=turning, both=True)
     if form != "txt":
         first = balance(loaded, reference=point)
         picked = request.orders(orders, first.force.orders.tolist())
@@ -210,6 +212,7 @@ def bearings(
         partial(request.cylinders_off, off),
     )
     burning = gas or point is not None or bool(silent)
+    mark_speed(speed, loaded)
     _refuse_foreign(orders, [loaded], gas=burning)
     several = 1 if spread is None else len(spread.engines)
     engines = count(1)
@@ -269,6 +272,7 @@ def compare(
         )
     )
     engines = [each.engine for each in loaded]
+    mark_speed(speed, *engines)
     _refuse_foreign(orders, engines, gas=False)
     whole = analysis(engines[0], speed=turning)
     wanted = request.orders(orders, whole.normalised.force.orders.tolist()) or ()
@@ -289,8 +293,9 @@ def compare(
 
     document = ranged_side_by_side(sheet, [each.spread for each in loaded], engines)
     if form not in ("csv", "parquet"):
+        both = all(each.gas is not None for each in engines)
         for one, name in zip(engines, own, strict=True):
-            rests = rests_on(one, amplitudes(one, speed=turning))
+            rests = rests_on(one, amplitudes(one, speed=turning, both=both))
             said = assumption_remarks(rests, of=name)
             rows = [{"engine": name, **row} for row in assumption_facts(rests).get("rests_on", [])]
             facts = {"rests_on": [*document.facts.get("rests_on", []), *rows]}
@@ -322,6 +327,7 @@ def verdict(
         partial(engine_over_ranges, engine, settings, estimate=estimate),
         partial(request.speed, speed),
     )
+    mark_speed(speed, loaded)
     facts = ranged_facts(partial(tables.verdict, speed=turning), spread, loaded)
     facts = with_built(facts, tree, loaded, speed=turning)
     form = form_of(output, ("txt", "xlsx"))

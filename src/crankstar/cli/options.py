@@ -201,6 +201,26 @@ def completed_tree(
     return shown, tree, turned
 
 
+def mark_speed(speed: str | float | None, *engines: Engine) -> None:
+    """Mark a speed that changes nothing: one of the engines has no masses or no sizes, and no gas.
+
+    Its forces are then in its own m r w^2.
+    """
+    keys = {"mass": "cylinder.reciprocating_mass", "radius": "cylinder.stroke"}
+    lacking = [
+        key
+        for scale, key in keys.items()
+        if any(scale in engine.relative and engine.gas is None for engine in engines)
+    ]
+    if speed is not None and lacking:
+        complain(
+            _(
+                "--speed changes nothing here: without {keys} the results are in m r ω².",
+                keys=", ".join(lacking),
+            )
+        )
+
+
 def loaded_engine(name: str, settings: list[str] | None) -> Engine:
     """The engine of a name or file, with the values of --set."""
     return load(name, changes=request.settings(settings))

@@ -18,10 +18,12 @@ from crankstar.cli.options import (
     Speed,
     engine_or_chain,
     loaded_values,
+    mark_speed,
     option,
     together,
 )
 from crankstar.cli.output import working, write_result
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
@@ -107,6 +109,8 @@ def plot(
         *(partial(loaded_values, name, None, estimate=estimate) for name in beside or ()),
     )
     loaded, *others = [source for source, _spread in each]
+    if isinstance(loaded, Engine):
+        mark_speed(speed, loaded, *others)
     if others and not figure.compares:
         raise RequestError(
             "--beside: {chart} shows one engine; charts of several are {charts}",

@@ -20,6 +20,7 @@ from crankstar.cli.options import (
     Speed,
     estimated_tree,
     loaded_values,
+    mark_speed,
     option,
     together,
 )
@@ -88,6 +89,7 @@ def sweep(
     made = _Made(
         *_swept(engine, over, quantity, orders, speed, reference, settings, estimate), greatest
     )
+    mark_speed(speed, made.sweep.engine)
     if paper is not None:
         _draw(made, kind, paper, output)
         return

@@ -18,6 +18,7 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     estimated_tree,
+    mark_speed,
     option,
     together,
 )
@@ -94,6 +95,7 @@ def tolerance(
         settings=settings,
         estimate=estimate,
     )
+    mark_speed(speed, found.engine)
     if paper is not None:
         _draw(found, names, orders, kind, paper, output)
         return

@@ -16,7 +16,7 @@ from math import pi, radians
 from typing import Any
 
 from crankstar.engine import motion
-from crankstar.engine.basis import ASSUMED_ROD_RATIO, ROD_SOURCE, Basis, Sizes
+from crankstar.engine.basis import ASSUMED_ROD_RATIO, BALANCE_FACTOR, ROD_SOURCE, Basis, Sizes
 from crankstar.engine.copies import checked, turned_on, with_values, wrapped
 from crankstar.engine.crankshafts import equipped
 from crankstar.engine.dead_centres import dead_centres
@@ -190,14 +190,17 @@ def _misplaced(basis: Basis, places: list[Place]) -> Iterator[Fault]:
 
 
 def _assumed(basis: Basis) -> dict[str, Provenance]:
-    """What the layout had to assume, said where a reader looks for provenance."""
-    if basis.cylinder.rod_length is not None or basis.cylinder.rod_ratio is not None:
-        return {}
-    return {
-        "cylinder.rod_length": Provenance(
+    """What the layout had to assume or to compute, said where a reader looks for provenance."""
+    out: dict[str, Provenance] = {}
+    if basis.balance_factor is not None:
+        out[BALANCE_FACTOR] = Provenance(
+            status="computed", source="a counterweight opposite each crankpin"
+        )
+    if basis.cylinder.rod_length is None and basis.cylinder.rod_ratio is None:
+        out["cylinder.rod_length"] = Provenance(
             status="placeholder", source=f"neither rod_length nor rod_ratio given: {ROD_SOURCE}"
         )
-    }
+    return out
 
 
 def _sizes(basis: Basis, place: Place) -> _Known:

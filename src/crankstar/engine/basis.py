@@ -42,6 +42,8 @@ ASSUMED_ROD_RATIO = 4.0
 """Rod length over crank radius where a file gives neither; the output says so."""
 ROD_SOURCE = f"rod ratio l/r = {ASSUMED_ROD_RATIO:g} assumed"
 """The end of the source of a rod length that is assumed."""
+BALANCE_FACTOR = "balance_factor"
+"""The key path under which an engine remembers that its file gives counterweights by a factor."""
 
 
 class Sizes(Record):

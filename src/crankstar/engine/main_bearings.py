@@ -27,7 +27,7 @@ SAME_THROW = 0.35
 OVERLAP = 0.02
 """Bore pitches: bearings and webs nearer to each other than this cannot be built."""
 REACH = 2.0
-"""Bore pitches by which bearings and webs may stand beyond the end pins."""
+"""Bore pitches, strokes or bores by which bearings and webs may stand beyond the end pins."""
 
 
 class PinGroup(NamedTuple):
@@ -250,17 +250,29 @@ def _unit(engine: Assembly) -> str:
     return "bore pitches" if "pitch" in engine.relative else "m"
 
 
+def _reach(engine: Assembly) -> float:
+    """How far beyond its end pins a crankshaft may have bearings and webs.
+
+    Cylinders almost in one plane, as of a V twin, are closer than its bearings are to its crankpin:
+    there the stroke and the bore count.
+    """
+    pitch = room(engine)
+    if "pitch" in engine.relative or "radius" in engine.relative:
+        return REACH * pitch
+    return REACH * max(pitch, _stroke(engine), engine.first.bore or 0.0)
+
+
 def _misplaced(
     engine: Assembly, shaft: Shaft, here: tuple[str | int, ...], places: Sequence[float]
 ) -> Iterator[Fault]:
     """Places beyond the crankshaft, out of order, or at the same place."""
     kind, pitch = str(here[-1]), room(engine)
-    unit = _unit(engine)
+    reach, unit = _reach(engine), _unit(engine)
     pins = _pin_places(shaft)
     for index, z in enumerate(places):
         values: dict[str, Any] = {"value": z, "unit": unit}
-        if pins and not pins[-1] - REACH * pitch <= z <= pins[0] + REACH * pitch:
-            values |= {"rear": pins[-1], "front": pins[0], "room": REACH * pitch}
+        if pins and not pins[-1] - reach <= z <= pins[0] + reach:
+            values |= {"rear": pins[-1], "front": pins[0], "room": reach}
             yield Fault((*here, index), f"{kind}.outside", values)
         elif index and z > places[index - 1] + OVERLAP * pitch:
             values |= {"before": places[index - 1]}

@@ -98,7 +98,8 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     # an explicit file that was made from a layout keeps the sources of its dimensions
     layouts = LAYOUTS if explicit or _layout_faults(tree.get("layout")) else ()
     forms = chain([form_of(tree)], map(short_form, layouts))
-    faults = [*tolerances, *_elsewhere(draft.faults, tolerances)]
+    own = [fault for fault in draft.faults if not _is_bare_sum(fault, tree)]
+    faults = [*tolerances, *_elsewhere(own, tolerances)]
     faults += _elsewhere(contradictions, draft.faults)
     faults += _elsewhere([*unknown_sources(tree, forms), *range_faults(tree)], draft.faults)
     faults = _without_repeats(in_file(tree, faults, explicit=explicit))
@@ -109,6 +110,22 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     if faults or draft.engine is None:
         raise EngineFileError(name, faults, cells)
     return draft.engine
+
+
+def _is_bare_sum(fault: Fault, tree: Tree) -> bool:
+    """Whether a bare mass is the sum of parts, each of which has a fault of its own."""
+    table: Any = tree
+    for key in fault.path[:-1]:
+        try:
+            table = table[key]
+        except (KeyError, IndexError, TypeError):
+            return False
+    return (
+        fault.code.startswith("unit.bare-beside")
+        and isinstance(table, dict)
+        and "parts" in table
+        and fault.path[-1] not in table
+    )
 
 
 def _explicit(tree: Tree) -> _Draft:

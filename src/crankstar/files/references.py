@@ -113,12 +113,12 @@ def _sizes(tree: Tree, *, with_unit: bool = False) -> dict[str, tuple[str, float
         ("pitch", "layout.row_pitch", layout.get("row_pitch"), 1.0, LENGTH),
         ("pitch", "bore_pitch", tree.get("bore_pitch"), 1.0, LENGTH),
         ("radius", "cylinder.stroke", cylinder.get("stroke"), 0.5, LENGTH),
-        ("mass", "cylinder.reciprocating_mass", cylinder.get("reciprocating_mass"), 1.0, MASS),
     ]
+    total, key = cylinder.get("reciprocating_mass"), "cylinder.reciprocating_mass"
     whole = with_sums(tree)[0].get("cylinder")
     if isinstance(whole, dict) and tells_mass(cylinder):
-        total = whole.get("reciprocating_mass")
-        places.append(("mass", "cylinder.parts", total, 1.0, MASS))
+        total, key = whole.get("reciprocating_mass"), "cylinder.parts"
+    places.append(("mass", key, total, 1.0, MASS))
     out: dict[str, tuple[str, float]] = {}
     for scale, key, value, share, quantity in places:
         if value is None or (with_unit and not isinstance(value, str)):
@@ -135,9 +135,14 @@ def absolute(tree: Tree, sizes: Mapping[str, float], *, but: Collection[KeyPath]
         info = field_at(form, path)
         quantity = quantity_of(info) if info is not None and path[0] != "provenance" else None
         value = table[key]
-        if quantity is None or isinstance(value, str | bool) or path in but:
+        if quantity is None or isinstance(value, bool) or path in but:
             continue
         counted = quantity.relative_to & sizes.keys()
+        if isinstance(value, str):
+            rest = units.remaining(quantity, counted)
+            if rest is None or not units.is_of(value, rest):
+                continue
+            value = units.si(value, rest)
         powers = units.POWERS.get(quantity.dimension, {})
         factor = prod(sizes[unit] ** powers.get(unit, 1) for unit in counted)
         if counted:
@@ -149,10 +154,10 @@ def absolute(tree: Tree, sizes: Mapping[str, float], *, but: Collection[KeyPath]
 
 
 def _leaves(tree: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[Any, Any, Any]]:
-    """Every number of a tree: what holds it, its key there, its path."""
+    """Every number and text of a tree: what holds it, its key there, its path."""
     pairs = tree.items() if isinstance(tree, dict) else enumerate(tree)
     for key, value in pairs:
         if isinstance(value, dict | list):
             yield from _leaves(value, (*path, key))
-        elif isinstance(value, int | float):
+        elif isinstance(value, int | float | str):
             yield tree, key, (*path, key)

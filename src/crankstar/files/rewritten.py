@@ -15,7 +15,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from crankstar.engine.basis import Crankshaft
+from crankstar.engine.basis import BALANCE_FACTOR, Crankshaft
 from crankstar.engine.copies import throws_of_weights, with_values, wrapped
 from crankstar.engine.crankshafts import balance_shaft, crankshaft
 from crankstar.engine.engine import Engine
@@ -120,7 +120,10 @@ def _with_crankshafts(
     after = [_brief(shaft) for shaft in engine.shafts[: len(before)]]
     if _same(after, [_brief(shaft) for shaft in before]):
         return
-    out.pop("balance_factor", None)  # whose weights are among those of the crankshafts
+    for above in (out, out.get("provenance", {})):
+        above.pop(BALANCE_FACTOR, None)  # whose weights are among those of the crankshafts
+    if not out.get("provenance", True):
+        del out["provenance"]
     tables = [written(table, relative) for table in after]
     while tables and not tables[-1]:
         tables.pop()

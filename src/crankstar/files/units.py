@@ -8,7 +8,7 @@ a force or a moment is wanted, pounds and ounces are their weight.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from math import prod
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
@@ -72,8 +72,9 @@ _KINDS = {
     "temperature": _Kind("kelvin", "K", 0.0, 5000.0),
     "speed along a line": _Kind("metre/second", "m/s", 0.0, 1e4),
     "acceleration": _Kind("metre/second^2", "m/s^2", 0.0, 1e6),
+    "area": _Kind("metre^2", "m^2", 1e4, 1e4),
 }
-_OTHERS = {"area": "metre^2", "time": "second", "mass per length": "kilogram/metre"}
+_OTHERS = {"time": "second", "mass per length": "kilogram/metre"}
 _SHOWN = {
     "angle": (57.29577951308232, "deg"),
     "length": (1000.0, "mm"),
@@ -99,6 +100,7 @@ _SHOWN = {
     "temperature": (1.0, "K"),
     "speed along a line": (1.0, "m/s"),
     "acceleration": (1.0, "m/s^2"),
+    "area": (1e6, "mm^2"),
 }
 
 
@@ -189,7 +191,12 @@ def reader(
         if not missing:
             _refuse_bare(value, quantity, measured)
             return si(value, quantity)
+        rest = remaining(quantity, missing)
+        if rest is not None and is_of(value, rest):
+            return si(value, rest)
         number, has_unit = _read(value, quantity)
+        if rest is not None and not has_unit:
+            _refuse_mixed(value, quantity, rest, measured)
         if has_unit and number != 0:
             raise ValueFaultError(f"unit.{because}-{min(missing)}", value=seen(value))
         if abs(number) > GREATEST_RELATIVE or 0 < abs(number) < quantity.least:
@@ -220,6 +227,50 @@ def _refuse_bare(value: Any, quantity: Quantity, measured: Mapping[str, tuple[st
     )
 
 
+def _refuse_mixed(
+    value: Any, quantity: Quantity, rest: Quantity, measured: Mapping[str, tuple[str, float]]
+) -> None:
+    """Refuse a bare number of a mass and a length of which the file gives one with a unit."""
+    scale = next(iter(quantity.relative_to & measured.keys()), None)
+    if scale is None or isinstance(value, bool) or not isinstance(value, int | float) or not value:
+        return
+    if quantity.least and value < 0:
+        return  # no size at all
+    key, size = measured[scale]
+    factor = size ** POWERS[quantity.dimension][scale]
+    raise ValueFaultError(
+        f"unit.bare-per-{'mass' if scale == 'radius' else 'radius'}",
+        value=seen(value),
+        key=key,
+        relative=text(value * factor, rest, digits=6),
+        absolute=text(value, rest, digits=6),
+    )
+
+
+def remaining(quantity: Quantity, missing: Collection[str]) -> Quantity | None:
+    """What is left of a mass times lengths over the one of both that is not known; else None.
+
+    >>> from crankstar.engine.quantities import UNBALANCE
+    >>> remaining(UNBALANCE, {"mass"}).dimension, remaining(UNBALANCE, {"radius"}).dimension
+    ('length', 'mass')
+    """
+    if len(missing) != 1 or len(quantity.relative_to) == 1:
+        return None
+    return _REMAINING.get((quantity.dimension, next(iter(missing))))
+
+
+def is_of(value: Any, quantity: Quantity) -> bool:
+    """Whether text is a number with a unit of this quantity."""
+    return isinstance(value, str) and which(unit_of(value), [quantity]) is not None
+
+
+_REMAINING = {
+    ("unbalance", "mass"): Quantity("length", "20 mm"),
+    ("unbalance", "radius"): Quantity("mass", "500 g"),
+    ("moment of inertia", "mass"): Quantity("area", "800 mm^2"),
+    ("moment of inertia", "radius"): Quantity("mass", "500 g"),
+}
+"""By dimension and what is not known: an unbalance over a mass is a length."""
 POWERS: Mapping[str, Mapping[str, int]] = MappingProxyType(
     {
         "mass": {"mass": 1},

@@ -114,8 +114,11 @@ def _written(value: Any, quantity: Any, relative: frozenset[str]) -> Any:
         return [_written(item, quantity, relative) for item in value]
     if isinstance(value, dict):
         return {key: _written(item, None, relative) for key, item in value.items()}
-    if quantity is not None and not quantity.relative_to & relative:
-        return units.text(value, quantity)
+    if quantity is not None:
+        missing = quantity.relative_to & relative
+        known = units.remaining(quantity, missing) if missing else quantity
+        if known is not None:
+            return units.text(value, known)
     if isinstance(value, float):
         return float(f"{value:.15g}")
     return value if isinstance(value, int | str) else str(value)

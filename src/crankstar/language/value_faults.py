@@ -53,6 +53,16 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} without a unit, and {key} has one; give {relative} where it counts in "
         "that mass, or {absolute}"
     ),
+    "unit.bare-per-mass": N_(
+        "{where} is {value} without a unit, {key} has one, and the file gives no reciprocating "
+        "mass: give {relative} where it counts crank radii, or {absolute}, over that mass; or give "
+        "cylinder.reciprocating_mass"
+    ),
+    "unit.bare-per-radius": N_(
+        "{where} is {value} without a unit, {key} has one, and the file gives no stroke: give "
+        "{relative} where it counts in that mass, or {absolute}, at the crank radius; or give "
+        "cylinder.stroke"
+    ),
     "unit.implausible": N_(
         "{where} is {number} {unit}; the largest plausible value is {greatest} {unit}. "
         "Did you mean "

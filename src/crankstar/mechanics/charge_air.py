@@ -89,9 +89,9 @@ def boosted(
 
         p = p_assumed usual / ratio    until the ratio is the usual one,
 
-    and an assumed exhaust pressure, that of a turbine, and an assumed limit rise with it. The heat of the load depends
-    on the charge a little, so that the ratio is sought in steps: `heat` gives it (per swept volume,
-    Pa) for values, and `load` is the indicated mean effective pressure, Pa.
+    and an assumed exhaust pressure, that of a turbine, and an assumed limit rise with it. The heat
+    of the load depends on the charge a little, so that the ratio is sought in steps: `heat` gives
+    it (per swept volume, Pa) for values, and `load` is the indicated mean effective pressure, Pa.
     """
     out: dict[str, Any] = {}
     complete = STOICHIOMETRIC[values["ignition"]]

@@ -15,7 +15,6 @@ frequencies. `rests_on` varies what the file lacks and says which figure of them
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
@@ -23,6 +22,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import gas_torque
@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     from crankstar.studies.single_faults import Fault
 
 MakeCycle = Callable[[Engine], Cycle | None]
+GAS_OPTION = N_("--gas adds it")
+"""Why loads of a file with gas are without it."""
 
 
 def rests_on(engine: Engine, answer: Answer) -> tuple[Assumption, ...]:
@@ -45,25 +47,56 @@ def rests_on(engine: Engine, answer: Answer) -> tuple[Assumption, ...]:
 
 
 def amplitudes(
-    engine: Engine, *, point: str = "", speed: float | None = None, gas: bool = False
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    gas: bool = False,
+    both: bool = False,
 ) -> Answer:
     """Force, couple and rolling moment of inertia by order, at `speed` (rad/s) or the engine's.
 
-    With `gas` the rolling moment is not said to leave it out; `point` is the operating point at
-    which it does. Raises GasError for a point that the engine has not.
+    With `gas` the rolling moment is not said to leave it out; with `both` that with gas stands
+    beside it. `point` is the operating point. Raises GasError for one that the engine has not.
     """
-    without = None
-    if not gas and engine.gas is not None:
-        without = cycle_or_reason(engine, point=point, speed=speed)[0]
+    without, why = (None, "") if gas else _gas_of(engine, point=point, speed=speed)
     if point and speed is None:
         speed = operating_state(engine, point=point).speed
+
+    def figures(each: Engine) -> Figures:
+        inertia = _inertia_sizes(each, speed)
+        if without is None or not both:
+            return inertia
+        again = cycle_or_reason(each, point=point, speed=speed)[0]
+        return inertia if again is None else inertia | _rolls("roll with gas", each, again)
+
+    def unit(quantity: str, each: Engine) -> str:
+        return "N*m" if quantity == "roll with gas" else _inertia_unit(speed, quantity, each)
+
     return Answer(
-        figures=lambda each: _inertia_sizes(each, speed),
-        unit=partial(_inertia_unit, speed),
+        figures=figures,
+        unit=unit,
+        uses=("inertia", "gas") if both else ("inertia",),
+        gas=without if both else None,
         least=lambda each: _pushed(each, speed),
         without_gas=without,
         gasless=not gas,
+        why_gasless=why,
     )
+
+
+def _gas_of(engine: Engine, *, speed: float | None, point: str = "") -> tuple[Cycle | None, str]:
+    """The cycle of an engine, or why there is none though its file has gas."""
+    if engine.gas is None:
+        return None, ""
+    return cycle_or_reason(engine, speed=speed, point=point)
+
+
+def _rolls(name: str, engine: Engine, found: Cycle) -> dict[Figure, float]:
+    """The rolling moment of gas and inertia by order."""
+    from crankstar.studies.gas_results import roll_of
+
+    return _by_order(name, roll_of(engine, found))
 
 
 def outlook(engine: Engine, *, speed: float | None = None) -> Answer:
@@ -73,14 +106,12 @@ def outlook(engine: Engine, *, speed: float | None = None) -> Answer:
         return amplitudes(engine, speed=speed)
 
     def figures(each: Engine) -> Figures:
-        from crankstar.studies.gas_results import roll_of
-
         inertia = _inertia_sizes(each, speed)
         again = cycle_or_reason(each, speed=speed)[0]
         if again is None:
             return inertia
         plain = {key: size for key, size in inertia.items() if key[0] != "roll"}
-        return plain | _by_order("roll", roll_of(each, again))
+        return plain | _rolls("roll", each, again)
 
     def unit(quantity: str, each: Engine) -> str:
         return "N*m" if quantity == "roll" else _inertia_unit(speed, quantity, each)
@@ -102,8 +133,6 @@ def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool
     found = make(engine)
 
     def figures(each: Engine) -> Figures:
-        from crankstar.studies.gas_results import roll_of
-
         again = make(each)
         if again is None:
             return {}
@@ -111,7 +140,7 @@ def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool
         inertia = _inertia_sizes(each, again.speed) if sums else {}
         return {
             **{key: size for key, size in inertia.items() if key[0] != "roll"},
-            **_by_order("roll", roll_of(each, again)),
+            **_rolls("roll", each, again),
             ("mean torque", None): abs(mean),
             ("peak pressure", None): again.peak / 1e5,
         }
@@ -155,6 +184,7 @@ def bearing_peaks(
         uses=("inertia", "bearings", *(("gas",) if first is not None else ())),
         gas=first,
         gasless=True,
+        why_gasless="" if engine.gas is None else _gas_of(engine, speed=speed)[1] or GAS_OPTION,
     )
 
 
@@ -188,6 +218,7 @@ def twist(
         uses=("inertia", "torsion", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
         gasless=True,
+        why_gasless="" if engine.gas is None else whole.without_gas,
     )
 
 
@@ -218,13 +249,14 @@ def on_mounts(
                 out["mount force", None] = float(rms(found.over.ground_force[..., :3]).max())
         return out
 
-    gas = cycle_or_reason(engine, point=point, speed=speed)[0]
+    gas, why = _gas_of(engine, point=point, speed=speed)
     return Answer(
         figures=figures,
         unit=lambda quantity, _engine: "N" if quantity == "mount force" else "Hz",
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
         gasless=True,
+        why_gasless=why,
     )
 
 
@@ -247,13 +279,14 @@ def felt(
             **{("roll", k): size for k, size in zip(orders, roll.tolist(), strict=True)},
         }
 
-    gas = cycle_or_reason(engine, point=point, speed=speed)[0]
+    gas, why = _gas_of(engine, point=point, speed=speed)
     return Answer(
         figures=figures,
         unit=lambda quantity, _engine: "mm/s" if quantity == "velocity" else "N*m",
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
         gasless=True,
+        why_gasless=why,
     )
 
 

@@ -30,6 +30,7 @@ from crankstar.remedy.fitting import quiet_cranks
 from crankstar.studies.assumptions import Answer, Assumption, Moved
 from crankstar.studies.changed_values import (
     SCALED,
+    by_factor,
     point_value,
     with_bearings_moved,
     with_block_inertia,
@@ -97,7 +98,8 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     if answer.without_gas is not None:
         yield _without_gas(engine, answer.without_gas)
     elif answer.gas is None and answer.gasless:
-        yield Assumption("left out", "gas", N_("there is no gas in it"))
+        reason = answer.why_gasless or N_("there is no gas in it")
+        yield Assumption("left out", "gas", reason, explained=bool(answer.why_gasless))
     if "gas" in answer.uses and answer.gas is not None:
         yield from _gas(engine, answer.gas)
     if "running" in answer.uses and (engine.drive is None or engine.drive.inertia is None):
@@ -225,47 +227,51 @@ def _inertia(engine: Engine) -> Iterator[Assumption]:
     yield from _rods(engine, kind)
     turning = any(throw.turning_mass for shaft in engine.shafts for throw in shaft.throws)
     rigid = any(cylinder.rod is not None for cylinder in engine.cylinders)
-    weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
-    if not turning and not rigid and weighted:
-        # what balances the pistons of a file with a balance factor would balance this too
-        reason = N_("no rotating mass in the file: its counterweights are for the pistons alone")
-        yield Assumption("missing", "cylinder.rotating_mass", reason, value=0.0, unit="kg")
-    elif not turning and not rigid:
+    if not turning and not rigid:
         yield _rotating(engine, kind, look)
-    if not weighted:
-        yield Assumption(
-            "missing",
-            "crankshaft.weight",
-            N_("no counterweights in the file"),
-            value=0.0,
-            low=1.0,
-            high=1.0,
-            vary=_with_usual_weights,
-        )
+    if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
+        yield _weights(engine)
 
 
-def _with_usual_weights(engine: Engine, _share: float) -> Engine:
-    """The engine with the counterweights that remove what turns with its cranks."""
-    return quiet_cranks(engine)[0]
+def _weights(engine: Engine) -> Assumption:
+    """The counterweights that a file leaves out: usual ones remove what turns with its cranks."""
+    usual, factor = quiet_cranks(engine)
+
+    def vary(each: Engine, _share: float) -> Engine:
+        return usual if each is engine else quiet_cranks(each)[0]
+
+    return Assumption(
+        "missing", "crankshaft.weight", N_("no counterweights in the file"), 0.0, "",
+        1.0, 1.0, values=(("factor", factor),), vary=vary,
+    )  # fmt: skip
 
 
 def _rotating(engine: Engine, kind: EngineType | None, look: Look | None) -> Assumption:
     """The mass that turns with a crankpin, which a file leaves out: big end and crankpin.
 
     Of each cylinder, m = (1 - c) m_rod + m_pin, the coefficients of the type times bore^3; where
-    the file gives no masses, over m_piston + c m_rod, which is counted as 1.
+    the file gives no masses or no bore, by its reciprocating mass, over m_piston + c m_rod.
+    Counterweights stay as the file gives them, but those of a `balance_factor` go along.
     """
     reason = N_("no rotating mass in the file (big ends, crankpins), counted as zero")
+    if by_factor(engine):
+        reason = N_("no rotating mass in the file: balance_factor balances the pistons alone")
+    elif any(shaft.weights for shaft in engine.shafts if shaft.throws):
+        reason = N_(
+            "no rotating mass in the file (big ends, crankpins), counted as zero beside its "
+            "counterweights"
+        )
     first = engine.first
-    relative = "mass" in engine.relative or look is None or first.bore is None
+    relative = "mass" in engine.relative
     names = ("rod", "small end", "crank pin", "piston group")
     found = [_usual(name, kind or "petrol") for name in names]
-    if not all(found) or (relative and "mass" not in engine.relative):
+    if not all(found):
         return Assumption("missing", "cylinder.rotating_mass", reason, value=0.0, unit="kg")
     rod, small, pin, piston = (each for each in found if each is not None)
-    scale = 1.0 if relative else (first.bore or 0.0) ** 3
-    if relative:
+    if relative or look is None or first.bore is None:
         scale = first.reciprocating / (piston.typical + small.typical * rod.typical)
+    else:
+        scale = first.bore**3
     ends = [
         ((1 - share) * own + turning) * scale
         for share, own, turning in zip(reversed(small.sizes), rod.sizes, pin.sizes, strict=True)
@@ -355,8 +361,8 @@ def _unverified(engine: Engine, answer: Answer) -> Iterator[Assumption]:
         if point is not None and gas is not None and not _is_of(engine, gas, point[1]):
             continue
         vary = SCALED.get(path) if point is None else point_value(point[2], gas)
-        if path == "cylinder.reciprocating_mass" and any(each.weights for each in engine.shafts):
-            vary = None  # weights by a balance factor go with it, others do not
+        if path == "cylinder.reciprocating_mass" and by_factor(engine):
+            vary = None  # its weights go with it
         if origin.status in DOUBTFUL:
             reason = N_("a guess") if origin.status == "placeholder" else N_("not read in a source")
             yield Assumption("unverified", path, reason, vary=vary)

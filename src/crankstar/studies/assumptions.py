@@ -59,7 +59,8 @@ class Assumption:
     """A value that an answer rests on and that the engine file does not give for certain.
 
     `value`, `low`, `high` are in the unit `unit`, None where there is no number; `reason` is a
-    sentence of the catalog of messages, to be translated where it is shown, with `values` in it.
+    sentence of the catalog of messages, to be translated where it is shown, with `values` in it;
+    `explained` says that it stands also where no figure does, as it says what to do.
     """
 
     status: Status
@@ -70,6 +71,7 @@ class Assumption:
     low: float | None = None
     high: float | None = None
     values: tuple[tuple[str, Any], ...] = ()
+    explained: bool = False
     moved: Moved | None = None
     vary: Vary | None = None
 
@@ -91,7 +93,7 @@ class Answer:
     quantity, `least` what each quantity is measured by at least; `given` are the key paths of
     values that a question has of its own, as a sweep does. `gas` is the cycle that is part of the
     answer; `without_gas` the one that its rolling moment leaves out; `gasless` says that gas
-    belongs to it where it is known.
+    belongs to it where it is known, `why_gasless` why it is not in it though the file has some.
     """
 
     figures: Callable[[Engine], Figures]
@@ -102,6 +104,7 @@ class Answer:
     least: Callable[[Engine], Mapping[str, float]] = _nothing
     given: Collection[str] = ()
     gasless: bool = False
+    why_gasless: str = ""
 
 
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:

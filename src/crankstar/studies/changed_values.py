@@ -7,22 +7,64 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
+from math import pi
 from typing import Any
 
+from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.block import Block
-from crankstar.engine.copies import with_values
+from crankstar.engine.copies import with_values, wrapped
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas, OperatingPoint
 from crankstar.engine.main_bearings import main_bearings
-from crankstar.engine.records import Shaft
+from crankstar.engine.records import Shaft, Weight
 from crankstar.mechanics.gas import Cycle
 
 Vary = Callable[[Engine, float], Engine]
 """From an engine and a factor or a value to the changed engine; raises EngineError."""
 
 
+def by_factor(engine: Engine) -> bool:
+    """Whether counterweights of the crankshafts follow from a balance factor of the file."""
+    weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
+    return weighted and BALANCE_FACTOR in engine.provenance
+
+
+def _with_weights_along(before: Engine, after: Engine) -> Engine:
+    """The engine after a change of what turns at its crankpins, balanced if by a factor.
+
+    A `balance_factor` balances all of it: opposite each pin as much unbalance is added, or taken.
+    """
+    if not by_factor(before):
+        return after
+    shafts = [
+        with_values(
+            shaft,
+            weights=(
+                *shaft.weights,
+                *(
+                    Weight(
+                        unbalance=abs(more) * throw.radius,
+                        angle=wrapped(throw.angle + (pi if more > 0 else 0.0)),
+                        z=throw.z,
+                        throw=number,
+                    )
+                    for number, (throw, own) in enumerate(
+                        zip(shaft.throws, old.throws, strict=True), 1
+                    )
+                    if (more := throw.turning_mass - own.turning_mass)
+                ),
+            ),
+        )
+        for old, shaft in zip(before.shafts, after.shafts, strict=True)
+    ]
+    return with_values(after, shafts=tuple(shafts))
+
+
 def with_rotating_mass(engine: Engine, mass: float) -> Engine:
-    """The engine with this mass (kg) per cylinder on its crankpins, where there was none."""
+    """The engine with this mass (kg) per cylinder on its crankpins, where there was none.
+
+    Counterweights stay, but those of a balance factor go along.
+    """
     counts: dict[tuple[str, int], int] = {}
     for cylinder in engine.cylinders:
         if cylinder.articulated is not None:  # its big end is on a knuckle pin
@@ -41,7 +83,7 @@ def with_rotating_mass(engine: Engine, mass: float) -> Engine:
         else shaft
         for shaft in engine.shafts
     ]
-    return with_values(engine, shafts=tuple(shafts))
+    return _with_weights_along(engine, with_values(engine, shafts=tuple(shafts)))
 
 
 def with_rods_of(engine: Engine, ratio: float) -> Engine:
@@ -183,7 +225,7 @@ def _of_throws(field: str) -> Vary:
             else shaft
             for shaft in engine.shafts
         ]
-        return with_values(engine, shafts=tuple(shafts))
+        return _with_weights_along(engine, with_values(engine, shafts=tuple(shafts)))
 
     return vary
 

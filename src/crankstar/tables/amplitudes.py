@@ -18,8 +18,8 @@ from crankstar.language.kept import are_kept
 from crankstar.mechanics.balance import Balance, Grouping, grouped, total
 from crankstar.mechanics.bounds import lengths
 from crankstar.mechanics.excitation import Totals
-from crankstar.mechanics.labelled import columns
-from crankstar.mechanics.remains import orders_pushed
+from crankstar.mechanics.labelled import AXIAL, columns
+from crankstar.mechanics.remains import orders_turning, summed
 from crankstar.tables.table import ROW_UNIT, Column, Document, Kind, Table
 
 WHOLE = "engine"
@@ -36,9 +36,9 @@ def amplitudes(
 ) -> Document:
     """The amplitudes of the whole engine, and its shares `by` a label, as a tidy table.
 
-    `orders`, else those up to 6 at which a part pushes.
+    `orders`, else those up to 6 at which a part pushes or the block rolls.
     """
-    wanted = tuple(orders) if orders else orders_pushed(result)
+    wanted = tuple(orders) if orders else orders_turning(result, summed(result))
     shares: dict[object, Totals] = {WHOLE: total(result)}
     if by is not None:
         shares |= {
@@ -54,8 +54,50 @@ def amplitudes(
         result.units._asdict(),
         {"part": [*shares]},
     )
+    rows = _with_gas(rows, engine, result, orders or ())
     rpm = None if result.speed is None else float(f"{result.speed * 30 / pi:.12g}")
     return document(engine.name, {"speed_rpm": [rpm] * len(rows["order"]), **rows})
+
+
+def _with_gas(
+    rows: dict[str, Any], engine: Engine, result: Balance, orders: Sequence[float]
+) -> dict[str, Any]:
+    """The rows with torque and roll of gas and inertia, where the file says what the gas does.
+
+    They are `gas_torque`, `inertia_torque`, `torque_with_gas` and `roll_with_gas`, of all orders
+    unless some are named.
+    """
+    if engine.gas is None:
+        return rows
+    from crankstar.tables.torque_orders import gas_waves
+
+    waves = gas_waves(engine, speed=result.speed)
+    if waves is None:
+        return rows
+    wanted = [at for at, order in enumerate(waves.orders) if not orders or order in orders]
+    named = {"gas_torque": waves.gas, "torque_with_gas": waves.total, "roll_with_gas": waves.roll}
+    if waves.inertia is not None:
+        named["inertia_torque"] = waves.inertia
+    count = len(named) * len(wanted)
+    amplitude = np.concatenate([wave[wanted] for wave in named.values()])
+    more: dict[str, Any] = {
+        "part": [WHOLE] * count,
+        "order": [waves.orders[at] for at in wanted] * len(named),
+        "quantity": [name for name in named for _at in wanted],
+        "direction": [AXIAL] * count,
+        "amplitude": np.abs(amplitude),
+        "phase_deg": np.where(amplitude == 0, 0.0, np.degrees(np.angle(amplitude)) + 0.0),
+        "unit": ["N*m"] * count,
+    }
+    return joined(rows, more)
+
+
+def joined(rows: Mapping[str, Any], more: Mapping[str, Any]) -> dict[str, Any]:
+    """The columns of two tables of the same names under one another."""
+    return {
+        name: [item for part in (values, more[name]) for item in np.asarray(part, object).tolist()]
+        for name, values in rows.items()
+    }
 
 
 def document(name: str, rows: Mapping[str, Any]) -> Document:
@@ -63,7 +105,8 @@ def document(name: str, rows: Mapping[str, Any]) -> Document:
     count = len(rows["order"])
     lists = [np.asarray(values, object).tolist() for values in ([name] * count, *rows.values())]
     if are_kept():
-        waves = rows["amplitude"] * np.exp(1j * np.radians(rows["phase_deg"]))
+        phases = np.radians([phase or 0.0 for phase in rows["phase_deg"]])  # of a peak none
+        waves = np.array(rows["amplitude"], float) * np.exp(1j * phases)
         lists[1 + [*rows].index("amplitude")] = lengths(waves)
     heads = tuple(map(_column, ("engine", *rows)))
     table = Table("", heads, tuple(zip(*lists, strict=True)), key="amplitudes")

@@ -19,6 +19,7 @@ FIGURES = {
     "force": N_("force of order {order}"),
     "couple": N_("couple of order {order}"),
     "roll": N_("rolling moment of order {order}"),
+    "roll with gas": N_("rolling moment with gas of order {order}"),
     "velocity": N_("velocity of order {order}, peak"),
     "H moment": N_("H moment of order {order}"),
     "mean torque": N_("mean torque"),
@@ -91,8 +92,19 @@ def _line(each: Assumption) -> str:
     words |= {"sizes": _span(own), "now": quantity_text(_rounded(own.now), own.unit)}
     if each.status == "left out":
         return _("{path}: {reason}. With it the {figure} is {sizes}, not {now}.", **words)
-    if each.low == each.high:
-        return _("{path}: {reason}. With usual ones the {figure} is {sizes}, not {now}.", **words)
+    if each.path == "crankshaft.weight":
+        factor = dict(each.values)["factor"]
+        if factor is None:
+            return _(
+                "{path}: {reason}. With two on the end webs the {figure} is {sizes}, not {now}.",
+                **words,
+            )
+        return _(
+            "{path}: {reason}. With usual ones (all rotating masses and {share} % of the "
+            "reciprocating masses) the {figure} is {sizes}, not {now}.",
+            **words,
+            share=number(100 * factor),
+        )
     words |= {"low": _value(each, each.low), "high": _value(each, each.high)}
     if each.status == "assumed" and each.value is not None:
         return _(
@@ -105,7 +117,9 @@ def _line(each: Assumption) -> str:
 
 
 def _named(each: Assumption) -> str:
-    """The key path, with the value that is assumed."""
+    """The key path, with the value that is assumed, or the reason where it says what to do."""
+    if each.explained:
+        return f"{each.path} ({_(each.reason)})"
     value = _value(each, each.value) if each.status == "assumed" else ""
     return f"{each.path} ({value})" if value else each.path
 

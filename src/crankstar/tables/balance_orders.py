@@ -14,7 +14,7 @@ from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, Units, total
 from crankstar.mechanics.bounds import greatest
 from crankstar.mechanics.excitation import Totals, rolling_moment
-from crankstar.mechanics.remains import orders_pushed, summed
+from crankstar.mechanics.remains import orders_pushed, orders_turning, summed
 from crankstar.tables.paths import shape
 from crankstar.tables.peaks import part_peaks
 from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value
@@ -27,7 +27,8 @@ def answer(engine: Engine, result: Balance, *, orders: Sequence[float] | None = 
     """The public answer of `analyze`: force, couple and moments of each order, nothing divided out.
 
     Without a speed, or for an engine without masses or sizes, `speed_rpm` is null and the units are
-    those of m r w^2. `orders`, else those up to 6 at which a part pushes.
+    those of m r w^2. `orders`, else those up to 6 at which a part pushes or
+    the block rolls.
     """
     point = result.reference
     facts = {
@@ -38,7 +39,7 @@ def answer(engine: Engine, result: Balance, *, orders: Sequence[float] | None = 
         "units": result.units._asdict(),
         **_points(engine, result),
     }
-    wanted = tuple(orders) if orders else orders_pushed(result)
+    wanted = tuple(orders) if orders else orders_turning(result, summed(result))
     table = Table("", columns(result.units), rows(engine, total(result), wanted), key="orders")
     return Document(engine.name, (table, _peaks(result), *_with_gas(engine, result)), facts)
 

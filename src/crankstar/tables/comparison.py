@@ -9,7 +9,7 @@ from math import pi
 from typing import NamedTuple
 
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import of_any
+from crankstar.language.kept import of_any, plain
 from crankstar.language.messages import _
 from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.mechanics.balance import Balance
@@ -302,18 +302,29 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
             rows.append(("torque_with_gas", order, engine, _rpm(result), cell, "N*m", share))
     rows += _response_rows(compared)
     title = ", ".join(compared.names)
-    return Document(title, (Table("", heads, tuple(rows), key="amplitudes"),))
+    facts = {
+        "engines": [
+            {
+                "engine": name,
+                "firing": plain(_fires(own.engine)),
+                "speed_rpm": _rpm(result),
+                "unverified": len(unverified(own.engine)),
+            }
+            for name, own, result in zip(compared.names, shown, compared.results, strict=True)
+        ]
+    }
+    return Document(title, (Table("", heads, tuple(rows), key="amplitudes"),), facts)
 
 
 def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
-    """Torsion and mounts of each engine, where all of them have these."""
+    """Torsion and mounts of those engines that have these."""
     engines = [shown.engine for shown in compared.shown]
     sizes = []
-    if all(engine.torsion is not None for engine in engines):
+    if any(engine.torsion is not None for engine in engines):
         from crankstar.tables.torsion_facts import torsion_sizes
 
         sizes += torsion_sizes(engines, _speeds(compared))
-    if all(engine.mounts for engine in engines):
+    if any(engine.mounts for engine in engines):
         from crankstar.tables.mount_facts import mount_sizes
 
         sizes += mount_sizes(engines, _speeds(compared))
@@ -329,7 +340,10 @@ def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
             _share(cell, cells[0] or 0.0, 1) if cell else None,
         )
         for what, order, cells, unit in sizes
-        for engine, result, cell in zip(compared.names, compared.results, cells, strict=True)
+        for own, engine, result, cell in zip(
+            engines, compared.names, compared.results, cells, strict=True
+        )
+        if (own.torsion is not None if what.startswith("torsion") else own.mounts)
     ]
 
 
@@ -347,8 +361,11 @@ def _engines(compared: _Compared) -> Table:
     heads.append(Column(_("unverified values")))
     rows: list[tuple[Value, ...]] = []
     for name, own, result in zip(compared.names, compared.shown, compared.results, strict=True):
-        engine = own.engine
-        fires = firing_text(engine) if engine.firing_order else _("no order given")
         speed = (_rpm(result),) if compared.real else ()
-        rows.append((name, fires, *speed, len(unverified(engine))))
+        rows.append((name, _fires(own.engine), *speed, len(unverified(own.engine))))
     return Table(_("Engines"), tuple(heads), tuple(rows))
+
+
+def _fires(engine: Engine) -> str:
+    """The firing order in words."""
+    return firing_text(engine) if engine.firing_order else _("no order given")

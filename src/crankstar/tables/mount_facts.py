@@ -157,20 +157,46 @@ def _cells(told: _Told) -> tuple[Value, ...]:
 def mount_sizes(
     engines: Sequence[Engine], speeds: Sequence[float | None]
 ) -> list[tuple[str, float | None, list[float | None], str]]:
-    """The same for machines: quantity, order, the value of each engine, unit."""
-    if not all(engine.mounts for engine in engines):
+    """The same for machines: quantity, order, the value of each engine, unit.
+
+    None for an engine without mounts.
+    """
+    if not any(engine.mounts for engine in engines):
         return []
-    told = [_told(engine, speed) for engine, speed in zip(engines, speeds, strict=True)]
-    rolls = [each.found.modes[roll_mode(each.found.modes)].frequency for each in told]
-    rows: list[tuple[str, float | None, list[float | None], str]] = [
-        ("mount_lowest_mode", None, [each.found.modes[0].frequency for each in told], "Hz"),
-        ("mount_roll_mode", None, [*rolls], "Hz"),
-        ("mount_force", None, [each.force and each.force.size for each in told], "N"),
-        (
-            "mount_velocity",
-            None,
-            [each.velocity and each.velocity.size * MM for each in told],
-            "mm/s",
-        ),
+    columns: list[tuple[float | None, ...]] = []
+    for engine, speed in zip(engines, speeds, strict=True):
+        told = _told(engine, speed) if engine.mounts else None
+        columns.append((None,) * len(SIZES) if told is None else _sizes(told))
+    return [
+        (name, None, [*values], unit)
+        for (name, unit), values in zip(SIZES, zip(*columns, strict=True), strict=True)
     ]
-    return rows
+
+
+SIZES = (
+    ("mount_lowest_mode", "Hz"),
+    ("mount_highest_mode", "Hz"),
+    ("mount_roll_mode", "Hz"),
+    ("mount_roll_share", ""),
+    ("mount_force", "N"),
+    ("mount_force_speed", "rpm"),
+    ("mount_velocity", "mm/s"),
+    ("mount_velocity_speed", "rpm"),
+)
+"""What machines have of an engine on its mounts: quantity and unit."""
+
+
+def _sizes(told: _Told) -> tuple[float | None, ...]:
+    modes = told.found.modes
+    roll = modes[roll_mode(modes)]
+    force, velocity = told.force, told.velocity
+    return (
+        modes[0].frequency,
+        modes[-1].frequency,
+        roll.frequency,
+        float(roll.energy[ROLL]),
+        force and force.size,
+        force and force.speed * RPM,
+        velocity and velocity.size * MM,
+        velocity and velocity.speed * RPM,
+    )

@@ -40,7 +40,7 @@ from crankstar.tables.conditions import (
     unverified_sentence,
 )
 from crankstar.tables.sweeps import facts, speed_note
-from crankstar.tables.table import Column, Document, Table, Value, remarks
+from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value, remarks
 
 
 class Component(NamedTuple):
@@ -129,28 +129,54 @@ def document(
 
 
 def _table(sweep: Sweep, component: Component, orders: Sequence[float]) -> Table:
-    curve = watched(sweep, component.what)
+    unit = watched(sweep, component.what).unit
     there = sweep.sums
     own = waves(component, there)
     places = [int(np.argmin(np.abs(there.force.orders - order))) for order in orders]
     heads = [Column(_("speed"), "rpm", label=True)]
-    heads += [Column(_("order {order}", order=order_text(order)), curve.unit) for order in orders]
-    heads.append(Column(_("peak"), curve.unit))
+    heads += [Column(_("order {order}", order=order_text(order)), unit) for order in orders]
+    heads.append(Column(_("peak"), unit))
     rows = tuple(
         (speed, *lengths(row), peak)
         for speed, row, peak in zip(
-            rpm(sweep).tolist(),
-            own[:, places],
-            peaks(spectra.real_signal(there.force.orders, own), curve.values),
-            strict=True,
+            rpm(sweep).tolist(), own[:, places], _peaks(sweep, component), strict=True
         )
     )
     return Table(_(component.title), tuple(heads), rows)
 
 
+def _peaks(sweep: Sweep, component: Component) -> list[float]:
+    """The greatest value of a component over a turn, of all orders together, at each speed."""
+    own = waves(component, sweep.sums)
+    signal = spectra.real_signal(sweep.sums.force.orders, own)
+    return peaks(signal, watched(sweep, component.what).values)
+
+
+def _peak_table(sweep: Sweep) -> Table:
+    """The peaks over a turn for machines, at every speed."""
+    heads = (
+        Column("speed_rpm", "rpm", key="speed_rpm"),
+        Column("quantity", kind="text", key="quantity"),
+        Column("peak", ROW_UNIT, key="peak"),
+        Column("unit", kind="unit", key="unit"),
+    )
+    rows: list[tuple[Value, ...]] = [
+        (speed, each.key, peak, watched(sweep, each.what).unit)
+        for each in COMPONENTS
+        for speed, peak in zip(rpm(sweep).tolist(), _peaks(sweep, each), strict=True)
+    ]
+    return Table("", heads, tuple(rows), key="peaks")
+
+
+def _orders(engine: Engine, sweep: Sweep) -> tuple[float, ...]:
+    """The orders at which a part pushes or the block rolls."""
+    result = balance(engine, reference=sweep.reference)
+    return orders_turning(result, summed(result))
+
+
 def answer(engine: Engine, sweep: Sweep, *, orders: Sequence[float] | None = None) -> Document:
     """The amplitudes of each order at every speed for machines, as `analyze` gives them."""
-    wanted = orders or orders_pushed(balance(engine, reference=sweep.reference))
+    wanted = orders or _orders(engine, sweep)
     heads = (Column("speed_rpm", "rpm", key="speed_rpm"), *balance_orders.columns(sweep.units))
     sums = sweep.sums
     rows: list[tuple[Value, ...]] = []
@@ -159,13 +185,38 @@ def answer(engine: Engine, sweep: Sweep, *, orders: Sequence[float] | None = Non
         rows += [(speed, *row) for row in balance_orders.rows(engine, own, wanted)]
     point = sweep.reference._asdict()
     said = {**facts(sweep), "rotation": engine.rotation, "reference": point}
-    return Document(engine.name, (Table("", heads, tuple(rows), key="orders"),), said)
+    tables = (Table("", heads, tuple(rows), key="orders"), _peak_table(sweep))
+    return Document(engine.name, tables, said)
 
 
 def tidy(engine: Engine, sweep: Sweep, *, orders: Sequence[float] | None = None) -> Document:
-    """One row an amplitude, with the columns of `analyze --csv`."""
-    wanted = orders or orders_pushed(balance(engine, reference=sweep.reference))
+    """One row an amplitude, with the columns of `analyze --csv`; peaks have no order."""
+    wanted = orders or _orders(engine, sweep)
     sums = Totals(*(spectra.selected(spectrum, wanted) for spectrum in sweep.sums))
     speeds = rpm(sweep).tolist()
     labels = {"speed_rpm": speeds, "part": [amplitudes.WHOLE] * len(speeds)}
-    return amplitudes.document(engine.name, columns(sums, sweep.units._asdict(), labels))
+    rows = columns(sums, sweep.units._asdict(), labels)
+    for each in COMPONENTS:
+        count = len(speeds)
+        quantity, direction = TIDY[each.key]
+        more = {
+            **labels,
+            "order": [None] * count,
+            "quantity": [quantity] * count,
+            "direction": [direction] * count,
+            "amplitude": _peaks(sweep, each),
+            "phase_deg": [None] * count,
+            "unit": [watched(sweep, each.what).unit] * count,
+        }
+        rows = amplitudes.joined(rows, more)
+    return amplitudes.document(engine.name, rows)
+
+
+TIDY = {
+    "vertical": ("force", "vertical"),
+    "horizontal": ("force", "horizontal"),
+    "pitch": ("pitch", "vertical"),
+    "yaw": ("yaw", "horizontal"),
+    "roll": ("roll", "axial"),
+}
+"""Quantity and direction of each component in a tidy table."""

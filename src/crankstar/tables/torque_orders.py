@@ -101,17 +101,31 @@ def roll_table(waves: Orders, shown: Sequence[float]) -> Table:
     return Table(_("Rolling moment on the block"), columns, rows)
 
 
+def gas_waves(engine: Engine, *, speed: float | None) -> Orders | None:
+    """Torque and roll with gas by order of an engine whose file says what the gas does."""
+    found = _gas(engine, speed)
+    return None if found is None else found[1]
+
+
+def _gas(engine: Engine, speed: float | None) -> tuple[Cycle, Orders] | None:
+    """The cycle of an engine and its torques by order; None where there is none."""
+    if engine.gas is None:
+        return None
+    try:
+        found = cycle(engine, speed=speed)
+    except GasError:
+        return None
+    return found, by_order(engine, found, gas_torque(found))
+
+
 def gas_tables(
     engine: Engine, *, speed: float | None, orders: Sequence[float] = (), machine: bool = False
 ) -> tuple[Table, ...]:
     """Torque and roll with gas of an engine whose file says what the gas does; else none."""
-    if engine.gas is None:
+    own_gas = _gas(engine, speed)
+    if own_gas is None:
         return ()
-    try:
-        found = cycle(engine, speed=speed)
-    except GasError:
-        return ()
-    waves = by_order(engine, found, gas_torque(found))
+    found, waves = own_gas
     own = of_any(("torque", engine.name), orders_of_note(waves, machine=machine))
     shown = tuple(orders) or tuple(sorted(own))
     if machine:

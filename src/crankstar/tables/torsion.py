@@ -72,21 +72,20 @@ def torsion_document(
     parts.append(section_table(chain, machine=machine))
     if chain.pendulums or machine:
         parts.append(pendulum_table(chain))
-    if not machine:
-        parts += [first, *([shape_table(chain, shown)] if shown else [])]
+    parts += [] if machine else [first]
+    parts += [shape_table(chain, shown)] if shown else []
     if holzer_of is not None:
         mode = found.modes[holzer_of - 1]
         parts.append(holzer_table(mode, holzer(chain, speed=mode.speed)))
     if found.criticals or machine:
         parts.append(_critical_table(found, machine=machine))
-    if found.response is not None and (machine or chain.sections):
-        parts.append(
-            _over_speeds(found, found.response) if machine else _worst_table(found, found.response)
-        )
+    if found.response is not None:
+        parts += [_over_speeds(found, found.response)] if machine else []
+        parts += [_worst_table(found, found.response)] if chain.sections else []
     if found.at is not None:
         parts += [_section_table_at(found.at, found.exact), _order_table(found, found.at, orders)]
     heat = found.at or found.response
-    if heat is not None and not machine:
+    if heat is not None:
         parts.append(_heat_table(heat))
     if found.barred or machine:
         parts.append(_barred_table(found))
@@ -303,19 +302,24 @@ def _heat_table(own: Response) -> Table:
     """Where the work of the excitation goes, at the speed at which it is greatest."""
     whole = own.heat.sum(axis=-1) + own.absolute_heat.sum(axis=-1)
     top = int(np.argmax(whole))
+    rpm = float(own.speeds[top] * RPM)
     rows: list[tuple[Value, ...]] = [
-        (own.chain.section_name(index), float(value))
+        (own.chain.section_name(index), rpm, float(value))
         for index in own.chain.along
         if (value := own.heat[top, index]) > 0
     ]
     rows += [
-        (_("{mass} to ground", mass=own.chain.names[node]), float(value))
+        (_("{mass} to ground", mass=own.chain.names[node]), rpm, float(value))
         for node, value in enumerate(own.absolute_heat[top])
         if value > 0
     ]
-    title = _("Heat of damping at {rpm} rpm", rpm=number(float(own.speeds[top] * RPM)))
-    columns = (Column(_("where"), kind="text", label=True), Column(_("heat"), "W", fixed=True))
-    return Table(title, columns, tuple(rows))
+    columns = (
+        Column(_("where"), kind="text", key="name", label=True),
+        Column("", "rpm", key="speed_rpm", machine=True),
+        Column(_("heat"), "W", key="heat", fixed=True),
+    )
+    title = _("Heat of damping at {rpm} rpm", rpm=number(rpm))
+    return Table(title, columns, tuple(rows), key="heat")
 
 
 def _barred_table(found: TorsionAnalysis) -> Table:

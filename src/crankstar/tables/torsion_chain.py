@@ -137,8 +137,11 @@ def _node(chain: TorsionChain, node: Node) -> str:
 def shape_table(chain: TorsionChain, modes: Sequence[Mode]) -> Table:
     """The shapes side by side, masses from front to rear."""
     columns = (
-        Column(_("mass"), kind="text", label=True),
-        *(Column(_("mode {number}", number=mode.number)) for mode in modes),
+        Column(_("mass"), kind="text", key="name", label=True),
+        *(
+            Column(_("mode {number}", number=mode.number), key=f"mode_{mode.number}")
+            for mode in modes
+        ),
     )
     rows = [
         (name, *(float(mode.shape[place]) for mode in modes))

@@ -106,15 +106,26 @@ def torsion_comparison(
 def torsion_sizes(
     engines: Sequence[Engine], speeds: Sequence[float | None]
 ) -> list[tuple[str, float | None, list[float | None], str]]:
-    """The same for machines: quantity, order, the value of each engine, unit."""
-    if any(engine.torsion is None for engine in engines):
+    """The same for machines: quantity, order, the value of each engine, unit.
+
+    None for an engine without a table [torsion].
+    """
+    if all(engine.torsion is None for engine in engines):
         return []
-    found = [torsion(each, speed=speed) for each, speed in zip(engines, speeds, strict=True)]
-    firsts = [own.modes[0].frequency if own.modes else None for own in found]
-    tops = [own.strongest for own in found]
-    rows: list[tuple[str, float | None, list[float | None], str]] = [
-        ("torsion_frequency", None, firsts, "Hz"),
+    found = [
+        None if each.torsion is None else torsion(each, speed=speed)
+        for each, speed in zip(engines, speeds, strict=True)
+    ]
+    rows: list[tuple[str, float | None, list[float | None], str]] = []
+    for place in range(MODES):
+        name = "torsion_frequency" if not place else f"torsion_frequency_{place + 1}"
+        modes = [() if own is None else own.modes for own in found]
+        own = [each[place].frequency if place < len(each) else None for each in modes]
+        rows += [(name, None, own, "Hz")] if any(own) else []
+    tops = [own and own.strongest for own in found]
+    return [
+        *rows,
         ("torsion_order", None, [top and top.order for top in tops], ""),
+        ("torsion_mode", None, [top and float(top.mode) for top in tops], ""),
         ("torsion_critical", None, [top and top.speed * RPM for top in tops], "rpm"),
     ]
-    return rows
