@@ -14,7 +14,8 @@ frequencies. `rests_on` varies what the file lacks and says which figure of them
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from math import degrees
 from typing import TYPE_CHECKING, Any
@@ -22,8 +23,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from crankstar import spectra
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance
+from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
@@ -43,34 +46,65 @@ def rests_on(engine: Engine, answer: Answer) -> tuple[Assumption, ...]:
     return moved(engine, found, answer)
 
 
-def amplitudes(engine: Engine, *, speed: float | None = None, gas: bool = False) -> Answer:
+def amplitudes(
+    engine: Engine,
+    *,
+    speed: float | None = None,
+    gas: bool = False,
+    reference: Reference | None = None,
+    highest: float = USUAL_ORDERS,
+) -> Answer:
     """Force, couple and rolling moment of inertia by order, at `speed` (rad/s) or the engine's.
 
-    With `gas` the rolling moment is not said to leave it out.
+    With `gas` the rolling moment is not said to leave it out. Orders up to the `highest`.
     """
     without = None
     if not gas and engine.gas is not None:
         without = cycle_or_reason(engine, speed=speed)[0]
     return Answer(
-        figures=lambda each: _inertia_sizes(each, speed),
+        figures=lambda each: _inertia_sizes(each, speed, reference, highest),
         unit=partial(_inertia_unit, speed),
-        least=lambda each: _pushed(each, speed),
+        least=lambda each: _pushed(each, speed, reference),
         without_gas=without,
         gasless=not gas,
     )
 
 
-def outlook(engine: Engine, *, speed: float | None = None) -> Answer:
+def vectors(
+    quantity: str, *, speed: float | None = None, reference: Reference | None = None
+) -> Answer:
+    """The vectors of every part by order, added by their lengths: what a star of them shows."""
+
+    def figures(each: Engine) -> Figures:
+        own = each.speed if speed is None else speed
+        parts = getattr(balance(each, speed=own, reference=reference), quantity)
+        lengths = pushed(parts).tolist()
+        return {
+            ("vectors", order): size
+            for order, size in zip(parts.orders.tolist(), lengths, strict=True)
+        }
+
+    return Answer(figures=figures, unit=lambda _name, each: _inertia_unit(speed, quantity, each))
+
+
+def outlook(
+    engine: Engine,
+    *,
+    speed: float | None = None,
+    point: str = "",
+    reference: Reference | None = None,
+    highest: float = USUAL_ORDERS,
+) -> Answer:
     """Force and couple of inertia, and the rolling moment with gas where a cycle is known."""
-    found = cycle_or_reason(engine, speed=speed)[0]
+    found = cycle_or_reason(engine, point=point, speed=speed)[0]
     if found is None:
-        return amplitudes(engine, speed=speed)
+        return amplitudes(engine, speed=speed, reference=reference, highest=highest)
 
     def figures(each: Engine) -> Figures:
         from crankstar.studies.gas_results import roll_of
 
-        inertia = _inertia_sizes(each, speed)
-        again = cycle_or_reason(each, speed=speed)[0]
+        inertia = _inertia_sizes(each, speed, reference, highest)
+        again = cycle_or_reason(each, point=point, speed=speed)[0]
         if again is None:
             return inertia
         plain = {key: size for key, size in inertia.items() if key[0] != "roll"}
@@ -84,7 +118,7 @@ def outlook(engine: Engine, *, speed: float | None = None) -> Answer:
         unit=unit,
         uses=("inertia", "gas"),
         gas=found,
-        least=lambda each: _pushed(each, speed),
+        least=lambda each: _pushed(each, speed, reference),
     )
 
 
@@ -278,6 +312,104 @@ def external(engine: Engine, make: Callable[[Engine], Any]) -> Answer:
     )
 
 
+def guided(engine: Engine, make: MakeCycle) -> Answer:
+    """The moments of the guide forces by order: H of all cylinders, X of front against rear."""
+    from crankstar.mechanics.guide_moments import guide_moments
+
+    found = make(engine)
+
+    def figures(each: Engine) -> Figures:
+        again = make(each)
+        if again is None:
+            return {}
+        guide = guide_moments(each, again)
+        return {
+            (name, float(order)): float(abs(size))
+            for name, moments in (("H moment", guide.h), ("X moment", guide.x))
+            for order, size in zip(guide.orders, moments, strict=True)
+        }
+
+    return Answer(
+        figures=figures, unit=lambda _quantity, _engine: "N*m", uses=("inertia", "gas"), gas=found
+    )
+
+
+def bent(*, speed: float | None = None, models: Sequence[Any] = (None,)) -> Answer:
+    """The greatest bending moment of a crankshaft in its end bearings (None), or by models in all.
+
+    At a `speed` (rad/s), else at that of each engine.
+    """
+    from crankstar.dynamics.bearings import bending_moment
+
+    def bendings(each: Engine, model: Any) -> list[Any]:
+        own = each.speed if speed is None else speed
+        return [
+            bending_moment(each, shaft=shaft.name, speed=own, model=model)
+            for shaft in each.shafts
+            if shaft.throws
+        ]
+
+    def figures(each: Engine) -> Figures:
+        out: dict[Figure, float] = {}
+        for model in models:
+            name = "end bending" if model is None else "main bending"
+            peaks = [spectra.peaks(one.moment).max(initial=0.0) for one in bendings(each, model)]
+            out[name, None] = max(out.get((name, None), 0.0), *map(float, peaks))
+        return out
+
+    return Answer(
+        figures=figures,
+        unit=lambda _quantity, each: bendings(each, None)[0].unit,
+        uses=("inertia", "bearings"),
+    )
+
+
+def narrowed(
+    answer: Answer,
+    quantities: Collection[str],
+    *,
+    orders: Sequence[float] | None = None,
+    given: Collection[str] = (),
+) -> Answer:
+    """The answer as far as it is about these quantities, of these orders, all without any named.
+
+    `given` are key paths that do not matter to them. Where nothing of them is left, nothing moves.
+    """
+    nothing: Figures = {(next(iter(quantities)), None): 0.0}
+
+    def figures(engine: Engine) -> Figures:
+        kept = {
+            (name, order): size
+            for (name, order), size in answer.figures(engine).items()
+            if name in quantities and (orders is None or order in orders)
+        }
+        return kept or nothing
+
+    return replace(answer, figures=figures, given={*answer.given, *given})
+
+
+def in_own_unit(answer: Answer) -> Answer:
+    """The answer of an engine without its speed: in m r omega^2, as without a speed in its file."""
+    return replace(
+        answer,
+        figures=lambda engine: answer.figures(without_speed(engine)),
+        unit=lambda quantity, engine: answer.unit(quantity, without_speed(engine)),
+        least=lambda engine: answer.least(without_speed(engine)),
+        given={*answer.given, "speed"},
+    )
+
+
+def at_rest(answer: Answer) -> Answer:
+    """The answer as far as no gas is in it, as natural modes have none."""
+    uses = [each for each in answer.uses if each != "gas"]
+    return replace(answer, uses=uses, gas=None, gasless=False)
+
+
+def without_speed(engine: Engine) -> Engine:
+    """The engine with no speed of its own."""
+    return engine if engine.speed is None else with_values(engine, speed=None)
+
+
 def bobweights(engine: Engine, *, factor: float) -> Answer:
     """The heaviest bobweight of the crank pins, at a balance factor."""
     from crankstar.remedy.loads import bobweight, loads
@@ -308,21 +440,30 @@ def watched_results(engine: Engine, names: Sequence[str], *, speed: float | None
     return amplitudes(engine, speed=speed, gas=first != "roll")
 
 
-def _inertia_sizes(engine: Engine, speed: float | None) -> dict[Figure, float]:
+def _inertia_sizes(
+    engine: Engine,
+    speed: float | None,
+    reference: Reference | None = None,
+    highest: float = USUAL_ORDERS,
+) -> dict[Figure, float]:
     """Force, couple and rolling moment by order."""
-    sums = summed(balance(engine, speed=engine.speed if speed is None else speed))
+    own = engine.speed if speed is None else speed
+    sums = summed(balance(engine, speed=own, reference=reference))
     found: dict[Figure, float] = {}
     for name in ("force", "couple", "roll"):
         spectrum = getattr(sums, name)
         for order, size in zip(spectrum.orders.tolist(), sizes(spectrum).tolist(), strict=True):
-            if order <= USUAL_ORDERS:
+            if order <= highest:
                 found[name, order] = size
     return found
 
 
-def _pushed(engine: Engine, speed: float | None) -> Mapping[str, float]:
+def _pushed(
+    engine: Engine, speed: float | None, reference: Reference | None = None
+) -> Mapping[str, float]:
     """A small share of what all parts push together: what is hardly there does not lead."""
-    result = balance(engine, speed=engine.speed if speed is None else speed)
+    own = engine.speed if speed is None else speed
+    result = balance(engine, speed=own, reference=reference)
     return {
         name: MINOR * float(pushed(getattr(result, name)).max(initial=0.0))
         for name in ("force", "couple")
