@@ -45,8 +45,9 @@ from crankstar.language.shown_units import shown
 from crankstar.mechanics import bounds
 from crankstar.remedy.counterweights import RemedyError, with_web_weights, without_counterweights
 from crankstar.spectra import Real
-from crankstar.studies.answers import bent, in_own_unit, narrowed
+from crankstar.studies.answer_parts import in_own_unit, narrowed
 from crankstar.studies.assumptions import Answer
+from crankstar.studies.chart_answers import bent
 
 FACTOR = 0.5
 """Balance factor of the weights that are compared where the engine file gives none."""

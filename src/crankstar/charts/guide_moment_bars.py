@@ -20,7 +20,7 @@ from crankstar.language.shown_units import shown
 from crankstar.mechanics.gas import check_gas, cycle
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.mechanics.operating_points import GasError
-from crankstar.studies.answers import guided
+from crankstar.studies.chart_answers import guided
 
 TITLE = N_("Guide-force moments")
 AXIS = N_("moment ({unit})")

@@ -23,9 +23,13 @@ from crankstar.language.messages import _
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle
 from crankstar.studies import answers
+from crankstar.studies.answer_parts import TURNING, at_rest, in_own_unit, narrowed, without_speed
 from crankstar.studies.assumptions import Answer, Assumption
+from crankstar.studies.chart_answers import vectors
 from crankstar.tables.assumptions import assumption_facts, assumption_remarks, leading_line
 
+FOOT = "rests"
+"""The name of the panel below the others."""
 MOST_LINES = 4
 """Lines of the sentence on what matters most; of a longer one the rest is cut off."""
 LEADING = 1.25
@@ -35,8 +39,6 @@ TWISTING = ("natural frequency", "torsional amplitude")
 OF_COMPONENT = {
     "vertical": "force", "horizontal": "force", "pitch": "couple", "yaw": "couple"
 }  # fmt: skip
-OF_SHAFT = ("cylinder.rotating_mass", "crankshaft.weight")
-"""What turns evenly: no pressure, torque or side thrust depends on it."""
 
 
 class Rests(NamedTuple):
@@ -120,7 +122,8 @@ def foot_panel(lines: Sequence[str], *, width: float) -> dict[str, Any]:
         "text", align="left", baseline="middle", fontSize=SMALL, color="#808080"
     )
     drawn = words.encode(x=constant(0), y=field("y:Q", scale=None, axis=None), text=field("text:N"))
-    return {"layer": [drawn.spec], "width": round(width, 3), "height": round(height, 3)}
+    sides = {"width": round(width, 3), "height": round(height, 3)}
+    return {"name": FOOT, "layer": [drawn.spec], **sides}
 
 
 def _cut(line: str, width: float) -> str:
@@ -163,7 +166,7 @@ def of_vectors(
     """Of a figure of the vectors of each part: their lengths, at a speed or in m r omega^2."""
 
     def make(_engine: Engine, speed: float | None = None) -> Answer:
-        return answers.vectors(quantity, speed=speed, **options)
+        return vectors(quantity, speed=speed, **options)
 
     def answer(engine: Engine) -> Answer:
         return _at(make, engine, speed_of(engine, speed), ("vectors",), orders)
@@ -179,11 +182,8 @@ def _at(
     orders: Sequence[float] | None,
 ) -> Answer:
     """An answer at a speed, or without one in the engine's own unit."""
-    if speed is None:
-        made = answers.in_own_unit(make(answers.without_speed(engine)))
-    else:
-        made = make(engine, speed=speed)
-    return answers.narrowed(made, quantities, orders=orders)
+    made = in_own_unit(make(without_speed(engine))) if speed is None else make(engine, speed=speed)
+    return narrowed(made, quantities, orders=orders)
 
 
 def of_gas(
@@ -193,7 +193,7 @@ def of_gas(
 
     def answer(each: Engine) -> Answer:
         made = answers.torques(each, make, running=False)
-        return answers.narrowed(made, quantities, given=OF_SHAFT)
+        return narrowed(made, quantities, given=TURNING)
 
     return Rests([engine], answer, command)
 
@@ -213,11 +213,11 @@ def of_loads(
 
     def answer(each: Engine) -> Answer:
         if speed is None and make(each) is None:
-            own = answers.without_speed(each)
-            made = answers.in_own_unit(answers.bearing_peaks(own, make, model=model))
+            own = without_speed(each)
+            made = in_own_unit(answers.bearing_peaks(own, make, model=model))
         else:
             made = answers.bearing_peaks(each, make, speed=speed, model=model)
-        return answers.narrowed(made, [quantity])
+        return narrowed(made, [quantity])
 
     return Rests([engine], answer, "bearings")
 
@@ -231,8 +231,8 @@ def of_twist(
 
     def answer(each: Engine) -> Answer:
         made = answers.twist(each, **options)
-        made = made if len(quantities) > 1 else answers.at_rest(made)
-        return answers.narrowed(made, quantities)
+        made = made if len(quantities) > 1 else at_rest(made)
+        return narrowed(made, quantities)
 
     return Rests([source], answer, "torsion")
 
@@ -243,7 +243,7 @@ def on_mounts(engine: Engine, *, forces: bool = True, **options: Any) -> Rests:
 
     def answer(each: Engine) -> Answer:
         made = answers.on_mounts(each, **options)
-        return made if forces else answers.narrowed(answers.at_rest(made), modes)
+        return made if forces else narrowed(at_rest(made), modes)
 
     return Rests([engine], answer, "mounts")
 
@@ -268,6 +268,6 @@ def of_speeds(
             )
         else:
             made = answers.outlook(each, speed=top, point=point, reference=reference, highest=inf)
-        return answers.narrowed(made, kinds, orders=orders)
+        return narrowed(made, kinds, orders=orders)
 
     return Rests([engine], answer, "analyze")

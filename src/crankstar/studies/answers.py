@@ -14,8 +14,8 @@ frequencies. `rests_on` varies what the file lacks and says which figure of them
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from functools import partial
 from math import degrees
 from typing import TYPE_CHECKING, Any
@@ -23,14 +23,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from crankstar import spectra
-from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
+from crankstar.language.messages import MessageError
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Real, Spectrum
+from crankstar.studies.answer_parts import TURNING, joined
 from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.assumptions import Answer, Assumption, Figure, Figures, moved
 
@@ -70,21 +71,49 @@ def amplitudes(
     )
 
 
-def vectors(
-    quantity: str, *, speed: float | None = None, reference: Reference | None = None
-) -> Answer:
-    """The vectors of every part by order, added by their lengths: what a star of them shows."""
+def compared(engine: Engine, *, speed: float | None = None) -> Answer:
+    """What engines are compared by: inertia by order, the torque with gas, torsion, mounts."""
+    gas = _of_torque(engine, speed)
+    of_file = bool(gas) and bool({"mass", "radius"} & {*engine.relative})  # gas in another unit
+    inertia = amplitudes(engine, speed=speed, gas=of_file)
+    return joined([inertia, *gas, *_driven(engine, speed)])
+
+
+def summary(engine: Engine, *, speed: float | None = None) -> Answer:
+    """What the verdict is about: inertia and gas, torsion, mounts, as far as the file has them."""
+    return joined([outlook(engine, speed=speed), *_driven(engine, speed)])
+
+
+def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:
+    """The torque of gas and inertia by order, where there is a cycle."""
+    found = cycle_or_reason(engine, speed=speed)[0]
+    if found is None:
+        return []
 
     def figures(each: Engine) -> Figures:
-        own = each.speed if speed is None else speed
-        parts = getattr(balance(each, speed=own, reference=reference), quantity)
-        lengths = pushed(parts).tolist()
-        return {
-            ("vectors", order): size
-            for order, size in zip(parts.orders.tolist(), lengths, strict=True)
-        }
+        from crankstar.studies.gas_results import torque_of
 
-    return Answer(figures=figures, unit=lambda _name, each: _inertia_unit(speed, quantity, each))
+        again = cycle_or_reason(each, speed=speed)[0]
+        return {} if again is None else _by_order("torque", torque_of(each, again))
+
+    made = Answer(
+        figures=figures,
+        unit=lambda _quantity, _engine: "N*m",
+        uses=("inertia", "gas"),
+        gas=found,
+        given=TURNING,
+    )
+    return [made]
+
+
+def _driven(engine: Engine, speed: float | None) -> list[Answer]:
+    """Torsion and mounts, of an engine whose file has them and that can be computed."""
+    out: list[Answer] = []
+    for make, there in ((twist, engine.torsion), (on_mounts, engine.mounts)):
+        if there:
+            with suppress(MessageError):
+                out.append(make(engine, speed=speed))
+    return out
 
 
 def outlook(
@@ -310,104 +339,6 @@ def external(engine: Engine, make: Callable[[Engine], Any]) -> Answer:
         uses=("inertia", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
     )
-
-
-def guided(engine: Engine, make: MakeCycle) -> Answer:
-    """The moments of the guide forces by order: H of all cylinders, X of front against rear."""
-    from crankstar.mechanics.guide_moments import guide_moments
-
-    found = make(engine)
-
-    def figures(each: Engine) -> Figures:
-        again = make(each)
-        if again is None:
-            return {}
-        guide = guide_moments(each, again)
-        return {
-            (name, float(order)): float(abs(size))
-            for name, moments in (("H moment", guide.h), ("X moment", guide.x))
-            for order, size in zip(guide.orders, moments, strict=True)
-        }
-
-    return Answer(
-        figures=figures, unit=lambda _quantity, _engine: "N*m", uses=("inertia", "gas"), gas=found
-    )
-
-
-def bent(*, speed: float | None = None, models: Sequence[Any] = (None,)) -> Answer:
-    """The greatest bending moment of a crankshaft in its end bearings (None), or by models in all.
-
-    At a `speed` (rad/s), else at that of each engine.
-    """
-    from crankstar.dynamics.bearings import bending_moment
-
-    def bendings(each: Engine, model: Any) -> list[Any]:
-        own = each.speed if speed is None else speed
-        return [
-            bending_moment(each, shaft=shaft.name, speed=own, model=model)
-            for shaft in each.shafts
-            if shaft.throws
-        ]
-
-    def figures(each: Engine) -> Figures:
-        out: dict[Figure, float] = {}
-        for model in models:
-            name = "end bending" if model is None else "main bending"
-            peaks = [spectra.peaks(one.moment).max(initial=0.0) for one in bendings(each, model)]
-            out[name, None] = max(out.get((name, None), 0.0), *map(float, peaks))
-        return out
-
-    return Answer(
-        figures=figures,
-        unit=lambda _quantity, each: bendings(each, None)[0].unit,
-        uses=("inertia", "bearings"),
-    )
-
-
-def narrowed(
-    answer: Answer,
-    quantities: Collection[str],
-    *,
-    orders: Sequence[float] | None = None,
-    given: Collection[str] = (),
-) -> Answer:
-    """The answer as far as it is about these quantities, of these orders, all without any named.
-
-    `given` are key paths that do not matter to them. Where nothing of them is left, nothing moves.
-    """
-    nothing: Figures = {(next(iter(quantities)), None): 0.0}
-
-    def figures(engine: Engine) -> Figures:
-        kept = {
-            (name, order): size
-            for (name, order), size in answer.figures(engine).items()
-            if name in quantities and (orders is None or order in orders)
-        }
-        return kept or nothing
-
-    return replace(answer, figures=figures, given={*answer.given, *given})
-
-
-def in_own_unit(answer: Answer) -> Answer:
-    """The answer of an engine without its speed: in m r omega^2, as without a speed in its file."""
-    return replace(
-        answer,
-        figures=lambda engine: answer.figures(without_speed(engine)),
-        unit=lambda quantity, engine: answer.unit(quantity, without_speed(engine)),
-        least=lambda engine: answer.least(without_speed(engine)),
-        given={*answer.given, "speed"},
-    )
-
-
-def at_rest(answer: Answer) -> Answer:
-    """The answer as far as no gas is in it, as natural modes have none."""
-    uses = [each for each in answer.uses if each != "gas"]
-    return replace(answer, uses=uses, gas=None, gasless=False)
-
-
-def without_speed(engine: Engine) -> Engine:
-    """The engine with no speed of its own."""
-    return engine if engine.speed is None else with_values(engine, speed=None)
 
 
 def bobweights(engine: Engine, *, factor: float) -> Answer:

@@ -27,6 +27,7 @@ FIGURES = {
     "main bending": N_("greatest bending moment in all main bearings"),
     "mean torque": N_("mean torque"),
     "peak pressure": N_("peak pressure"),
+    "torque": N_("torque of order {order}"),
     "irregularity": N_("degree of irregularity"),
     "main bearing": N_("greatest load of a main bearing"),
     "crank pin": N_("greatest load of a crank pin"),
