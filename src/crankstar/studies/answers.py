@@ -259,16 +259,18 @@ def on_mounts(
     from crankstar.dynamics.mount_analysis import mounts
     from crankstar.dynamics.mount_modes import mount_modes
     from crankstar.dynamics.mount_response import rms
-    from crankstar.dynamics.mounted_block import mounted_block
+    from crankstar.dynamics.mounted_block import mounted_block, settled
 
     whole = mounts(engine, point=point, speed=speed, speeds=speeds)
     ends = [] if whole.over is None else [float(each) for each in whole.over.speeds[[0, -1]]]
 
     def figures(each: Engine) -> Figures:
-        modes = mount_modes(mounted_block(each))
+        block = mounted_block(each)
+        modes = mount_modes(block)
         out: dict[Figure, float] = {
-            (f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)
+            ("mount load", None): float(np.linalg.norm(settled(block)[1], axis=-1).max())
         }
+        out |= {(f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)}
         if ends:
             found = mounts(each, point=point, speed=speed, speeds=ends)
             if found.over is not None:
@@ -278,7 +280,7 @@ def on_mounts(
     gas = cycle_or_reason(engine, point=point, speed=speed)[0]
     return Answer(
         figures=figures,
-        unit=lambda quantity, _engine: "N" if quantity == "mount force" else "Hz",
+        unit=lambda quantity, _engine: "Hz" if quantity.startswith("mode ") else "N",
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
         gasless=True,
@@ -286,28 +288,35 @@ def on_mounts(
 
 
 def felt(
-    engine: Engine, faults: Sequence[Fault], *, point: str = "", speed: float | None = None
+    engine: Engine,
+    faults: Sequence[Fault],
+    *,
+    point: str = "",
+    speed: float | None = None,
+    orders: Sequence[float] = (),
+    at: Sequence[float] | None = None,
 ) -> Answer:
-    """The velocity of the block by order, free or on mounts, of an engine with faults."""
-    from crankstar.dynamics.mount_worst import ROLL
+    """What shakes the block and the velocity of a point of it, of an engine with faults, by order.
+
+    Of the `orders` that are named, at the point `at` (up, right, z; m) or the centre of mass: the
+    numbers of `Shaken.sizes`.
+    """
     from crankstar.studies.single_faults import shaken
 
+    units = {"force": "N", "couple": "N*m", "roll": "N*m", "torque": "N*m", "velocity": "mm/s"}
+
     def figures(each: Engine) -> Figures:
-        found = shaken(each, faults, point=point, speed=speed)
-        velocity = np.abs(found.displacement(None)).max(axis=1) * found.orders * found.speed
-        roll = np.abs(found.push[:, ROLL])
-        couple = np.hypot(*np.abs(found.push[:, 3:5]).T)
-        orders = found.orders.tolist()
+        found = shaken(each, faults, point=point, speed=speed, orders=orders)
         return {
-            **{("couple", k): size for k, size in zip(orders, couple.tolist(), strict=True)},
-            **{("velocity", k): 1e3 * v for k, v in zip(orders, velocity.tolist(), strict=True)},
-            **{("roll", k): size for k, size in zip(orders, roll.tolist(), strict=True)},
+            (name, order): size
+            for order, row in zip(found.orders.tolist(), found.sizes(at).tolist(), strict=True)
+            for name, size in zip(units, row, strict=True)
         }
 
     gas = cycle_or_reason(engine, point=point, speed=speed)[0]
     return Answer(
         figures=figures,
-        unit=lambda quantity, _engine: "mm/s" if quantity == "velocity" else "N*m",
+        unit=lambda quantity, _engine: units[quantity],
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
         gasless=True,

@@ -19,7 +19,7 @@ FIGURES = {
     "force": N_("force of order {order}"),
     "couple": N_("couple of order {order}"),
     "roll": N_("rolling moment of order {order}"),
-    "velocity": N_("velocity of order {order}, peak"),
+    "velocity": N_("velocity of order {order}, rms"),
     "vectors": N_("sum of the vector lengths of order {order}"),
     "H moment": N_("H moment of order {order}"),
     "X moment": N_("X moment of order {order}"),
@@ -35,6 +35,7 @@ FIGURES = {
     "natural frequency": N_("first natural frequency"),
     "torsional amplitude": N_("torsional amplitude"),
     "mount force": N_("greatest force on the ground"),
+    "mount load": N_("greatest load of a mount at rest"),
     "bobweight": N_("bobweight"),
     **{f"mode {number}": N_("frequency of mode {number}") for number in range(1, 13)},
 }
@@ -135,7 +136,7 @@ def _rounded(value: float) -> float:
 
 def _span(own: Moved) -> str:
     """The values of a figure over the range of an assumption."""
-    if abs(own.high - own.low) <= 1e-6 * abs(own.high):
+    if _rounded(own.low) == _rounded(own.high):
         return quantity_text(_rounded(own.high), own.unit)
     low = quantity_text(_rounded(own.low), own.unit)
     top = quantity_text(_rounded(own.high), own.unit)
