@@ -25,6 +25,7 @@ def in_own_unit(answer: Answer) -> Answer:
         figures=lambda engine: answer.figures(without_speed(engine)),
         unit=lambda quantity, engine: answer.unit(quantity, without_speed(engine)),
         least=lambda engine: answer.least(without_speed(engine)),
+        without_gas=None,  # it would be in N m
         given={*answer.given, "speed"},
     )
 

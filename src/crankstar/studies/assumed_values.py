@@ -23,7 +23,7 @@ from crankstar.engine.torsion import LOSS_FACTOR, STEEL
 from crankstar.engine.weighed import EngineType
 from crankstar.language.messages import N_
 from crankstar.mechanics.balance import balance, total
-from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
 from crankstar.mechanics.remains import summed
 from crankstar.remedy.fitting import quiet_cranks
@@ -340,11 +340,12 @@ def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
         yield Assumption(
             "assumed", "gas.trace", N_("one measured trace is used at every speed and load")
         )
+    values = _values_of_points(engine, own)
     for name in own.assumed:
         if name in OF_COMBUSTION and engine.gas is not None and engine.gas.trace is not None:
             continue
         path = f"gas.{name}"
-        value = own.values.get(name)
+        value = values.get(name)
         if name == "combustion_start" and isinstance(value, float):
             yield Assumption(
                 "assumed", path, N_("usual for such engines"), degrees(value), "deg",
@@ -363,6 +364,20 @@ def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             yield Assumption("assumed", path, N_("as compression ratio or bore say"), str(value))
         else:
             yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
+
+
+def _values_of_points(engine: Engine, own: Cycle) -> Mapping[str, Any]:
+    """What is assumed of a cycle; between two points that of the nearer which lacks the value.
+
+    Between points the cycle itself has values in the midst of assumed and given ones.
+    """
+    if len(own.shares) < 2:
+        return own.values
+    out = dict(own.values)
+    for name, _share in sorted(own.shares, key=lambda each: each[1]):
+        point = cycle(engine, point=name)
+        out |= {key: point.values[key] for key in point.assumed if key in point.values}
+    return out
 
 
 def _plain(value: Any) -> float | str | None:
