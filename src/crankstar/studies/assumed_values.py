@@ -233,7 +233,7 @@ def _centre_of_mass(engine: Engine, own: Body) -> Iterator[Assumption]:
         if name not in given or (name == "z" and block is not None and block.z is None):
             yield Assumption(
                 "assumed", f"block.{name}", reason, 1e3 * value, "mm", 1e3 * low, 1e3 * high,
-                vary=with_block_value(name, own.mass, 1e-3),
+                vary=with_block_value(name, mass=own.mass, factor=1e-3),
             )  # fmt: skip
     if block is None or block.inertia is None:  # its axes are part of the estimate
         return
@@ -242,7 +242,7 @@ def _centre_of_mass(engine: Engine, own: Body) -> Iterator[Assumption]:
             end = share * (block.inertia[one] * block.inertia[other]) ** 0.5
             yield Assumption(
                 "assumed", f"block.{name}", N_("its principal axes along those of the engine"),
-                0.0, "kg*m^2", -end, end, vary=with_block_value(name, own.mass, 1.0),
+                0.0, "kg*m^2", -end, end, vary=with_block_value(name, mass=own.mass, factor=1.0),
             )  # fmt: skip
 
 

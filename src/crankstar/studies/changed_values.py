@@ -105,7 +105,7 @@ def with_block_mass(engine: Engine, mass: float) -> Engine:
     return with_values(engine, block=Block(mass=mass))
 
 
-def with_block_value(name: str, mass: float, factor: float) -> Vary:
+def with_block_value(name: str, *, mass: float, factor: float) -> Vary:
     """The change of one value of the block, of this mass (kg) if there is none, in `factor` SI."""
 
     def vary(engine: Engine, value: float) -> Engine:
