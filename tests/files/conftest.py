@@ -16,10 +16,13 @@ from crankstar import cli
 
 WRITTEN = re.compile(
     r"^(Wrote |Replaced |Estimated: |None of orders? |--[a-z]+ changes nothing "
-    r"|The file gives no |Записан файл ).*\n",
+    r"|The file gives no |Записан файл ).*\n|^.* rests on:\n(?:.+\n)*",
     re.MULTILINE,
 )
-"""Lines on standard error of a success: a file written, what in it is estimated or not there."""
+"""Lines on standard error of a success: a file written, what in it is estimated or not there.
+
+Last what a figure rests on.
+"""
 
 
 @pytest.fixture

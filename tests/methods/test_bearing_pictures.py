@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.charted import rows_drawn
 
 import crankstar
 from crankstar import charts
@@ -33,7 +34,7 @@ NUMBER = r"-?[\d.]+(?:e-?\d+)?"
 
 def panels(chart: charts.Chart) -> list[dict[str, Any]]:
     """The panels of a figure, row by row."""
-    rows = [row.get("hconcat", [row]) for row in chart.to_dict()["vconcat"]]
+    rows = [row.get("hconcat", [row]) for row in rows_drawn(chart.to_dict())]
     return [panel for row in rows for panel in row]
 
 

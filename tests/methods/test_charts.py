@@ -15,6 +15,7 @@ import pytest
 import crankstar
 from crankstar import charts, spectra
 from crankstar.charts.cylinder_forces import cylinder_forces
+from crankstar.charts.resting import FOOT
 from crankstar.charts.vectors import harmonic
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
@@ -43,10 +44,11 @@ class Row(dict[str, Any]):
 
 
 def panels(spec: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """The panels of a figure that have layers."""
+    """The panels of a figure that have layers, without its foot."""
     for key in ("vconcat", "hconcat", "concat"):
         for inner in spec.get(key, []):
-            yield from panels(inner)
+            if inner.get("name") != FOOT:
+                yield from panels(inner)
     if "layer" in spec:
         yield spec
 

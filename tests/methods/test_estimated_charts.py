@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.charted import rows_drawn
 from tests.methods.test_charts import Row, drawn, kind
 
 from crankstar import charts
@@ -86,7 +87,7 @@ def test_the_number_of_a_bar_stands_at_its_end_and_not_at_that_of_its_whisker(
     with charts.over_ranges([spread]):
         chart = charts.spectrum(engine, speed=900.0)
     ranged = 0
-    for panel, spec in zip(drawn(chart), chart.to_dict()["vconcat"], strict=True):
+    for panel, spec in zip(drawn(chart), rows_drawn(chart.to_dict()), strict=True):
         px = spec["height"] / spec["layer"][0]["encoding"]["y"]["scale"]["domain"][1]
         ends = {row.order: row.to for row in sorted(rows_of(panel, "bar"), key=lambda row: row.to)}
         whiskers = {row.order: row for row in rows_of(panel, "rule")}

@@ -15,6 +15,7 @@ import numpy as np
 import openpyxl
 import pyarrow.parquet
 import pytest
+from tests.charted import rows_drawn
 from tests.commands import Run
 from tests.files.conftest import refused, run
 
@@ -190,7 +191,7 @@ def test_the_chart_holds_the_amplitudes_and_its_command_is_named(
     assert "As a chart: crankstar plot" in out
     run("plot", twin, "amplitudes", "--speeds", SPEEDS, "-o", str(tmp_path / "a.json"))
     spec = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
-    panels = spec["vconcat"]
+    panels = rows_drawn(spec)
     assert len(panels) == 3  # no horizontal force, no yaw
     first = panels[0]["layer"][0]["data"]["values"]
     assert {row["x"] for row in first} == {1000, 3000, 5000, 7000, 9000}

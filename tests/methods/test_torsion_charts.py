@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.charted import rows_drawn
 from tests.files.test_gas_views import curve, rows_of
 
 import crankstar
@@ -85,7 +86,7 @@ def fan_drive() -> Chain:
 def panels(chart: Any) -> list[dict[str, Any]]:
     """The layered panels of a figure, in reading order."""
     out = []
-    for row in chart.to_dict()["vconcat"]:
+    for row in rows_drawn(chart.to_dict()):
         out += row.get("hconcat", [row])
     return out
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Page
+from tests.charted import rows_drawn
 from tests.commands import Run
 from tests.files.conftest import refused, run
 from tests.measured import FAMILIES, Measured, contrast, measured
@@ -224,7 +225,7 @@ def test_two_stars_lie_side_by_side_where_the_paper_is_wide(
     engine = crankstar.load("napier-deltic")
     slide = charts.Paper("light", width=width, height=0.143 if across == 2 else None)
     made = charts.printed(partial(charts.vector_star, engine), slide, title="star")
-    assert [len(row.get("hconcat", [row])) for row in made.chart.to_dict()["vconcat"]] == (
+    assert [len(row.get("hconcat", [row])) for row in rows_drawn(made.chart.to_dict())] == (
         [2] if across == 2 else [1, 1]
     )
     (picture,) = assert_clear({"star": made.scaled("mm")}, page)

@@ -9,6 +9,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `grammar` | Vega-Lite as plain data |
 | `letters` | how wide letters are, texts in lines |
 | `canvas` | the room for a figure |
+| `resting` | what the numbers of a figure rest on, in a line below it |
 | `converter` | vl-convert, here or in a process beside this one |
 | `drawing` | colours, panels, the crank angle as a parameter |
 | `crank_angle` | the axis of the crank angle, and the rule at `theta` |

@@ -24,6 +24,7 @@ from crankstar.charts.drawing import (
 )
 from crankstar.charts.estimates import ends_of, estimate_lines, size_range
 from crankstar.charts.grammar import Chart, constant, field, of_rows, own, span
+from crankstar.charts.resting import of_speeds
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
@@ -117,7 +118,15 @@ def amplitudes(
         subtitle.append(_gas_words(engine, point))
     if not panels:
         panels, subtitle = [[_empty(rpm(sweep))]], [*subtitle, _(NOTHING)]
-    return figure(panels, title=_("Amplitude over the speed"), subtitle=subtitle)
+    rests = of_speeds(
+        engine,
+        [part.component.key for part in shown_parts],
+        top=float(values.max()),
+        orders=asked,
+        reference=reference,
+        point=None if burning is None else point or "",
+    )
+    return figure(panels, title=_("Amplitude over the speed"), subtitle=subtitle, rests=rests)
 
 
 def _words(engine: Engine, sweep: Sweep) -> list[str]:

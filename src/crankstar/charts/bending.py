@@ -10,6 +10,7 @@ block can cancel though the shaft that hands them on is bent.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from math import ceil, degrees, floor, log10
 from typing import Any, NamedTuple
 
@@ -31,6 +32,7 @@ from crankstar.charts.drawing import (
 from crankstar.charts.estimates import ends_of, estimate_lines, range_text, size_range
 from crankstar.charts.grammar import Chart, Layer, field, of_rows, span
 from crankstar.charts.letters import SMALL, text_width, together
+from crankstar.charts.resting import Rests
 from crankstar.dynamics.bearings import Bending, Model, bending_moment
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
@@ -43,6 +45,9 @@ from crankstar.language.shown_units import shown
 from crankstar.mechanics import bounds
 from crankstar.remedy.counterweights import RemedyError, with_web_weights, without_counterweights
 from crankstar.spectra import Real
+from crankstar.studies.answer_parts import in_own_unit, narrowed
+from crankstar.studies.assumptions import Answer
+from crankstar.studies.chart_answers import bent
 
 FACTOR = 0.5
 """Balance factor of the weights that are compared where the engine file gives none."""
@@ -120,7 +125,15 @@ def bending_chart(
         marks,
         *estimate_lines([engine], drawn=_(RANGES)),
     ]
-    return figure([[panel] for panel in panels], title=title, subtitle=lines)
+    rests = Rests([engine], partial(_bent, speed=speed, models=states), "bearings")
+    return figure([[panel] for panel in panels], title=title, subtitle=lines, rests=rests)
+
+
+def _bent(_engine: Engine, *, speed: float | None, models: Sequence[Model | None]) -> Answer:
+    """What the figure says; an engine without counterweights is compared with usual ones."""
+    made = bent(speed=speed, models=models)
+    made = in_own_unit(made) if speed is None else made
+    return narrowed(made, ["end bending", "main bending"], given=["crankshaft.weight"])
 
 
 class Compared(NamedTuple):

@@ -10,6 +10,7 @@ from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.drawing import BLUE, GREY, VERMILION, checked_order, figure, layered
 from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, own, span
 from crankstar.charts.letters import SMALL
+from crankstar.charts.resting import TWISTING, of_twist
 from crankstar.charts.torsion_words import (
     NO_SPEED,
     RPM,
@@ -93,7 +94,8 @@ def campbell(
         layers.append(_marks(marks, x, y))
     layers.append(values)  # last, so that no ray crosses them
     panel = layered(layers, width=panel_width(), height=curve_height(HEIGHT))
-    return figure([[panel]], title=title, subtitle=subtitle)
+    rests = of_twist(source, quantities=TWISTING, point=point or "", speeds=[*(speeds or ())])
+    return figure([[panel]], title=title, subtitle=subtitle, rests=rests)
 
 
 def _area(found: TorsionAnalysis, marks: Sequence[Critical]) -> _Field:

@@ -22,12 +22,14 @@ class Canvas:
 
     `named` is whether the titles name the engine, which on a page of its own goes without saying.
     `alone`: of several engines the first is drawn, to the scale of all, each at its own speed.
+    `rests` is whether a figure says what its numbers rest on, which a page lists beside them.
     """
 
     width: float = USUAL_WIDTH
     stretch: float = 1.0
     named: bool = True
     alone: bool = False
+    rests: bool = True
 
 
 _USUAL = Canvas()
@@ -71,6 +73,11 @@ def curve_height(usual: float) -> float:
 def names_engine() -> bool:
     """Whether titles name the engine."""
     return _CANVAS.get().named
+
+
+def shows_rests() -> bool:
+    """Whether figures say what their numbers rest on."""
+    return _CANVAS.get().rests
 
 
 def abreast(engines: int) -> int:

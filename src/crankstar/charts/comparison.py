@@ -9,6 +9,7 @@ from crankstar.charts.drawing import ChartError, Panel, figure, heading, named, 
 from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import folded
+from crankstar.charts.resting import Rests
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import unit_text
@@ -23,18 +24,21 @@ def compared(
     theta: float | None = None,
     turns: int = 1,
     ranges: str = "",
+    rests: Rests | None = None,
 ) -> Chart:
     """The panels of each engine, in rows; several engines stand two in a row, each in a column.
 
     Where the canvas has the first `alone`, the others have only had their part in the scales.
 
-    `ranges` says how the ranges of estimated engines are drawn.
+    `ranges` says how the ranges of estimated engines are drawn, `rests` what the numbers rest on.
     """
     engines = engines[: abreast(len(engines))]
     lines = estimate_lines(engines, drawn=ranges)
     if len(engines) == 1:
         subtitle = [*heading(engines[0], speed=speed), *lines]
-        return figure(blocks[0], title=title, subtitle=subtitle, theta=theta, turns=turns)
+        return figure(
+            blocks[0], title=title, subtitle=subtitle, theta=theta, turns=turns, rests=rests
+        )
     width = half_width()
     columns = [
         stacked([panel for row in block for panel in row], title=folded(named(engine), width=width))
@@ -47,7 +51,7 @@ def compared(
         )
     rows = [columns[i : i + 2] for i in range(0, len(columns), 2)]
     lines = [*speed_lines(engines, speed), *lines]
-    return figure(rows, title=title, subtitle=lines, theta=theta, turns=turns)
+    return figure(rows, title=title, subtitle=lines, theta=theta, turns=turns, rests=rests)
 
 
 def same_unit(units: Iterable[str]) -> str:

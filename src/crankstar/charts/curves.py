@@ -27,6 +27,7 @@ from crankstar.charts.grammar import (
     span,
 )
 from crankstar.charts.letters import together
+from crankstar.charts.resting import of_inertia
 from crankstar.charts.sums import Engines, Quantity, Signal, Sum, in_one_unit, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.excitation import Reference
@@ -164,7 +165,14 @@ def over_turn(
     ]
     title = _(TITLES[choice.quantity], unit=together(wholes[0].unit))
     return compared(
-        engines, blocks, title=title, speed=speed, theta=theta, turns=turns, ranges=_(BAND)
+        engines,
+        blocks,
+        title=title,
+        speed=speed,
+        theta=theta,
+        turns=turns,
+        ranges=_(BAND),
+        rests=of_inertia(engines, [choice.quantity], speed=speed, reference=reference),
     )
 
 

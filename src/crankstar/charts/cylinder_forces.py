@@ -33,6 +33,7 @@ from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, span
 from crankstar.charts.labels import Label
 from crankstar.charts.letters import SMALL, TEXT, text_width
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, picture
+from crankstar.charts.resting import of_vectors
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
@@ -151,6 +152,7 @@ def force_arrows(
         [[_key(shown)], *panels],
         title=title,
         subtitle=[*heading(engine), *estimate_lines([engine])],
+        rests=of_vectors([engine], "force", speed=None, orders=orders),
     )
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from crankstar.charts.canvas import BETWEEN, curve_height, names_engine, panel_width
 from crankstar.charts.grammar import Chart, Layer
 from crankstar.charts.letters import TEXT, folded
+from crankstar.charts.resting import Rests, foot_panel, told
 from crankstar.language.messages import MessageError, _
 from crankstar.language.numbers import number
 
@@ -123,11 +124,12 @@ def figure(
     subtitle: Sequence[str] = (),
     theta: float | None = None,
     turns: int = 1,
+    rests: Rests | None = None,
 ) -> Chart:
     """Panels in rows under one title; the crank angle `theta` (radians), if given, is a parameter.
 
     In HTML the parameter has a slider over `turns` of the crankshaft; in a picture it leaves no
-    trace.
+    trace. What the numbers rest on stands below the panels.
     """
     width = max(map(_row_width, rows))
     below = [line for text in subtitle for line in folded(text, width=width)]
@@ -151,7 +153,11 @@ def figure(
         }
         value = round(degrees(checked_angle(theta)), 9)
         parts["params"] = [{"name": THETA, "value": value, "bind": slider}]
-    return Chart(parts)
+    known = told(rests)
+    if known.foot:
+        parts["vconcat"].append(foot_panel(known.foot, width=width))
+        parts["usermeta"] = known.facts
+    return Chart(parts, known.sentences)
 
 
 def _row_width(row: Sequence[Panel]) -> float:

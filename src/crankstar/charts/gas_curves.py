@@ -8,7 +8,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar.charts.canvas import curve_height, names_engine, panel_width, relative_width
+from crankstar.charts.canvas import (
+    curve_height,
+    names_engine,
+    panel_width,
+    relative_width,
+    shows_rests,
+)
 from crankstar.charts.crank_angle import across
 from crankstar.charts.drawing import GREY, LINES, Panel, figure, heading, layered
 from crankstar.charts.grammar import Chart, Layer, constant, field, of_rows, own, span
@@ -115,7 +121,7 @@ def about(engine: Engine, cycle: Cycle) -> list[str]:
     lines.append(", ".join(told))
     if cycle.off:
         lines.append(_("not firing: {numbers}", numbers=", ".join(map(str, cycle.off))))
-    if cycle.assumed and names_engine():
+    if cycle.assumed and names_engine() and not shows_rests():
         lines.append(_("Part of the cycle is assumed: `crankstar torque` names what."))
     return lines
 

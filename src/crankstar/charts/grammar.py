@@ -74,9 +74,13 @@ DISC = {"shape": "circle", "filled": True, "opacity": 1}
 
 @dataclass(frozen=True)
 class Chart:
-    """A figure as Vega-Lite; a notebook shows it with the help of Altair."""
+    """A figure as Vega-Lite; a notebook shows it with the help of Altair.
+
+    `notes` are the sentences on what its numbers rest on; its `usermeta` has them for machines.
+    """
 
     spec: Mapping[str, Any]
+    notes: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """The figure as a tree that can be written as JSON."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from math import ceil
 
 import numpy as np
@@ -11,6 +12,7 @@ from crankstar.charts.drawing import BLUE, ORANGE, figure, layered
 from crankstar.charts.gas_curves import ROOM, about, without
 from crankstar.charts.grammar import Chart, field, of_rows, span
 from crankstar.charts.letters import TEXT, text_width
+from crankstar.charts.resting import Rests
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import order_text, unit_text
@@ -18,6 +20,7 @@ from crankstar.language.shown_units import shown
 from crankstar.mechanics.gas import check_gas, cycle
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.mechanics.operating_points import GasError
+from crankstar.studies.chart_answers import guided
 
 TITLE = N_("Guide-force moments")
 AXIS = N_("moment ({unit})")
@@ -37,7 +40,8 @@ def guide_moment_chart(
     """
     try:
         check_gas(engine)
-        found = cycle(engine, point=point or "", speed=speed)
+        make = partial(cycle, point=point or "", speed=speed)
+        found = make(engine)
         guide = guide_moments(engine, found)
     except (GasError, MarineError) as error:
         if point:
@@ -51,7 +55,8 @@ def guide_moment_chart(
         subtitle.append(_("X needs the distance of the cylinders: give layout.bore_pitch."))
     if not guide.with_inertia:
         subtitle.append(_("Of gas alone."))
-    return figure([[_bars(guide, series)]], title=_(TITLE), subtitle=subtitle)
+    rests = Rests([engine], partial(guided, make=make), "torque")
+    return figure([[_bars(guide, series)]], title=_(TITLE), subtitle=subtitle, rests=rests)
 
 
 def _bars(guide: GuideMoments, series: list[tuple[str, str, np.ndarray]]) -> dict:

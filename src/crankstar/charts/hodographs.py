@@ -29,6 +29,7 @@ from crankstar.charts.plane import (
     picture,
     round_frame,
 )
+from crankstar.charts.resting import of_inertia
 from crankstar.charts.sums import Engines, Quantity, Sum, in_one_unit, present, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
@@ -106,6 +107,13 @@ def hodograph(
         theta=theta,
         turns=max(one.turns for one in courses),
         ranges=_(SEMI_AXES if order is not None else PATH),
+        rests=of_inertia(
+            engines,
+            [choice.quantity],
+            speed=speed,
+            orders=None if order is None else [order],
+            reference=reference,
+        ),
     )
 
 

@@ -23,6 +23,7 @@ from crankstar.charts.gas_curves import ROOM, without
 from crankstar.charts.grammar import Chart, field, of_rows, own, span
 from crankstar.charts.letters import text_width
 from crankstar.charts.mount_words import NO_SPEED, RPM, about, place_text
+from crankstar.charts.resting import on_mounts
 from crankstar.charts.sums import checked_quantity
 from crankstar.dynamics.mount_analysis import mounts
 from crankstar.dynamics.mount_response import MountResponse, rms
@@ -134,7 +135,8 @@ def mount_response_chart(
             rpm=number(round(float(over.speeds[int(np.argmax(top.values))] * RPM))),
         )
     )
-    return figure([[panel]], title=title, subtitle=told)
+    rests = on_mounts(engine, point=point or "", speeds=[*(speeds or ())])
+    return figure([[panel]], title=title, subtitle=told, rests=rests)
 
 
 def transmissibility_chart(
@@ -161,7 +163,8 @@ def transmissibility_chart(
     one = _Line(_("stiff mounts (dashed)"), np.ones(over.speeds.size), GREY, 1.2, (4, 3))
     told = [*about(engine, found), _("force in a mount over that without inertia of the block")]
     panel = _panel(over, [*lines, one], _("transmissibility"))
-    return figure([[panel]], title=title, subtitle=told)
+    rests = on_mounts(engine, point=point or "", speeds=[*(speeds or ())])
+    return figure([[panel]], title=title, subtitle=told, rests=rests)
 
 
 def _by_order(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import pi
 
+from crankstar.charts.canvas import shows_rests
 from crankstar.charts.drawing import heading
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.engine.engine import Engine
@@ -18,11 +19,11 @@ NO_SPEED = N_("Without a speed nothing shakes it: give --speeds, or speed in the
 def about(engine: Engine, found: MountAnalysis, *, shaken: bool = True) -> list[str]:
     """Its name, and what is assumed; of what is `shaken` also by what, or by what not."""
     lines = heading(engine)
-    if found.block.body.assumed:
+    if found.block.body.assumed and not shows_rests():
         lines.append(_("Part of the block is assumed: `crankstar mounts` names what."))
     if not shaken or found.over is None:
         return lines
-    if any(each.assumed for each in found.block.mounts):
+    if any(each.assumed for each in found.block.mounts) and not shows_rests():
         lines.append(_("Loss factor of mounts without damping: assumed."))
     if found.over.excitation.without_gas:
         reason = found.over.excitation.without_gas.rstrip(".")

@@ -15,6 +15,7 @@ from crankstar.charts.canvas import Canvas, drawn_on
 from crankstar.charts.drawing import HALO, ChartError, svg
 from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import SMALL
+from crankstar.charts.resting import known_once
 from crankstar.charts.themes import THEMES, ThemeName, themed
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
@@ -85,18 +86,19 @@ def printed(draw: Callable[[], Chart], paper: Paper, *, title: str) -> Print:
     room = tuple(None if side is None else side / paper.px for side in (paper.width, paper.height))
     canvas, best = Canvas(), None
     sizes: list[tuple[float, float]] = []
-    for _try in range(TRIES if any(room) else 1):
-        with drawn_on(canvas):
-            chart = themed(draw(), paper.theme)
-        drawing = svg(chart, title).replace(HALO, THEMES[paper.theme].ground)
-        size = _size(drawing)
-        sizes.append(size)
-        if _fits(size, room):
-            best = (chart, drawing, size) if best is None or size > best[2] else best
-        following = _following(canvas, size, room)
-        if following == canvas:
-            break
-        canvas = following
+    with known_once():
+        for _try in range(TRIES if any(room) else 1):
+            with drawn_on(canvas):
+                chart = themed(draw(), paper.theme)
+            drawing = svg(chart, title).replace(HALO, THEMES[paper.theme].ground)
+            size = _size(drawing)
+            sizes.append(size)
+            if _fits(size, room):
+                best = (chart, drawing, size) if best is None or size > best[2] else best
+            following = _following(canvas, size, room)
+            if following == canvas:
+                break
+            canvas = following
     if best is None:
         raise _too_small(paper, min(sizes, key=lambda size: _excess(size, room)))
     chart, drawing, size = best

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import degrees, pi
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 
@@ -31,6 +31,7 @@ from crankstar.charts.labels import Label, gathered
 from crankstar.charts.letters import SMALL, folded, together
 from crankstar.charts.plane import Dot, Frame, Plane, Stroke, coordinates, empty, picture
 from crankstar.charts.polar_grid import Grid, ground, polar_grid, values
+from crankstar.charts.resting import of_loads
 from crankstar.charts.sums import MOST_TURNS, checked_quantity
 from crankstar.dynamics.bearings import BearingLoads, Model, bearing_loads
 from crankstar.engine.engine import Engine
@@ -38,12 +39,16 @@ from crankstar.engine.records import Shaft
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import numbers_text, unit_text
 from crankstar.language.shown_units import shown
-from crankstar.mechanics.gas import cycle
+from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.remains import NEGLIGIBLE
 from crankstar.spectra import Complex, Peak, Spectrum
 
 Loaded = Literal["main-bearing", "main-journal", "crank-pin", "crank-pin-journal"]
 """What the load acts on: bearings or pins in the frame of the block, or turning with the shaft."""
+OF_LOADS = {
+    name: "main bearing" if name.startswith("main") else "crank pin" for name in get_args(Loaded)
+}
+"""The loads of a figure by their name in the record of what an answer rests on."""
 TURNING = ("main-journal", "crank-pin-journal")
 TITLES = {
     "main-bearing": N_("Loads on the main bearings, in {unit}"),
@@ -136,7 +141,11 @@ def polar_loads(
     `most` loads the greatest are drawn. Raises ChartError.
     """
     checked_quantity(quantity, Loaded)
-    found = cycle(engine, point=point or "", speed=speed, off=off) if gas else None
+
+    def make(each: Engine) -> Cycle | None:
+        return cycle(each, point=point or "", speed=speed, off=off) if gas else None
+
+    found = make(engine)
     loads = bearing_loads(engine, speed=speed, model=model, cycle=found)
     others = [
         bearing_loads(each, speed=speed, model=model, cycle=found) for each in ends_of(engine)
@@ -173,6 +182,7 @@ def polar_loads(
         ],
         theta=theta,
         turns=max(_turns(loading, turning=turning) for loading in loadings),
+        rests=of_loads(engine, make, OF_LOADS[quantity], speed=speed, model=model),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -19,6 +20,7 @@ from crankstar.charts.gas_curves import (
     without,
 )
 from crankstar.charts.grammar import Chart, field, of_rows, span
+from crankstar.charts.resting import of_gas
 from crankstar.charts.sums import checked_quantity
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
@@ -53,9 +55,12 @@ def pressure_chart(
         check_gas(engine)
     except GasError as error:
         return without(engine, title=title, reason=str(error))
-    found = cycle(engine, point=point or "", speed=speed, off=off)
+    make = partial(cycle, point=point or "", speed=speed, off=off)
+    found = make(engine)
     panel = _over_volume(found) if wanted == "volume" else _over_angle(found)
-    return figure([[panel]], title=title, subtitle=[*about(engine, found), *_words(found, wanted)])
+    subtitle = [*about(engine, found), *_words(found, wanted)]
+    rests = of_gas(engine, make, ("peak pressure", "mean torque"), "torque")
+    return figure([[panel]], title=title, subtitle=subtitle, rests=rests)
 
 
 def _words(found: Cycle, view: PressureView) -> list[str]:

@@ -79,8 +79,9 @@ def _page(chart: Chart, title: str) -> str:
 
     import vl_convert
 
-    bare = {"usermeta": {"embedOptions": {"actions": False}}}
-    tree = _disarmed({**chart.to_dict(), **bare})
+    own = chart.to_dict()
+    meta = {**own.get("usermeta", {}), "embedOptions": {"actions": False}}
+    tree = _disarmed({**own, "usermeta": meta})
     text = vl_convert.vegalite_to_html(tree, bundle=True, renderer="svg")
     text = text.replace(BRACKET, "\\u003c").replace(json.dumps(BRACKET)[1:-1], "\\u003c")
     viewport = '<meta name="viewport" content="width=device-width">'

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -10,12 +11,14 @@ from crankstar.charts.drawing import BLUE, GREEN, GREY, Panel, figure
 from crankstar.charts.gas_curves import Line, about, over_angle, without
 from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import TEXT
+from crankstar.charts.resting import Rests
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.gas import check_gas, cycle
 from crankstar.mechanics.operating_points import GasError
 from crankstar.mechanics.side_thrust import side_thrust
 from crankstar.spectra import Real
+from crankstar.studies.chart_answers import pressed
 
 TITLE = N_("Side thrust of the pistons")
 AXIS = N_("side thrust\n({unit})")
@@ -35,7 +38,8 @@ def side_thrust_chart(
         check_gas(engine)
     except GasError as error:
         return without(engine, title=_(TITLE), reason=str(error))
-    found = cycle(engine, point=point or "", speed=speed, off=off)
+    make = partial(cycle, point=point or "", speed=speed, off=off)
+    found = make(engine)
     thrust = side_thrust(engine, found)
     whole = thrust.total
     greatest = float(np.abs(whole).max())
@@ -61,7 +65,8 @@ def side_thrust_chart(
         subtitle.append(_("The others press as hard, each in its time."))
     if not greatest:
         subtitle.append(_("There is no side thrust."))
-    return figure([[panel] for panel in panels], title=_(TITLE), subtitle=subtitle)
+    rests = Rests([engine], partial(pressed, make=make), "torque")
+    return figure([[panel] for panel in panels], title=_(TITLE), subtitle=subtitle, rests=rests)
 
 
 def _different(whole: Real) -> list[int]:

@@ -15,6 +15,7 @@ from crankstar.charts.estimates import length_ranges
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
 from crankstar.charts.labels import Box, meets
 from crankstar.charts.letters import SMALL, text_width
+from crankstar.charts.resting import of_inertia
 from crankstar.charts.sums import Engines, Sum, in_one_unit, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.excitation import Reference
@@ -104,7 +105,8 @@ def spectrum(
         ]
         for row in bars
     ]
-    return compared(engines, blocks, title=_(TITLE), speed=speed, ranges=_(WHISKERS))
+    rests = of_inertia(engines, speed=speed, reference=reference)
+    return compared(engines, blocks, title=_(TITLE), speed=speed, ranges=_(WHISKERS), rests=rests)
 
 
 def _bars(whole: Sum) -> Bars:

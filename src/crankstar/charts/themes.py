@@ -84,7 +84,8 @@ def themed(chart: Chart, name: ThemeName) -> Chart:
         )
     theme = THEMES[name]
     return Chart(
-        {**_recoloured(chart.spec, {**theme.colours, **theme.fills}), "background": theme.ground}
+        {**_recoloured(chart.spec, {**theme.colours, **theme.fills}), "background": theme.ground},
+        chart.notes,
     )
 
 

@@ -6,6 +6,7 @@ Torque is that on the crankshaft, positive in its direction of rotation.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -27,6 +28,7 @@ from crankstar.charts.drawing import (
 from crankstar.charts.gas_curves import ROOM, Line, about, over_angle, reach, without
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
 from crankstar.charts.letters import SMALL, folded, text_width
+from crankstar.charts.resting import of_gas
 from crankstar.charts.sums import checked_quantity
 from crankstar.engine.engine import Engine
 from crankstar.firing.exhaust_orders import firing_rate
@@ -83,10 +85,12 @@ def torque_chart(
         check_gas(engine)
     except GasError as error:
         return without(engine, title=title, reason=str(error))
-    found = cycle(engine, point=point or "", speed=speed, off=off)
+    make = partial(cycle, point=point or "", speed=speed, off=off)
+    found = make(engine)
     panels = _PANELS[wanted](engine, found)
     subtitle = [*about(engine, found), *_about(wanted)]
-    return figure([[panel] for panel in panels], title=title, subtitle=subtitle)
+    rests = of_gas(engine, make, ("roll", "mean torque"), "torque")
+    return figure([[panel] for panel in panels], title=title, subtitle=subtitle, rests=rests)
 
 
 def _about(view: TorqueView) -> list[str]:

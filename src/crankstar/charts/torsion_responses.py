@@ -21,6 +21,7 @@ from crankstar.charts.drawing import (
 )
 from crankstar.charts.gas_curves import ROOM
 from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, own, span
+from crankstar.charts.resting import TWISTING, of_twist
 from crankstar.charts.sums import checked_quantity
 from crankstar.charts.torsion_words import NO_SPEED, RPM, load_lines, named_lines, refused, rpm_text
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
@@ -108,7 +109,9 @@ def torsion_response_chart(
         return refused(engine, title=title, reason=reason)
     panel = _panel(found, own_response, courses, asked)
     subtitle = [*named_lines(engine), courses.where, *_words(found, courses)]
-    return figure([[panel]], title=title, subtitle=[*subtitle, *load_lines(engine, found)])
+    rests = of_twist(engine, quantities=TWISTING, point=point or "", speeds=[*(speeds or ())])
+    lines = [*subtitle, *load_lines(engine, found)]
+    return figure([[panel]], title=title, subtitle=lines, rests=rests)
 
 
 def _courses(found: TorsionAnalysis, response: Response, view: str) -> _Courses | None:

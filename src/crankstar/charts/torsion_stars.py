@@ -26,6 +26,7 @@ from crankstar.charts.plane import (
     round_frame,
     scale_bar,
 )
+from crankstar.charts.resting import of_twist
 from crankstar.charts.sums import checked_quantity
 from crankstar.charts.torsion_words import hertz, named_lines, refused, rpm_text
 from crankstar.dynamics.torsion_analysis import torsion
@@ -102,7 +103,7 @@ def torsion_star(
         _("orange: their sum, in turns of the first mass that a shaft holds"),
     ]
     title = _(TITLE, number=mode.number, size=hertz(mode.speed))
-    return figure(rows, title=title, subtitle=subtitle)
+    return figure(rows, title=title, subtitle=subtitle, rests=of_twist(engine))
 
 
 def _stars(

@@ -32,6 +32,7 @@ from crankstar.charts.plane import (
     round_frame,
     scale_bar,
 )
+from crankstar.charts.resting import of_vectors
 from crankstar.charts.sums import Engines, Quantity, several
 from crankstar.charts.vectors import COLOURS, Star, Stars, Vector, angle_text, in_one_unit, stars
 from crankstar.engine.engine import Engine
@@ -95,7 +96,9 @@ def vector_star(
         margin=max(share * label_margin(labels), 26),
         below=BAR,
     )
-    return _figure(engines, systems, _star_panel, frame, STARS, theta=theta, speed=speed)
+    return _figure(
+        engines, systems, _star_panel, frame, STARS, theta=theta, speed=speed, reference=reference
+    )
 
 
 def polygon(
@@ -122,7 +125,16 @@ def polygon(
     width = _width(systems, max(len(star.vectors) for shown in systems for star in shown.stars))
     margin = 24 if width <= half_width() else 44
     frame = round_frame(reach, width=width, margin=margin, below=BAR)
-    return _figure(engines, systems, _polygon_panel, frame, POLYGONS, theta=theta, speed=speed)
+    return _figure(
+        engines,
+        systems,
+        _polygon_panel,
+        frame,
+        POLYGONS,
+        theta=theta,
+        speed=speed,
+        reference=reference,
+    )
 
 
 def _systems(
@@ -167,6 +179,7 @@ def _figure(
     *,
     theta: float,
     speed: float | None,
+    reference: Reference | None,
 ) -> Chart:
     """A panel for every star."""
     rows = [[panel(shown, star, frame, theta) for star in shown.stars] for shown in systems]
@@ -181,6 +194,9 @@ def _figure(
         theta=theta,
         turns=Fraction(order).limit_denominator(10_000).denominator,
         ranges=_(RESULTANTS),
+        rests=of_vectors(
+            engines, systems[0].quantity, speed=speed, orders=[order], reference=reference
+        ),
     )
 
 

@@ -67,7 +67,7 @@ def fault(
     """Tell what would be felt of a fault."""
     from crankstar.studies.answers import felt
     from crankstar.studies.single_faults import check_faults, known, shaken
-    from crankstar.tables.diagnoses import faults_document
+    from crankstar.tables.diagnoses import faults_document, shown_orders
     from crankstar.tables.ranges import resting
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -93,7 +93,15 @@ def fault(
     with working(_("Computing what changes ...")), words_for(form):
         before, after = (shaken(loaded, some, **rest) for some in ((), faults))
         document = faults_document(before, after, faults, point=where, every=form != "txt")
-        answered = partial(felt, loaded, faults, point=point or "", speed=turning)
+        answered = partial(
+            felt,
+            loaded,
+            faults,
+            point=point or "",
+            speed=turning,
+            orders=shown_orders(document) or wanted or (),
+            at=where,
+        )
         document = resting(document, resting_on(form, loaded, answered))
     give(document, output, form=form)
 
@@ -138,7 +146,15 @@ def diagnose(
             return
         every = form != "txt"
         document = diagnosis_document(found, every=every, before=before is not None)
-        answered = partial(felt, loaded, (), point=point or "", speed=found.states[-1].speed)
+        answered = partial(
+            felt,
+            loaded,
+            (),
+            point=point or "",
+            speed=found.states[-1].speed,
+            orders=sorted({each.order for each in found.readings}),
+            at=found.readings[0].place,
+        )
         document = resting(document, resting_on(form, loaded, answered))
     give(document, output, form=form)
 

@@ -254,7 +254,7 @@ def compare(
     output: Output = None,
 ) -> None:
     """Compare engines side by side: force, couple, roll and torque, absolute and relative."""
-    from crankstar.studies.answers import amplitudes, rests_on
+    from crankstar.studies.answers import compared, rests_on
     from crankstar.tables import comparison as tables
     from crankstar.tables.analysis import analysis
     from crankstar.tables.assumptions import assumption_facts, assumption_remarks
@@ -293,9 +293,8 @@ def compare(
 
     document = ranged_side_by_side(sheet, [each.spread for each in loaded], engines)
     if form not in ("csv", "parquet"):
-        both = all(each.gas is not None for each in engines)
         for one, name in zip(engines, own, strict=True):
-            rests = rests_on(one, amplitudes(one, speed=turning, both=both))
+            rests = rests_on(one, compared(one, speed=turning))
             said = assumption_remarks(rests, of=name)
             rows = [{"engine": name, **row} for row in assumption_facts(rests).get("rests_on", [])]
             facts = {"rests_on": [*document.facts.get("rests_on", []), *rows]}
@@ -316,7 +315,7 @@ def verdict(
 ) -> None:
     """State in short sentences which orders balance, which remain, and what would cure them."""
     from crankstar.remedy.fitting import recommended
-    from crankstar.studies.answers import outlook
+    from crankstar.studies.answers import summary
     from crankstar.tables import verdict as tables
     from crankstar.tables.built_facts import with_built
     from crankstar.tables.ranges import resting, with_doubt
@@ -331,7 +330,7 @@ def verdict(
     facts = ranged_facts(partial(tables.verdict, speed=turning), spread, loaded)
     facts = with_built(facts, tree, loaded, speed=turning)
     form = form_of(output, ("txt", "xlsx"))
-    rests = resting_on(form, loaded, partial(outlook, loaded, speed=turning))
+    rests = resting_on(form, loaded, partial(summary, loaded, speed=turning))
     document = with_doubt(resting(tables.verdict_document(loaded, facts), rests), loaded)
     if recommended(loaded) is not None:
         how = _(

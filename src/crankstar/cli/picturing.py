@@ -22,7 +22,7 @@ from crankstar.cli.options import (
     option,
     together,
 )
-from crankstar.cli.output import working, write_result
+from crankstar.cli.output import complain, working, write_result
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
@@ -148,3 +148,5 @@ def plot(
             made = drawing.printed(draw, paper, title=title)
         content = drawing.saved_print(made, suffix, title=title)
     write_result(content, output, usual_place(engine, chart, kind=suffix))
+    for line in made.chart.notes:
+        complain(line)

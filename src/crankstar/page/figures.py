@@ -73,7 +73,7 @@ def fitted_spread(spread: Spread | None, fitted: fitting.Fitted, after: Engine) 
 
 
 def _before_and_after(engine: Engine, spread: Spread | None) -> Any:
-    from crankstar.charts import over_ranges, side_by_side
+    from crankstar.charts import Canvas, drawn_on, over_ranges, side_by_side
 
     fitted = fitting.recommended(engine)
     if fitted is None:
@@ -83,7 +83,8 @@ def _before_and_after(engine: Engine, spread: Spread | None) -> Any:
     before = with_values(engine, name=_("as it is"))
     after = with_values(fitted.after, name=_("with weights and shafts"))
     own = spread and spread._replace(engine=before)
-    with over_ranges([own, fitted_spread(spread, fitted, after)]):
+    beside = over_ranges([own, fitted_spread(spread, fitted, after)])
+    with beside, drawn_on(Canvas(rests=False)):
         return side_by_side([before, after], "spectrum", speed=engine.speed)
 
 
@@ -122,9 +123,9 @@ def _single(engine: Engine, key: str, spread: Spread | None, beside: Engine | No
         asked["speed"] = engine.speed
     with over_ranges([spread]):
         if beside is not None and known.compares:
-            with suppress(ChartError), drawn_on(Canvas(WIDTH, alone=True)):
+            with suppress(ChartError), drawn_on(Canvas(WIDTH, alone=True, rests=False)):
                 return known.draw([engine, beside], **asked)
-        with drawn_on(Canvas(WIDTH)):
+        with drawn_on(Canvas(WIDTH, rests=False)):
             return known.draw(engine, **asked)
 
 

@@ -69,7 +69,7 @@ class Gallery:
     ) -> Chart:
         """A figure of the engine, or `of` another one, alone or `beside` one more."""
         engine = of or self._matter.engine
-        canvas = replace(canvas, named=beside is not None)
+        canvas = replace(canvas, named=beside is not None, rests=False)
         with drawn_on(canvas), over_ranges([*self._matter.spreads, *spreads]):
             if beside is not None:
                 return side_by_side([engine, beside], name, **options)

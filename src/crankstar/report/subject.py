@@ -14,7 +14,7 @@ from crankstar.language.kept import alike
 from crankstar.mechanics import remains
 from crankstar.page.records import Scene
 from crankstar.page.scene import scene
-from crankstar.studies.answers import outlook, rests_on
+from crankstar.studies.answers import rests_on, summary
 from crankstar.tables.analysis import Analysis, analysis
 from crankstar.tables.assumptions import assumption_lines
 from crankstar.tables.ranges import merged
@@ -58,7 +58,7 @@ class Subject:
     @cached_property
     def rests_on(self) -> list[str]:
         """Sentences on what is missing, assumed or unverified, what matters most first."""
-        return assumption_lines(rests_on(self.engine, outlook(self.engine, speed=self.speed)))
+        return assumption_lines(rests_on(self.engine, summary(self.engine, speed=self.speed)))
 
     @cached_property
     def shown(self) -> Analysis:

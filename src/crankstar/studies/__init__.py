@@ -14,7 +14,9 @@
 | `changed_values` | an engine with one of its values changed |
 | `assumptions` | what an answer rests on that a file does not give, and how much it matters |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |
+| `answer_parts` | answers about fewer quantities, and several as one |
 | `answers` | the figures of each analysis, of which the record says how far they may move |
+| `chart_answers` | the figures of what charts alone show |
 | `marine` | external and guide-force moments of an engine with weights and compensators |
 | `published_orders` | the firing orders of the catalog that were read in a source |
 | `family_torsion` | the chain of an engine with other numbers of throws, and its vector sums |

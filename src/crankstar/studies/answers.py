@@ -15,6 +15,7 @@ frequencies. `rests_on` varies what the file lacks and says which figure of them
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
@@ -22,13 +23,15 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import N_
+from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
+from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Real, Spectrum
+from crankstar.studies.answer_parts import TURNING, joined
 from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.assumptions import Answer, Assumption, Figure, Figures, moved
 
@@ -53,18 +56,21 @@ def amplitudes(
     speed: float | None = None,
     gas: bool = False,
     both: bool = False,
+    reference: Reference | None = None,
+    highest: float = USUAL_ORDERS,
 ) -> Answer:
     """Force, couple and rolling moment of inertia by order, at `speed` (rad/s) or the engine's.
 
     With `gas` the rolling moment is not said to leave it out; with `both` that with gas stands
-    beside it. `point` is the operating point. Raises GasError for one that the engine has not.
+    beside it. `point` is the operating point. Orders up to the `highest`. Raises GasError for a
+    point that the engine has not.
     """
     without, why = (None, "") if gas else _gas_of(engine, point=point, speed=speed)
     if point and speed is None:
         speed = operating_state(engine, point=point).speed
 
     def figures(each: Engine) -> Figures:
-        inertia = _inertia_sizes(each, speed)
+        inertia = _inertia_sizes(each, speed, reference, highest)
         if without is None or not both:
             return inertia
         again = cycle_or_reason(each, point=point, speed=speed)[0]
@@ -78,7 +84,7 @@ def amplitudes(
         unit=unit,
         uses=("inertia", "gas") if both else ("inertia",),
         gas=without if both else None,
-        least=lambda each: _pushed(each, speed),
+        least=lambda each: _pushed(each, speed, reference),
         without_gas=without,
         gasless=not gas,
         why_gasless=why,
@@ -99,15 +105,68 @@ def _rolls(name: str, engine: Engine, found: Cycle) -> dict[Figure, float]:
     return _by_order(name, roll_of(engine, found))
 
 
-def outlook(engine: Engine, *, speed: float | None = None) -> Answer:
-    """Force and couple of inertia, and the rolling moment with gas where a cycle is known."""
+def compared(engine: Engine, *, speed: float | None = None) -> Answer:
+    """What engines are compared by: inertia by order, the torque with gas, torsion, mounts."""
+    gas = _of_torque(engine, speed)
+    of_file = bool(gas) and bool({"mass", "radius"} & {*engine.relative})  # gas in another unit
+    inertia = amplitudes(engine, speed=speed, gas=of_file)
+    return joined([inertia, *gas, *_driven(engine, speed)])
+
+
+def summary(engine: Engine, *, speed: float | None = None) -> Answer:
+    """What the verdict is about: inertia and gas, torsion, mounts, as far as the file has them."""
+    return joined([outlook(engine, speed=speed), *_driven(engine, speed)])
+
+
+def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:
+    """The torque of gas and inertia by order, where there is a cycle."""
     found = cycle_or_reason(engine, speed=speed)[0]
     if found is None:
-        return amplitudes(engine, speed=speed)
+        return []
 
     def figures(each: Engine) -> Figures:
-        inertia = _inertia_sizes(each, speed)
+        from crankstar.studies.gas_results import torque_of
+
         again = cycle_or_reason(each, speed=speed)[0]
+        return {} if again is None else _by_order("torque", torque_of(each, again))
+
+    made = Answer(
+        figures=figures,
+        unit=lambda _quantity, _engine: "N*m",
+        uses=("inertia", "gas"),
+        gas=found,
+        given=TURNING,
+    )
+    return [made]
+
+
+def _driven(engine: Engine, speed: float | None) -> list[Answer]:
+    """Torsion and mounts, of an engine whose file has them and that can be computed."""
+    out: list[Answer] = []
+    for make, there in ((twist, engine.torsion), (on_mounts, engine.mounts)):
+        if there:
+            with suppress(MessageError):
+                out.append(make(engine, speed=speed))
+    return out
+
+
+def outlook(
+    engine: Engine,
+    *,
+    speed: float | None = None,
+    point: str = "",
+    reference: Reference | None = None,
+    highest: float = USUAL_ORDERS,
+) -> Answer:
+    """Force and couple of inertia, and the rolling moment with gas where a cycle is known."""
+    found = cycle_or_reason(engine, point=point, speed=speed)[0]
+    if found is None:
+        return amplitudes(engine, point=point, speed=speed, reference=reference, highest=highest)
+
+    def figures(each: Engine) -> Figures:
+
+        inertia = _inertia_sizes(each, speed, reference, highest)
+        again = cycle_or_reason(each, point=point, speed=speed)[0]
         if again is None:
             return inertia
         plain = {key: size for key, size in inertia.items() if key[0] != "roll"}
@@ -121,7 +180,7 @@ def outlook(engine: Engine, *, speed: float | None = None) -> Answer:
         unit=unit,
         uses=("inertia", "gas"),
         gas=found,
-        least=lambda each: _pushed(each, speed),
+        least=lambda each: _pushed(each, speed, reference),
     )
 
 
@@ -233,16 +292,18 @@ def on_mounts(
     from crankstar.dynamics.mount_analysis import mounts
     from crankstar.dynamics.mount_modes import mount_modes
     from crankstar.dynamics.mount_response import rms
-    from crankstar.dynamics.mounted_block import mounted_block
+    from crankstar.dynamics.mounted_block import mounted_block, settled
 
     whole = mounts(engine, point=point, speed=speed, speeds=speeds)
     ends = [] if whole.over is None else [float(each) for each in whole.over.speeds[[0, -1]]]
 
     def figures(each: Engine) -> Figures:
-        modes = mount_modes(mounted_block(each))
+        block = mounted_block(each)
+        modes = mount_modes(block)
         out: dict[Figure, float] = {
-            (f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)
+            ("mount load", None): float(np.linalg.norm(settled(block)[1], axis=-1).max())
         }
+        out |= {(f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)}
         if ends:
             found = mounts(each, point=point, speed=speed, speeds=ends)
             if found.over is not None:
@@ -252,7 +313,7 @@ def on_mounts(
     gas, why = _gas_of(engine, point=point, speed=speed)
     return Answer(
         figures=figures,
-        unit=lambda quantity, _engine: "N" if quantity == "mount force" else "Hz",
+        unit=lambda quantity, _engine: "Hz" if quantity.startswith("mode ") else "N",
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
         gasless=True,
@@ -261,28 +322,35 @@ def on_mounts(
 
 
 def felt(
-    engine: Engine, faults: Sequence[Fault], *, point: str = "", speed: float | None = None
+    engine: Engine,
+    faults: Sequence[Fault],
+    *,
+    point: str = "",
+    speed: float | None = None,
+    orders: Sequence[float] = (),
+    at: Sequence[float] | None = None,
 ) -> Answer:
-    """The velocity of the block by order, free or on mounts, of an engine with faults."""
-    from crankstar.dynamics.mount_worst import ROLL
+    """What shakes the block and the velocity of a point of it, of an engine with faults, by order.
+
+    Of the `orders` that are named, at the point `at` (up, right, z; m) or the centre of mass: the
+    numbers of `Shaken.sizes`.
+    """
     from crankstar.studies.single_faults import shaken
 
+    units = {"force": "N", "couple": "N*m", "roll": "N*m", "torque": "N*m", "velocity": "mm/s"}
+
     def figures(each: Engine) -> Figures:
-        found = shaken(each, faults, point=point, speed=speed)
-        velocity = np.abs(found.displacement(None)).max(axis=1) * found.orders * found.speed
-        roll = np.abs(found.push[:, ROLL])
-        couple = np.hypot(*np.abs(found.push[:, 3:5]).T)
-        orders = found.orders.tolist()
+        found = shaken(each, faults, point=point, speed=speed, orders=orders)
         return {
-            **{("couple", k): size for k, size in zip(orders, couple.tolist(), strict=True)},
-            **{("velocity", k): 1e3 * v for k, v in zip(orders, velocity.tolist(), strict=True)},
-            **{("roll", k): size for k, size in zip(orders, roll.tolist(), strict=True)},
+            (name, order): size
+            for order, row in zip(found.orders.tolist(), found.sizes(at).tolist(), strict=True)
+            for name, size in zip(units, row, strict=True)
         }
 
     gas, why = _gas_of(engine, point=point, speed=speed)
     return Answer(
         figures=figures,
-        unit=lambda quantity, _engine: "mm/s" if quantity == "velocity" else "N*m",
+        unit=lambda quantity, _engine: units[quantity],
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
         gasless=True,
@@ -347,21 +415,30 @@ def watched_results(engine: Engine, names: Sequence[str], *, speed: float | None
     return amplitudes(engine, speed=speed, gas=first != "roll")
 
 
-def _inertia_sizes(engine: Engine, speed: float | None) -> dict[Figure, float]:
+def _inertia_sizes(
+    engine: Engine,
+    speed: float | None,
+    reference: Reference | None = None,
+    highest: float = USUAL_ORDERS,
+) -> dict[Figure, float]:
     """Force, couple and rolling moment by order."""
-    sums = summed(balance(engine, speed=engine.speed if speed is None else speed))
+    own = engine.speed if speed is None else speed
+    sums = summed(balance(engine, speed=own, reference=reference))
     found: dict[Figure, float] = {}
     for name in ("force", "couple", "roll"):
         spectrum = getattr(sums, name)
         for order, size in zip(spectrum.orders.tolist(), sizes(spectrum).tolist(), strict=True):
-            if order <= USUAL_ORDERS:
+            if order <= highest:
                 found[name, order] = size
     return found
 
 
-def _pushed(engine: Engine, speed: float | None) -> Mapping[str, float]:
+def _pushed(
+    engine: Engine, speed: float | None, reference: Reference | None = None
+) -> Mapping[str, float]:
     """A small share of what all parts push together: what is hardly there does not lead."""
-    result = balance(engine, speed=engine.speed if speed is None else speed)
+    own = engine.speed if speed is None else speed
+    result = balance(engine, speed=own, reference=reference)
     return {
         name: MINOR * float(pushed(getattr(result, name)).max(initial=0.0))
         for name in ("force", "couple")

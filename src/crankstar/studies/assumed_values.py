@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from math import degrees, radians
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from crankstar.engine.torsion import LOSS_FACTOR, STEEL
 from crankstar.engine.weighed import EngineType
 from crankstar.language.messages import N_
 from crankstar.mechanics.balance import balance, total
-from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
 from crankstar.mechanics.remains import summed
 from crankstar.remedy.fitting import quiet_cranks
@@ -35,13 +35,16 @@ from crankstar.studies.changed_values import (
     with_bearings_moved,
     with_block_inertia,
     with_block_mass,
-    with_block_place,
+    with_block_value,
     with_gas_value,
     with_mount_loss,
     with_rods_of,
     with_rotating_mass,
     with_torsion_value,
 )
+
+if TYPE_CHECKING:
+    from crankstar.dynamics.whirl import Body
 
 DOUBTFUL = ("unverified", "placeholder")
 """Statuses of values of a file that nobody has read in a source."""
@@ -85,6 +88,17 @@ BAR_ENDS = (0.5, 2.0)
 """Ends of moments of inertia that are those of a round bar."""
 CENTRE_OFF = 0.2
 """By how much of the span of the cylinders the centre of mass may lie off their middle."""
+HEIGHTS = (-1.0, 3.0)
+"""Ends of the height of a centre of mass over the crankshaft, crank radii: our judgement."""
+PRODUCTS = {
+    (0, 1): ("product_up_right", 0.1),
+    (0, 2): ("product_up_z", 0.2),
+    (1, 2): ("product_right_z", 0.1),
+}
+"""Ends of products of inertia in the mean of their two moments (up, right, z).
+
+A gearbox that hangs behind an engine has most of up and z. Our judgement.
+"""
 BLOCK_ENDS = (0.6, 1.6)
 """Ends of the mass of a block that its file does not give, as multiples."""
 SHIFT = 10.0
@@ -186,14 +200,7 @@ def _mounts(engine: Engine) -> Iterator[Assumption]:
             "assumed", "block.mass", N_("usual for its reciprocating masses"),
             own.mass, "kg", low, high, vary=with_block_mass,
         )  # fmt: skip
-    elif block.z is None:
-        middle = own.centre[2]
-        places = [cylinder.z for cylinder in engine.cylinders]
-        off = CENTRE_OFF * (max(places) - min(places) or 2 * engine.throw(engine.first).radius)
-        yield Assumption(
-            "assumed", "block.z", N_("in the middle of the cylinders"),
-            1e3 * middle, "mm", 1e3 * (middle - off), 1e3 * (middle + off), vary=with_block_place,
-        )  # fmt: skip
+    yield from _centre_of_mass(engine, own)
     if own.assumed:
         low, high = BAR_ENDS
         if block is not None and block.sides is not None:
@@ -210,6 +217,35 @@ def _mounts(engine: Engine) -> Iterator[Assumption]:
             "assumed", "mounts.loss_factor", N_("usual for rubber"),
             RUBBER_LOSS_FACTOR, "", low, high, vary=with_mount_loss,
         )  # fmt: skip
+
+
+def _centre_of_mass(engine: Engine, own: Body) -> Iterator[Assumption]:
+    """Where the centre of mass of the block is assumed, and its axes."""
+    block, radius = engine.block, engine.throw(engine.first).radius
+    given = set() if block is None else block.model_fields_set
+    places = [cylinder.z for cylinder in engine.cylinders]
+    off = CENTRE_OFF * (max(places) - min(places) or 2 * radius)
+    middle = own.centre[2]
+    ends = {
+        "up": (N_("at the height of the crankshaft"), 0.0, *(end * radius for end in HEIGHTS)),
+        "right": (N_("in the plane of the crankshaft"), 0.0, -radius, radius),
+        "z": (N_("in the middle of the cylinders"), middle, middle - off, middle + off),
+    }
+    for name, (reason, value, low, high) in ends.items():
+        if name not in given or (name == "z" and block is not None and block.z is None):
+            yield Assumption(
+                "assumed", f"block.{name}", reason, 1e3 * value, "mm", 1e3 * low, 1e3 * high,
+                vary=with_block_value(name, mass=own.mass, factor=1e-3),
+            )  # fmt: skip
+    if block is None or block.inertia is None:  # its axes are part of the estimate
+        return
+    for (one, other), (name, share) in PRODUCTS.items():
+        if name not in given:
+            end = share * (block.inertia[one] * block.inertia[other]) ** 0.5
+            yield Assumption(
+                "assumed", f"block.{name}", N_("its principal axes along those of the engine"),
+                0.0, "kg*m^2", -end, end, vary=with_block_value(name, mass=own.mass, factor=1.0),
+            )  # fmt: skip
 
 
 def _usual(part: str, kind: EngineType) -> Proportion | None:
@@ -310,11 +346,12 @@ def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
         yield Assumption(
             "assumed", "gas.trace", N_("one measured trace is used at every speed and load")
         )
+    values = _values_of_points(engine, own)
     for name in own.assumed:
         if name in OF_COMBUSTION and engine.gas is not None and engine.gas.trace is not None:
             continue
         path = f"gas.{name}"
-        value = own.values.get(name)
+        value = values.get(name)
         if name == "combustion_start" and isinstance(value, float):
             yield Assumption(
                 "assumed", path, N_("usual for such engines"), degrees(value), "deg",
@@ -333,6 +370,20 @@ def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             yield Assumption("assumed", path, N_("as compression ratio or bore say"), str(value))
         else:
             yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
+
+
+def _values_of_points(engine: Engine, own: Cycle) -> Mapping[str, Any]:
+    """What is assumed of a cycle; between two points that of the nearer which lacks the value.
+
+    Between points the cycle itself has values in the midst of assumed and given ones.
+    """
+    if len(own.shares) < 2:
+        return own.values
+    out = dict(own.values)
+    for name, _share in sorted(own.shares, key=lambda each: each[1]):
+        point = cycle(engine, point=name)
+        out |= {key: point.values[key] for key in point.assumed if key in point.values}
+    return out
 
 
 def _plain(value: Any) -> float | str | None:

@@ -147,10 +147,14 @@ def with_block_mass(engine: Engine, mass: float) -> Engine:
     return with_values(engine, block=Block(mass=mass))
 
 
-def with_block_place(engine: Engine, z: float) -> Engine:
-    """The engine with the centre of mass of its block at this place (mm) along the crankshaft."""
-    assert engine.block is not None  # noqa: S101  # its place is assumed
-    return with_values(engine, block=with_values(engine.block, z=z / 1e3))
+def with_block_value(name: str, *, mass: float, factor: float) -> Vary:
+    """The change of one value of the block, of this mass (kg) if there is none, in `factor` SI."""
+
+    def vary(engine: Engine, value: float) -> Engine:
+        block = engine.block or Block(mass=mass)
+        return with_values(engine, block=with_values(block, **{name: value * factor}))
+
+    return vary
 
 
 def with_block_inertia(mass: float, inertia: Sequence[float]) -> Vary:

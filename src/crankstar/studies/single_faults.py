@@ -93,6 +93,31 @@ class Shaken:
         place = centre if point is None else np.asarray(point, float)
         return self.motion @ moved(place - centre).T
 
+    def sizes(self, point: Sequence[float] | None) -> Real:
+        """Of each order: force, couple, roll, torque, velocity of the point [order, 5].
+
+        The first two by the greatest of the turning vector (N, N m), the velocity (mm/s) by its
+        rms.
+        """
+        push = self.push
+        velocity = (self.speed * self.orders)[:, None] * np.abs(self.displacement(point))
+        return np.column_stack(
+            [
+                _greatest(push[:, 0], push[:, 1]),
+                _greatest(push[:, 4], push[:, 3]),
+                np.abs(push[:, 5]),
+                np.abs(self.torque),
+                1e3 * np.sqrt((velocity**2).sum(axis=1) / 2),
+            ]
+        )
+
+
+def _greatest(upward: Complex, rightward: Complex) -> Real:
+    """The long half axis of the ellipse of a vector with these two waves."""
+    forward = (upward + 1j * rightward) / 2
+    backward = (upward - 1j * rightward) / 2
+    return np.abs(forward) + np.abs(backward)
+
 
 def receptance(engine: Engine, frequencies: Real) -> Complex:
     """Motion of the freedoms of the block per push at angular frequencies [w, 6, 6].

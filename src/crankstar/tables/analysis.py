@@ -58,7 +58,7 @@ class Analysis(NamedTuple):
     """An engine with its Balance, normalised, and in newtons where there is a speed.
 
     `orders` of force and couple are shown, `turning` of the moments, which have more; whether they
-    were `asked` for.
+    were `asked` for. `speed` (rad/s) is the one that was asked for.
     """
 
     engine: Engine
@@ -67,6 +67,7 @@ class Analysis(NamedTuple):
     orders: tuple[float, ...]
     turning: tuple[float, ...]
     asked: bool = False
+    speed: float | None = None
 
     @property
     def best(self) -> Balance:
@@ -83,9 +84,9 @@ def analysis(
     engine: Engine, *, speed: float | None, reference: Reference | None = None
 ) -> Analysis:
     """The analysis of an engine at `speed` (rad/s), else at the engine's own."""
-    speed = engine.speed if speed is None else speed
+    own = engine.speed if speed is None else speed
     normalised = balance(engine, reference=reference)
-    real = balance(engine, speed=speed, reference=reference) if speed is not None else None
+    real = balance(engine, speed=own, reference=reference) if own is not None else None
     if real is not None and real.units == normalised.units:
         real = None
     orders, turning = (
@@ -95,7 +96,7 @@ def analysis(
             ("turning", orders_turning(normalised, summed(normalised))),
         )
     )
-    return Analysis(engine, normalised, real, orders, turning)
+    return Analysis(engine, normalised, real, orders, turning, speed=speed)
 
 
 def document(

@@ -20,10 +20,15 @@ FIGURES = {
     "couple": N_("couple of order {order}"),
     "roll": N_("rolling moment of order {order}"),
     "roll with gas": N_("rolling moment with gas of order {order}"),
-    "velocity": N_("velocity of order {order}, peak"),
+    "velocity": N_("velocity of order {order}, rms"),
+    "vectors": N_("sum of the vector lengths of order {order}"),
     "H moment": N_("H moment of order {order}"),
+    "X moment": N_("X moment of order {order}"),
+    "end bending": N_("greatest bending moment in the end bearings"),
+    "main bending": N_("greatest bending moment in all main bearings"),
     "mean torque": N_("mean torque"),
     "peak pressure": N_("peak pressure"),
+    "torque": N_("torque of order {order}"),
     "irregularity": N_("degree of irregularity"),
     "main bearing": N_("greatest load of a main bearing"),
     "crank pin": N_("greatest load of a crank pin"),
@@ -31,6 +36,7 @@ FIGURES = {
     "natural frequency": N_("first natural frequency"),
     "torsional amplitude": N_("torsional amplitude"),
     "mount force": N_("greatest force on the ground"),
+    "mount load": N_("greatest load of a mount at rest"),
     "bobweight": N_("bobweight"),
     **{f"mode {number}": N_("frequency of mode {number}") for number in range(1, 13)},
 }
@@ -46,18 +52,32 @@ def assumption_lines(found: Sequence[Assumption]) -> list[str]:
     cylinder.rotating_mass: no rotating mass in the file (big ends, crankpins), counted as zero. \
 With 387 g to 990 g the couple of order 1 is 747 to 1260 N m, not 418 N m.
     """
+    return [line for line, _of in _told(found)]
+
+
+def leading_line(found: Sequence[Assumption]) -> tuple[str, int]:
+    """The first of these sentences, and how many assumptions it is not about; empty of none."""
+    told = _told(found)
+    return (told[0][0], len(found) - len(told[0][1])) if told else ("", 0)
+
+
+def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
+    """The sentences, each with the assumptions that it is about."""
     told = [each for each in found if each.effect >= TOLD][:MOST_TOLD]
-    lines = [_line(each) for each in told]
+    lines = [(_line(each), [each]) for each in told]
     rest = [each for each in found if each not in told]
-    small = [_named(each) for each in rest if each.moved is not None]
-    open_ones = [each for each in rest if each.moved is None]
+    small = [each for each in rest if each.moved is not None]
     if small:
-        lines.append(_("Of less effect: {paths}.", paths=", ".join(small)))
+        lines.append((_("Of less effect: {paths}.", paths=_paths(small)), small))
     for status, words in OTHERS.items():
-        paths = [_named(each) for each in open_ones if each.status == status]
-        if paths:
-            lines.append(_(words, paths=", ".join(paths)))
+        own = [each for each in rest if each.moved is None and each.status == status]
+        if own:
+            lines.append((_(words, paths=_paths(own)), own))
     return lines
+
+
+def _paths(found: Sequence[Assumption]) -> str:
+    return ", ".join(map(_named, found))
 
 
 OTHERS = {
@@ -130,7 +150,7 @@ def _rounded(value: float) -> float:
 
 def _span(own: Moved) -> str:
     """The values of a figure over the range of an assumption."""
-    if abs(own.high - own.low) <= 1e-6 * abs(own.high):
+    if _rounded(own.low) == _rounded(own.high):
         return quantity_text(_rounded(own.high), own.unit)
     low = quantity_text(_rounded(own.low), own.unit)
     top = quantity_text(_rounded(own.high), own.unit)

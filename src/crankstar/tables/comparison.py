@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain, count
 from math import pi
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any, plain
@@ -118,17 +118,24 @@ def _mounts(compared: _Compared) -> tuple[Table, ...]:
 
 
 def _speeds(compared: _Compared) -> list[float | None]:
-    return [None if shown.real is None else shown.real.speed for shown in compared.shown]
+    """The speed of each engine: gas has one too where forces are in m r omega^2."""
+    return [shown.speed if shown.real is None else shown.real.speed for shown in compared.shown]
 
 
-def _gas_sizes(compared: _Compared) -> list[tuple[float, list[float]]]:
-    """The same as numbers: order, and the amplitude of each engine."""
+def _gas_rows(compared: _Compared) -> tuple[list[tuple[Value, ...]], dict[str, Any]]:
+    """The same as rows for machines, and the speed and operating point of each engine."""
     engines = [shown.engine for shown in compared.shown]
     if any(engine.gas is None for engine in engines):
-        return []
-    from crankstar.tables.gas_comparison import gas_sizes
+        return [], {}
+    from crankstar.tables.gas_comparison import gas_cycles, gas_sizes, gas_state_facts, rpm_of
 
-    return gas_sizes(engines, compared.names, _speeds(compared))
+    cycles = gas_cycles(engines, _speeds(compared))
+    rows: list[tuple[Value, ...]] = [
+        ("torque_with_gas", order, name, rpm_of(own), cell, "N*m", _share(cell, cells[0], 1))
+        for order, cells in gas_sizes(engines, compared.names, cycles)
+        for name, own, cell in zip(compared.names, cycles, cells, strict=True)
+    ]
+    return rows, {"gas": gas_state_facts(compared.names, cycles)} if cycles else {}
 
 
 def compare(
@@ -296,23 +303,18 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
             for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
                 share = _share(cell, cells[0], 1)
                 rows.append((name, order, engine, _rpm(result), cell, _unit(result, name), share))
-    for order, cells in _gas_sizes(compared):
-        for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
-            share = _share(cell, cells[0], 1)
-            rows.append(("torque_with_gas", order, engine, _rpm(result), cell, "N*m", share))
-    rows += _response_rows(compared)
+    with_gas, facts = _gas_rows(compared)
+    rows += [*with_gas, *_response_rows(compared)]
     title = ", ".join(compared.names)
-    facts = {
-        "engines": [
-            {
-                "engine": name,
-                "firing": plain(_fires(own.engine)),
-                "speed_rpm": _rpm(result),
-                "unverified": len(unverified(own.engine)),
-            }
-            for name, own, result in zip(compared.names, shown, compared.results, strict=True)
-        ]
-    }
+    facts["engines"] = [
+        {
+            "engine": name,
+            "firing": plain(_fires(own.engine)),
+            "speed_rpm": _rpm(result),
+            "unverified": len(unverified(own.engine)),
+        }
+        for name, own, result in zip(compared.names, shown, compared.results, strict=True)
+    ]
     return Document(title, (Table("", heads, tuple(rows), key="amplitudes"),), facts)
 
 

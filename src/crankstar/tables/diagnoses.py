@@ -12,7 +12,6 @@ from crankstar.dynamics.whirl import body
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
-from crankstar.spectra import Complex, Real
 from crankstar.studies.diagnosis import EXPLAINS, FEW, Diagnosis, Suspect
 from crankstar.studies.readings import AXES
 from crankstar.studies.single_faults import Fault, Shaken, fault_text, limits
@@ -87,6 +86,13 @@ def faults_document(
     return Document(engine.name, tuple(parts), facts)
 
 
+def shown_orders(document: Document) -> list[float]:
+    """The orders of which a document of faults shows a row."""
+    return [
+        row[0] for table in document.tables for row in table.rows if isinstance(row[0], int | float)
+    ]
+
+
 def _place(before: Shaken, point: Sequence[float] | None) -> Sequence[float]:
     """The point whose velocity is told, m (up, right, along): the centre of mass unless given."""
     return body(before.engine).centre if point is None else point
@@ -115,33 +121,11 @@ def _plain(fault: Fault) -> dict[str, Any]:
     return {**out, "shaft": fault.shaft} if fault.shaft else out
 
 
-def _greatest(upward: Complex, rightward: Complex) -> Real:
-    """The long half axis of the ellipse of a vector with these two waves."""
-    forward = (upward + 1j * rightward) / 2
-    backward = (upward - 1j * rightward) / 2
-    return np.abs(forward) + np.abs(backward)
-
-
-def sizes_of(own: Shaken, point: Sequence[float] | None) -> Real:
-    """Of each order: force, couple, roll, torque, rms of the velocity of the point [order, 5]."""
-    push = own.push
-    velocity = (own.speed * own.orders)[:, None] * np.abs(own.displacement(point))
-    return np.column_stack(
-        [
-            _greatest(push[:, 0], push[:, 1]),
-            _greatest(push[:, 4], push[:, 3]),
-            np.abs(push[:, 5]),
-            np.abs(own.torque),
-            1e3 * np.sqrt((velocity**2).sum(axis=1) / 2),
-        ]
-    )
-
-
 def _changes(
     before: Shaken, after: Shaken, point: Sequence[float] | None, *, every: bool
 ) -> tuple[Table, list[float]]:
     """Order by order what there was and what there is, and the orders that are new."""
-    first, then = sizes_of(before, point), sizes_of(after, point)
+    first, then = before.sizes(point), after.sizes(point)
     top = np.maximum(first, then).max(axis=0)
     least = VISIBLE * np.where(top > 0, top, 1.0)
     rows: list[tuple[Value, ...]] = []

@@ -1,8 +1,10 @@
-"""Gas torque of several engines side by side, each at the load of its file."""
+"""Gas torque of several engines side by side, each at the operating point that its speed gives."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import pi
+from typing import Any
 
 import numpy as np
 
@@ -10,31 +12,34 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import _
-from crankstar.mechanics.balance import balance, total
-from crankstar.mechanics.gas import cycle
-from crankstar.mechanics.gas_torque import added, gas_torque
+from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.operating_points import GasError
-from crankstar.spectra import Spectrum
+from crankstar.studies.gas_results import torque_of
+from crankstar.tables.gas_words import cycle_state, state_facts, state_words
 from crankstar.tables.table import Column, Table, Value
 
 NOTED = 0.01
 """Share of the greatest amplitude of any engine from which an order is shown."""
 
 
-def gas_sizes(
-    engines: Sequence[Engine], names: Sequence[str], speeds: Sequence[float | None]
-) -> list[tuple[float, list[float]]]:
-    """The amplitude of gas and inertia torque by order, engine by engine, N m.
-
-    Empty where one of the engines has no cycle.
-    """
+def gas_cycles(engines: Sequence[Engine], speeds: Sequence[float | None]) -> list[Cycle]:
+    """The cycle of each engine at its speed; none where one of them has none."""
     if any(engine.gas is None for engine in engines):
         return []
     try:
-        found = [_torque(engine, speed) for engine, speed in zip(engines, speeds, strict=True)]
+        return [cycle(engine, speed=speed) for engine, speed in zip(engines, speeds, strict=True)]
     except GasError:
         return []
+
+
+def gas_sizes(
+    engines: Sequence[Engine], names: Sequence[str], cycles: Sequence[Cycle]
+) -> list[tuple[float, list[float]]]:
+    """The amplitude of gas and inertia torque by order, engine by engine, N m; empty of none."""
+    found = [torque_of(engine, own) for engine, own in zip(engines, cycles, strict=False)]
     orders = sorted({order for spectrum in found for order in spectrum.orders.tolist()})
+    if not orders:
+        return []
     sizes = np.array(
         [np.abs(spectra.amplitude(spectra.selected(spectrum, orders))) for spectrum in found]
     )
@@ -45,11 +50,25 @@ def gas_sizes(
     ]
 
 
+def gas_state_facts(names: Sequence[str], cycles: Sequence[Cycle]) -> list[dict[str, Any]]:
+    """The speed and operating points of the gas of each engine, for machines."""
+    return [
+        {"engine": name, "speed_rpm": rpm_of(own), **state_facts(cycle_state(own))}
+        for name, own in zip(names, cycles, strict=False)
+    ]
+
+
+def rpm_of(own: Cycle) -> float | None:
+    """The speed of a cycle, rpm."""
+    return None if own.speed is None else own.speed * 30 / pi
+
+
 def gas_comparison(
     engines: Sequence[Engine], names: Sequence[str], speeds: Sequence[float | None]
 ) -> tuple[Table, ...]:
     """The torque of gas and inertia by order, engine by engine; none where one has no cycle."""
-    found = gas_sizes(engines, names, speeds)
+    cycles = gas_cycles(engines, speeds)
+    found = gas_sizes(engines, names, cycles)
     if not found:
         return ()
     shares = [
@@ -71,11 +90,9 @@ def gas_comparison(
         (order, *own, *(100 * each / own[0] if own[0] else None for each in own[1:]))
         for order, own in found
     ]
-    return (Table(_("Torque of gas and inertia"), heads, tuple(rows), key="torque_with_gas"),)
-
-
-def _torque(engine: Engine, speed: float | None) -> Spectrum:
-    """The torque of gas, and of inertia where it is known."""
-    result = balance(engine, speed=speed)
-    gas = gas_torque(cycle(engine, speed=result.speed)).total
-    return gas if result.speed is None else added(total(result).torque, gas)
+    notes = [
+        _("{engine}: {state}", engine=name, state=state_words(engine, cycle_state(own)))
+        for engine, name, own in zip(engines, names, cycles, strict=True)
+    ]
+    title = _("Torque of gas and inertia")
+    return (Table(title, heads, tuple(rows), notes=tuple(notes), key="torque_with_gas"),)

@@ -129,7 +129,8 @@ def _mount_table(found: MountAnalysis) -> Table:
         for each, load in zip(found.block.mounts, found.loads, strict=True)
     )
     title = _("Mounts") if found.block.freedoms == SIX else _("Mounts, and those of the foundation")
-    return Table(title, columns, rows, key="mounts")
+    level = _("At rest gravity acts against up, the crankshaft being level.")
+    return Table(title, columns, rows, notes=(level,), key="mounts")
 
 
 def _mode_table(found: MountAnalysis, *, machine: bool) -> Table:

@@ -1,0 +1,273 @@
+"""What the numbers of a figure rest on: the gravest in a line below it, all of it for machines.
+
+A figure names its `Rests`: of which engines, by which `Answer`, and the command that lists it all.
+It is worked out when the figure is composed, on a page of its own and in a notebook; where all of
+it is beside the figures anyway, the canvas leaves it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import partial
+from math import inf
+from typing import Any, NamedTuple
+
+from crankstar.charts.canvas import shows_rests, speed_of
+from crankstar.charts.grammar import Layer, constant, field, of_rows
+from crankstar.charts.letters import SMALL, folded, text_width
+from crankstar.engine.engine import Engine
+from crankstar.engine.torsion import Chain
+from crankstar.language.messages import _
+from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.gas import Cycle
+from crankstar.studies import answers
+from crankstar.studies.answer_parts import TURNING, at_rest, in_own_unit, narrowed, without_speed
+from crankstar.studies.assumptions import Answer, Assumption
+from crankstar.studies.chart_answers import vectors
+from crankstar.tables.assumptions import assumption_facts, assumption_remarks, leading_line
+
+FOOT = "rests"
+"""The name of the panel below the others."""
+MOST_LINES = 4
+"""Lines of the sentence on what matters most; of a longer one the rest is cut off."""
+LEADING = 1.25
+"""From line to line, in the size of the letters."""
+OF_INERTIA = ("force", "couple", "roll")
+TWISTING = ("natural frequency", "torsional amplitude")
+OF_COMPONENT = {
+    "vertical": "force", "horizontal": "force", "pitch": "couple", "yaw": "couple"
+}  # fmt: skip
+
+
+class Rests(NamedTuple):
+    """The engines of a figure, the answer it gives of each, and what lists all that this rests on.
+
+    `command` is a verb of the command line.
+    """
+
+    engines: Sequence[Engine]
+    answer: Callable[[Engine], Answer]
+    command: str
+
+
+class Told(NamedTuple):
+    """What a figure rests on: lines for its foot, all sentences, and rows for machines."""
+
+    foot: list[str]
+    sentences: tuple[str, ...]
+    facts: dict[str, Any]
+
+
+NOTHING = Told([], (), {})
+_KNOWN: ContextVar[list[Told] | None] = ContextVar("known", default=None)
+
+
+@contextmanager
+def known_once() -> Iterator[None]:
+    """Within it a figure is drawn again and again: what it rests on is worked out once."""
+    token = _KNOWN.set([])
+    try:
+        yield
+    finally:
+        _KNOWN.reset(token)
+
+
+def told(rests: Rests | None) -> Told:
+    """What a figure rests on; nothing where the canvas leaves it or nothing is assumed."""
+    if rests is None or not shows_rests():
+        return NOTHING
+    known = _KNOWN.get()
+    if known:
+        return known[0]
+    found = [(engine, answers.rests_on(engine, rests.answer(engine))) for engine in rests.engines]
+    out = _told(found, rests.command)
+    if known is not None:
+        known.append(out)
+    return out
+
+
+def _told(found: Sequence[tuple[Engine, tuple[Assumption, ...]]], command: str) -> Told:
+    several = len(found) > 1
+    sentences: list[str] = []
+    rows: list[dict[str, Any]] = []
+    for engine, own in found:
+        name = engine.name if several else ""
+        for part in assumption_remarks(own, of=name):
+            sentences += part.lines
+        beside = {"engine": name} if several else {}
+        rows += [{**beside, **row} for row in assumption_facts(own).get("rests_on", ())]
+    if not rows:
+        return NOTHING
+    engine, gravest = max(found, key=lambda each: each[1][0].effect if each[1] else -1.0)
+    line, others = leading_line(gravest)
+    others += len(rows) - len(gravest)
+    foot = [f"{engine.name}: {line}" if several else line]
+    if others:
+        foot.append(_("And {count} more: crankstar {command}", count=others, command=command))
+    return Told(foot, tuple(sentences), {"rests_on": rows})
+
+
+def foot_panel(lines: Sequence[str], *, width: float) -> dict[str, Any]:
+    """Lines at the foot of a figure, in its width (px); the last is kept whole."""
+    first, *others = lines
+    written = folded(first, width=width, size=SMALL)
+    if len(written) > MOST_LINES:
+        written = [*written[: MOST_LINES - 1], _cut(written[MOST_LINES - 1], width)]
+    written += [line for other in others for line in folded(other, width=width, size=SMALL)]
+    height = len(written) * LEADING * SMALL
+    rows = [{"y": (at + 0.5) * LEADING * SMALL, "text": line} for at, line in enumerate(written)]
+    words: Layer = of_rows(rows).mark(
+        "text", align="left", baseline="middle", fontSize=SMALL, color="#808080"
+    )
+    drawn = words.encode(x=constant(0), y=field("y:Q", scale=None, axis=None), text=field("text:N"))
+    sides = {"width": round(width, 3), "height": round(height, 3)}
+    return {"name": FOOT, "layer": [drawn.spec], **sides}
+
+
+def _cut(line: str, width: float) -> str:
+    """A line that ends in an ellipsis, within a width."""
+    while text_width(f"{line}…", SMALL) > width:
+        line = line[:-1]
+    return f"{line.rstrip(' .,。、')}…"
+
+
+def of_inertia(
+    engines: Sequence[Engine],
+    quantities: Sequence[str] = OF_INERTIA,
+    *,
+    speed: float | None,
+    orders: Sequence[float] | None = None,
+    **options: Any,
+) -> Rests:
+    """Of a figure of forces, couples or rolling moments of inertia.
+
+    At a `speed` (rad/s), or in m r omega^2; `options` are those of `answers.amplitudes`. The
+    inertia torque has the size of the rolling moment, and no gas is missed in it.
+    """
+    kinds = ["roll" if name == "torque" else name for name in quantities]
+    make = partial(answers.amplitudes, gas="roll" not in quantities, highest=inf, **options)
+
+    def answer(engine: Engine) -> Answer:
+        return _at(make, engine, speed_of(engine, speed), kinds, orders)
+
+    return Rests(engines, answer, "analyze")
+
+
+def of_vectors(
+    engines: Sequence[Engine],
+    quantity: str,
+    *,
+    speed: float | None,
+    orders: Sequence[float],
+    **options: Any,
+) -> Rests:
+    """Of a figure of the vectors of each part: their lengths, at a speed or in m r omega^2."""
+
+    def make(_engine: Engine, speed: float | None = None) -> Answer:
+        return vectors(quantity, speed=speed, **options)
+
+    def answer(engine: Engine) -> Answer:
+        return _at(make, engine, speed_of(engine, speed), ("vectors",), orders)
+
+    return Rests(engines, answer, "analyze")
+
+
+def _at(
+    make: Callable[..., Answer],
+    engine: Engine,
+    speed: float | None,
+    quantities: Sequence[str],
+    orders: Sequence[float] | None,
+) -> Answer:
+    """An answer at a speed, or without one in the engine's own unit."""
+    made = in_own_unit(make(without_speed(engine))) if speed is None else make(engine, speed=speed)
+    return narrowed(made, quantities, orders=orders)
+
+
+def of_gas(
+    engine: Engine, make: Callable[[Engine], Cycle], quantities: Sequence[str], command: str
+) -> Rests:
+    """Of a figure of a working cycle, by the quantities of `answers.torques`."""
+
+    def answer(each: Engine) -> Answer:
+        made = answers.torques(each, make, running=False)
+        return narrowed(made, quantities, given=TURNING)
+
+    return Rests([engine], answer, command)
+
+
+def of_loads(
+    engine: Engine,
+    make: Callable[[Engine], Cycle | None],
+    quantity: str,
+    *,
+    speed: float | None,
+    model: str = "determinate",
+) -> Rests:
+    """Of a figure of loads, by a quantity of `answers.bearing_peaks`.
+
+    At a `speed` (rad/s), or without gas in m r omega^2.
+    """
+
+    def answer(each: Engine) -> Answer:
+        if speed is None and make(each) is None:
+            own = without_speed(each)
+            made = in_own_unit(answers.bearing_peaks(own, make, model=model))
+        else:
+            made = answers.bearing_peaks(each, make, speed=speed, model=model)
+        return narrowed(made, [quantity])
+
+    return Rests([engine], answer, "bearings")
+
+
+def of_twist(
+    source: Engine | Chain, *, quantities: Sequence[str] = TWISTING[:1], **options: Any
+) -> Rests | None:
+    """Of a figure of torsion; `options` are those of `answers.twist`. None of a drive line."""
+    if not isinstance(source, Engine):
+        return None
+
+    def answer(each: Engine) -> Answer:
+        made = answers.twist(each, **options)
+        made = made if len(quantities) > 1 else at_rest(made)
+        return narrowed(made, quantities)
+
+    return Rests([source], answer, "torsion")
+
+
+def on_mounts(engine: Engine, *, forces: bool = True, **options: Any) -> Rests:
+    """Of a figure of the engine on its mounts: modes, and with `forces` what shakes them."""
+    modes = [f"mode {number}" for number in range(1, 13)]
+
+    def answer(each: Engine) -> Answer:
+        made = answers.on_mounts(each, **options)
+        return made if forces else narrowed(at_rest(made), modes)
+
+    return Rests([engine], answer, "mounts")
+
+
+def of_speeds(
+    engine: Engine,
+    components: Sequence[str],
+    *,
+    top: float,
+    orders: Sequence[float] | None,
+    reference: Reference | None,
+    point: str | None,
+) -> Rests:
+    """Of a figure of amplitudes up to a `top` speed (rad/s), with the gas of a `point`, or none."""
+    kinds = [OF_COMPONENT.get(name, name) for name in components] or ["force"]
+
+    def answer(each: Engine) -> Answer:
+        if point is None:
+            with_gas = "roll" not in kinds
+            made = answers.amplitudes(
+                each, speed=top, gas=with_gas, reference=reference, highest=inf
+            )
+        else:
+            made = answers.outlook(each, speed=top, point=point, reference=reference, highest=inf)
+        return narrowed(made, kinds, orders=orders)
+
+    return Rests([engine], answer, "analyze")

@@ -1,0 +1,88 @@
+"""Answers about fewer quantities, without gas or speed, and several as one."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.studies.assumptions import Answer, Figure, Figures
+
+TURNING = ("cylinder.rotating_mass", "crankshaft.weight")
+"""What turns evenly: no pressure, torque or side thrust depends on it."""
+
+
+def without_speed(engine: Engine) -> Engine:
+    """The engine with no speed of its own."""
+    return engine if engine.speed is None else with_values(engine, speed=None)
+
+
+def in_own_unit(answer: Answer) -> Answer:
+    """The answer of an engine without its speed: in m r omega^2, as without a speed in its file."""
+    return replace(
+        answer,
+        figures=lambda engine: answer.figures(without_speed(engine)),
+        unit=lambda quantity, engine: answer.unit(quantity, without_speed(engine)),
+        least=lambda engine: answer.least(without_speed(engine)),
+        without_gas=None,  # it would be in N m
+        given={*answer.given, "speed"},
+    )
+
+
+def at_rest(answer: Answer) -> Answer:
+    """The answer as far as no gas is in it, as natural modes have none."""
+    uses = [each for each in answer.uses if each != "gas"]
+    return replace(answer, uses=uses, gas=None, gasless=False)
+
+
+def narrowed(
+    answer: Answer,
+    quantities: Collection[str],
+    *,
+    orders: Sequence[float] | None = None,
+    given: Collection[str] = (),
+) -> Answer:
+    """The answer as far as it is about these quantities, of these orders, all without any named.
+
+    `given` are key paths that do not matter to them. Where nothing of them is left, nothing moves.
+    """
+    nothing: Figures = {(next(iter(quantities)), None): 0.0}
+
+    def figures(engine: Engine) -> Figures:
+        kept = {
+            (name, order): size
+            for (name, order), size in answer.figures(engine).items()
+            if name in quantities and (orders is None or order in orders)
+        }
+        return kept or nothing
+
+    return replace(answer, figures=figures, given={*answer.given, *given})
+
+
+def joined(parts: Sequence[Answer]) -> Answer:
+    """Several answers as one; what no part of it depends on is given."""
+    first, *others = parts
+
+    def figures(engine: Engine) -> Figures:
+        out: dict[Figure, float] = {}
+        for part in reversed(parts):
+            out |= part.figures(engine)
+        return out
+
+    def unit(quantity: str, engine: Engine) -> str:
+        for part in others:
+            if any(name == quantity for name, _order in part.figures(engine)):
+                return part.unit(quantity, engine)
+        return first.unit(quantity, engine)
+
+    return Answer(
+        figures=figures,
+        unit=unit,
+        uses=[*dict.fromkeys(each for part in parts for each in part.uses)],
+        gas=next((part.gas for part in parts if part.gas is not None), None),
+        without_gas=first.without_gas,
+        least=first.least,
+        given=set.intersection(*({*part.given} for part in parts)),
+        gasless=any(part.gasless for part in parts),
+    )

@@ -1,0 +1,110 @@
+"""The figures of what charts alone show: vectors of parts, side thrust, guide moments, bending."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.balance import balance
+from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.remains import pushed
+from crankstar.studies.answer_parts import TURNING
+from crankstar.studies.answers import MakeCycle
+from crankstar.studies.assumptions import Answer, Figure, Figures
+
+
+def vectors(
+    quantity: str, *, speed: float | None = None, reference: Reference | None = None
+) -> Answer:
+    """The vectors of every part by order, added by their lengths: what a star of them shows."""
+
+    def figures(each: Engine) -> Figures:
+        own = each.speed if speed is None else speed
+        parts = getattr(balance(each, speed=own, reference=reference), quantity)
+        lengths = pushed(parts).tolist()
+        return {
+            ("vectors", order): size
+            for order, size in zip(parts.orders.tolist(), lengths, strict=True)
+        }
+
+    def unit(_name: str, each: Engine) -> str:
+        own = each.speed if speed is None else speed
+        return getattr(balance(each, speed=own).units, quantity)
+
+    return Answer(figures=figures, unit=unit)
+
+
+def pressed(engine: Engine, make: MakeCycle) -> Answer:
+    """The greatest side thrust of a piston, of gas and, where masses are known, inertia."""
+    from crankstar.mechanics.side_thrust import side_thrust
+
+    def figures(each: Engine) -> Figures:
+        again = make(each)
+        if again is None:
+            return {}
+        thrust = side_thrust(each, again).total
+        return {("cylinder wall", None): float(np.abs(thrust).max(initial=0.0))}
+
+    return Answer(
+        figures=figures,
+        unit=lambda _quantity, _engine: "N",
+        uses=("inertia", "gas"),
+        gas=make(engine),
+        given=TURNING,
+    )
+
+
+def guided(engine: Engine, make: MakeCycle) -> Answer:
+    """The moments of the guide forces by order: H of all cylinders, X of front against rear."""
+    from crankstar.mechanics.guide_moments import guide_moments
+
+    found = make(engine)
+
+    def figures(each: Engine) -> Figures:
+        again = make(each)
+        if again is None:
+            return {}
+        guide = guide_moments(each, again)
+        return {
+            (name, float(order)): float(abs(size))
+            for name, moments in (("H moment", guide.h), ("X moment", guide.x))
+            for order, size in zip(guide.orders, moments, strict=True)
+        }
+
+    return Answer(
+        figures=figures, unit=lambda _quantity, _engine: "N*m", uses=("inertia", "gas"), gas=found
+    )
+
+
+def bent(*, speed: float | None = None, models: Sequence[Any] = (None,)) -> Answer:
+    """The greatest bending moment of a crankshaft in its end bearings (None), or by models in all.
+
+    At a `speed` (rad/s), else at that of each engine.
+    """
+    from crankstar.dynamics.bearings import bending_moment
+
+    def bendings(each: Engine, model: Any) -> list[Any]:
+        own = each.speed if speed is None else speed
+        return [
+            bending_moment(each, shaft=shaft.name, speed=own, model=model)
+            for shaft in each.shafts
+            if shaft.throws
+        ]
+
+    def figures(each: Engine) -> Figures:
+        out: dict[Figure, float] = {}
+        for model in models:
+            name = "end bending" if model is None else "main bending"
+            peaks = [spectra.peaks(one.moment).max(initial=0.0) for one in bendings(each, model)]
+            out[name, None] = max(out.get((name, None), 0.0), *map(float, peaks))
+        return out
+
+    return Answer(
+        figures=figures,
+        unit=lambda _quantity, each: bendings(each, None)[0].unit,
+        uses=("inertia", "bearings"),
+    )

@@ -1,0 +1,125 @@
+"""What the numbers of a figure rest on: below it, among its notes, and in its description."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.charted import foot
+from tests.commands import Run
+
+import crankstar
+from crankstar import charts
+from crankstar.charts import resting
+from crankstar.charts.grammar import Chart
+from crankstar.charts.letters import SMALL, text_width
+from crankstar.language.messages import spoken
+from crankstar.page.figures import chart as page_chart
+from crankstar.studies import answers
+
+AUDI = "audi-25-tfsi"
+
+
+def rests(chart: Chart) -> dict[str, dict[str, Any]]:
+    """What a figure rests on for machines, by key path."""
+    return {row["path"]: row for row in chart.spec.get("usermeta", {}).get("rests_on", ())}
+
+
+def test_a_figure_says_how_far_a_missing_rotating_mass_moves_its_greatest_order() -> None:
+    engine = crankstar.load(AUDI)
+    chart = charts.hodograph(engine, quantity="couple", speed=engine.speed)
+    found = rests(chart)["cylinder.rotating_mass"]
+    assert (found["status"], found["value"], found["unit"]) == ("missing", 0.0, "kg")
+    throws = engine.shafts[0].throws
+    arms = abs(sum(throw.z * np.exp(1j * throw.angle) for throw in throws))
+    speed = engine.speed or 0.0
+    # half the reciprocating mass turns with the crank, half against it; all of the rotating with it
+    size = throws[0].radius * speed**2 * arms
+    mass = engine.first.reciprocating_mass
+    moves = found["moves"]
+    assert (moves["quantity"], moves["order"], moves["unit"]) == ("couple", 1.0, "N*m")
+    assert moves["now"] == pytest.approx(mass * size, rel=1e-9)
+    assert moves["low"] == pytest.approx((mass + found["low"]) * size, rel=1e-9)
+    assert moves["high"] == pytest.approx((mass + found["high"]) * size, rel=1e-9)
+    assert foot(chart.spec)[0].startswith("cylinder.rotating_mass")
+    assert foot(chart.spec)[-1] == "And 2 more: crankstar analyze"
+    assert len([line for line in chart.notes if ": " in line]) == len(rests(chart))
+
+
+def test_a_figure_rests_on_nothing_that_does_not_move_it() -> None:
+    engine = crankstar.load("i4")
+    star, force = charts.crank_star(engine), charts.hodograph(engine, quantity="force", order=2)
+    for chart in (star, force):
+        assert "cylinder.rotating_mass" not in rests(chart)
+    assert (foot(star.spec), star.notes, "usermeta" in star.spec) == ([], (), False)
+    assert rests(charts.hodograph(engine, quantity="couple", order=2)).keys() <= rests(force).keys()
+
+
+def test_a_figure_without_a_speed_counts_in_its_own_unit() -> None:
+    chart = charts.spectrum(crankstar.load(AUDI))
+    units = {row["moves"]["unit"] for row in rests(chart).values() if row["moves"]}
+    assert units == {"m*r*w^2*a", "m*r^2*w^2"}
+
+
+@pytest.mark.release
+@pytest.mark.parametrize("language", ["en", "ja", "ru"])
+@pytest.mark.parametrize("width", [0.11, 0.18])
+@pytest.mark.parametrize("name", ["spectrum", "amplitudes", "torque", "bearing-loads", "bending"])
+def test_the_foot_keeps_within_the_width_of_its_figure(
+    name: str, width: float, language: str
+) -> None:
+    engine = crankstar.load(AUDI)
+    drawn = charts.CHARTS[name]
+    options = {"speed": engine.speed} if "speed" in drawn.options else {}
+    with spoken(language):
+        made = charts.printed(
+            lambda: drawn.draw(engine, **options), charts.Paper(width=width), title=name
+        )
+    spec = made.chart.to_dict()
+    panel = spec["vconcat"][-1]
+    assert panel["name"] == resting.FOOT
+    rows = panel["layer"][0]["data"]["values"]
+    assert all(text_width(row["text"], SMALL) <= panel["width"] for row in rows)
+    steps = np.diff([row["y"] for row in rows])
+    assert (steps >= SMALL).all()
+    assert panel["width"] <= made.size[0]
+    assert rows[-1]["y"] + SMALL / 2 <= panel["height"]
+    assert len(rows) <= resting.MOST_LINES + 2
+
+
+def test_a_figure_for_a_paper_is_worked_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    engine, asked = crankstar.load(AUDI), []
+    own = answers.rests_on
+    monkeypatch.setattr(answers, "rests_on", lambda *args: asked.append(args) or own(*args))
+    made = charts.printed(
+        lambda: charts.spectrum(engine), charts.Paper(width=0.12), title="spectrum"
+    )
+    assert len(asked) == 1
+    assert made.chart.notes
+
+
+def test_several_engines_in_a_figure_are_named() -> None:
+    both = [crankstar.load(AUDI), crankstar.load("honda-b18c")]
+    chart = charts.side_by_side(both, "spectrum")
+    names = {row["engine"] for row in chart.spec["usermeta"]["rests_on"]}
+    assert names <= {engine.name for engine in both}
+    assert foot(chart.spec)[0].startswith(tuple(names))
+
+
+def test_figures_of_a_page_leave_it_to_the_page() -> None:
+    shown = json.dumps(page_chart(crankstar.load(AUDI), "spectrum"))
+    assert resting.FOOT not in shown.replace("rests_on", "")
+    assert "usermeta" not in shown
+
+
+def test_plot_says_all_that_its_figure_rests_on(run: Run, tmp_path: Path) -> None:
+    said = run("plot", AUDI, "spectrum", "-o", str(tmp_path / "s.json"))
+    spec = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))
+    for row in spec["usermeta"]["rests_on"]:
+        assert row["path"] in said.err
+    run("plot", AUDI, "spectrum", "-o", str(tmp_path / "s.html"))
+    page = (tmp_path / "s.html").read_text(encoding="utf-8")
+    assert '"rests_on"' in page
+    assert '"embedOptions"' in page
+    assert run("plot", AUDI, "crank-star", "-o", str(tmp_path / "c.svg")).err.count("\n") == 1
