@@ -40,7 +40,7 @@ class Judged:
             told,
             forward,
             backward,
-            1e-12 * largest + 1e-15 * len(result.parts) * max(most, 1.0),
+            1e-12 * largest + 1e-14 * len(result.parts) * max(most, 1.0),
         )
 
     def vector(self, kind: str, rows: tuple[int, ...]) -> complex:

@@ -413,9 +413,11 @@ def test_in_what_order_things_are_listed_does_not_matter(
         )
         for s in (first, *shuffled(others))
     ]
-    cylinders = [
+    listed = {number: iter(members) for number, members in engine.chambers.items()}
+    of = {c.number: number for number, members in engine.chambers.items() for c in members}
+    cylinders = [  # of two pistons that face each other the second stays the second
         c.model_copy(update={"throw": renumbered[c.shaft].index(c.throw - 1) + 1})
-        for c in shuffled(engine.cylinders)
+        for c in (next(listed[of[any_one.number]]) for any_one in shuffled(engine.cylinders))
     ]
     mixed = Engine.model_validate({**dict(engine), "shafts": shafts, "cylinders": cylinders})
     assert_alike(felt(mixed, reference), felt(engine, reference), sizes(engine, reference))

@@ -51,9 +51,9 @@ WORD = re.compile(r"[A-Za-z]{2,}")
 AS_THEY_STAND = """
 crankstar serve analyze derive verdict balance TOML JSON Excel JavaScript PNG SVG URL HTTP MB
 Ctrl Shift Esc Escape Home Page Up Down cos sin pi rpm deg rad turns mm cm in ft kg lb oz mg
-kN MN mPa kgf lbf KR VR kW bar exp Wiebe English null
+kN MN mPa MPa GPa kgf lbf KR VR kW bar exp Wiebe English null
 speed neighbours front rear odd even crank balancer all full half power most torque idle
-otto limited pressure heat release spark ignition compression none diesel
+output crankshafts otto limited pressure heat release spark ignition compression none diesel
 published computed unverified placeholder estimated
 """
 KNOWN = set(AS_THEY_STAND.split())

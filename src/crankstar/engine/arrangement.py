@@ -84,6 +84,10 @@ class _Known:
         return self.rotating_mass + self.throw_mass + turning + factor * (self.mass + moving)
 
 
+OF_FACTOR = Provenance(status="computed", source="a counterweight opposite each crankpin")
+"""Where the weights of a balance factor come from."""
+
+
 def assembled(
     basis: Basis,
     places: list[Place],
@@ -193,9 +197,7 @@ def _assumed(basis: Basis) -> dict[str, Provenance]:
     """What the layout had to assume or to compute, said where a reader looks for provenance."""
     out: dict[str, Provenance] = {}
     if basis.balance_factor is not None:
-        out[BALANCE_FACTOR] = Provenance(
-            status="computed", source="a counterweight opposite each crankpin"
-        )
+        out[BALANCE_FACTOR] = OF_FACTOR
     if basis.cylinder.rod_length is None and basis.cylinder.rod_ratio is None:
         out["cylinder.rod_length"] = Provenance(
             status="placeholder", source=f"neither rod_length nor rod_ratio given: {ROD_SOURCE}"

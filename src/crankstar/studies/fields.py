@@ -10,6 +10,8 @@ from functools import reduce
 from typing import Annotated, Any, NamedTuple, get_args, get_origin
 
 from crankstar import files
+from crankstar.engine.arrangement import OF_FACTOR
+from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
@@ -144,9 +146,16 @@ def subject(source: Source, over: Sequence[Varied]) -> Subject:
                 engine = files.engine_of(under, name=title, changes=changed)
         factors = (n for n, form in zip(numbers, stages, strict=True) if form is None)
         engine = engine or files.engine_of(tree, name=title)
-        return reduce(lambda e, n: with_counterweights(e, factor=n, bare=True), factors, engine)
+        return reduce(_with_factor, factors, engine)
 
     return Subject(base, make, quantities)
+
+
+def _with_factor(engine: Engine, factor: float) -> Engine:
+    """The engine with the counterweights of a balance factor, as its file would give them."""
+    weighted = with_counterweights(engine, factor=factor, bare=True)
+    origins = {BALANCE_FACTOR: OF_FACTOR, **engine.provenance}
+    return with_values(weighted, provenance=origins)
 
 
 def _without_others(tree: dict[str, Any], over: Sequence[Varied]) -> dict[str, Any]:
