@@ -169,3 +169,16 @@ def test_a_spreadsheet_has_orders_and_shares_as_numbers(run: Run) -> None:
     for order in (2, 6, "peak"):
         first, other, share = (float(str(value)) for value in numbers[order])
         assert math.isclose(share, 100 * other / first, abs_tol=1e-12)
+
+
+def test_nothing_is_a_share_of_next_to_nothing(run: Run) -> None:
+    """A five's force of order 10 is a millionth of a four's of order 2: no 100 million per cent."""
+    peaks = [
+        row
+        for row in json.loads(run("compare", "audi-25-tfsi", "honda-b18c", "--json").out)[
+            "amplitudes"
+        ]
+        if row["quantity"] == "force" and row["order"] is None
+    ]
+    assert [row["share"] for row in peaks] == [1.0, None]
+    assert 0 < peaks[0]["greatest"] < 1e-5 < 1 < peaks[1]["greatest"]

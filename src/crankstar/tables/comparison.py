@@ -27,6 +27,8 @@ PLANE = ("force", "couple")
 
 GREATEST = 4
 """The column of the greatest value in the table for machines."""
+MOST_TIMES = 1000.0
+"""From so many times the value of the first engine on, the share says nothing: that has none."""
 
 
 def told_apart(names: Sequence[str], *marks: Sequence[str]) -> list[str]:
@@ -175,8 +177,8 @@ def _sizes(name: str, compared: _Compared) -> list[tuple[float | None, list[floa
 
 
 def _share(value: float, first: float, whole: float) -> float | None:
-    """Of the value of the first engine, which is `whole`; None where that is nought."""
-    return whole * value / first if first else None
+    """Of the value of the first engine, which is `whole`; None where that is next to nothing."""
+    return whole * value / first if MOST_TIMES * first > value else None
 
 
 def with_shares(document: Document, engines: Sequence[Engine]) -> Document:
@@ -237,6 +239,8 @@ def _ranged_share(value: Value, first: Value, whole: float) -> Value:
     if len(sizes) < 2 or not sizes[1][1]:
         return None
     (size, low, high), (base, least, most) = sizes
+    if size >= MOST_TIMES * base:
+        return None
     if not high or not (isinstance(value, Ranged) or isinstance(first, Ranged)):
         return whole * size / base
     return Ranged(whole * size / base, whole * low / most, whole * high / least)
