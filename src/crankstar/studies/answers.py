@@ -255,13 +255,14 @@ def twist(
     speeds: Sequence[float] | Real = (),
 ) -> Answer:
     """The first natural frequency of torsion, and the greatest turn of the free end."""
-    from crankstar.dynamics.torsion_analysis import torsion
+    from crankstar.dynamics.torsion_analysis import peaked, torsion_on_grid
 
-    whole = torsion(engine, point=point, speed=speed, speeds=speeds)
+    whole = torsion_on_grid(engine, point=point, speed=speed, speeds=speeds)
     ends = [float(whole.speeds[0]), float(whole.speeds[-1])] if len(whole.speeds) else []
 
     def figures(each: Engine) -> Figures:
-        found = torsion(each, point=point, speed=speed, speeds=ends)
+        rough = torsion_on_grid(each, point=point, speed=speed, speeds=ends)
+        found = peaked(each, rough, curves=lambda own: own.peak_turn(rough.free_end)[:, None])
         out: dict[Figure, float] = {}
         if found.modes:
             out["natural frequency", None] = found.modes[0].frequency
