@@ -20,6 +20,7 @@ import numpy as np
 import pytest
 from altair.vegalite.v6.schema.core import load_schema
 from tests.catalog import EVERY_NAME
+from tests.charted import rows_drawn
 from tests.methods.test_charts import ENGINES, drawn, kind, lanchester, panels
 
 import crankstar
@@ -206,7 +207,7 @@ def test_engines_side_by_side_have_common_axes_and_one_parameter(name: str) -> N
     chart = charts.side_by_side(engines, name, **options)
     spec = chart.to_dict()
     assert len(parameters(spec)) == (0 if name == "spectrum" else 1)
-    assert len(spec["vconcat"]) == 2  # two in the first row, one in the second
+    assert len(rows_drawn(spec)) == 2  # two in the first row, one in the second
     domains: dict[Any, set[Any]] = {}
     for panel in panels(spec):
         layer = next(

@@ -70,8 +70,10 @@ def rod_doubts(engine: Engine) -> Iterator[Fault]:
                 "least": LEAST_RATIO,
                 "meant": float(f"{2 * ratio:.4g}"),
             }
-            path = ("cylinders", index, "rod_ratio")
-            yield Fault(path, "doubt.rod-ratio", values, cylinder.number)
+            alike = {each.rod_length for each in engine.cylinders} == {cylinder.rod_length}
+            table = ("cylinder",) if alike else ("cylinders", index)
+            number = None if alike else cylinder.number
+            yield Fault((*table, "rod_ratio"), "doubt.rod-ratio", values, number)
             return  # one slip for all
 
 

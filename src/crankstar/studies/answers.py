@@ -200,7 +200,7 @@ def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool
         return {
             **{key: size for key, size in inertia.items() if key[0] != "roll"},
             **_rolls("roll", each, again),
-            ("mean torque", None): abs(mean),
+            ("mean torque", None): mean,
             ("peak pressure", None): again.peak / 1e5,
         }
 

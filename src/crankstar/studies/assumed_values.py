@@ -25,6 +25,7 @@ from crankstar.language.messages import N_
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
+from crankstar.mechanics.mass_doubts import rod_doubts
 from crankstar.mechanics.remains import summed
 from crankstar.remedy.fitting import quiet_cranks
 from crankstar.studies.assumptions import Answer, Assumption, Moved
@@ -39,8 +40,8 @@ from crankstar.studies.changed_values import (
     with_gas_value,
     with_mount_loss,
     with_rods_of,
-    with_rotating_mass,
     with_torsion_value,
+    with_turning_masses,
 )
 
 if TYPE_CHECKING:
@@ -260,11 +261,10 @@ def _inertia(engine: Engine) -> Iterator[Assumption]:
     """What is missing or assumed of the masses and lengths that forces come from."""
     look = look_of(engine)
     kind = None if look is None else inferred(look)[0]
+    for fault in rod_doubts(engine):
+        yield Assumption("doubtful", "cylinder.rod_ratio", fault.sentence)
     yield from _rods(engine, kind)
-    turning = any(throw.turning_mass for shaft in engine.shafts for throw in shaft.throws)
-    rigid = any(cylinder.rod is not None for cylinder in engine.cylinders)
-    if not turning and not rigid:
-        yield _rotating(engine, kind, look)
+    yield from _turning(engine, kind, look)
     if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
         yield _weights(engine)
 
@@ -282,41 +282,71 @@ def _weights(engine: Engine) -> Assumption:
     )  # fmt: skip
 
 
-def _rotating(engine: Engine, kind: EngineType | None, look: Look | None) -> Assumption:
-    """The mass that turns with a crankpin, which a file leaves out: big end and crankpin.
+def _turning(engine: Engine, kind: EngineType | None, look: Look | None) -> Iterator[Assumption]:
+    """The big ends and the crankpins that a file leaves out, of one cylinder.
 
-    Of each cylinder, m = (1 - c) m_rod + m_pin, the coefficients of the type times bore^3; where
-    the file gives no masses or no bore, by its reciprocating mass, over m_piston + c m_rod.
-    Counterweights stay as the file gives them, but those of a `balance_factor` go along.
+    On the crankpin m = (1 - c) m_rod, of the crank's own m_pin: the coefficients of the type times
+    bore^3; where the file gives no masses or no bore, by its reciprocating mass, over
+    m_piston + c m_rod. Crankpins count as missing where the crankshaft has no weights: weights may
+    have been cut for bobweights, which leave them nothing. Counterweights stay as the file gives
+    them, but those of a `balance_factor` go along.
     """
-    reason = N_("no rotating mass in the file (big ends, crankpins), counted as zero")
-    if by_factor(engine):
-        reason = N_("no rotating mass in the file: balance_factor balances the pistons alone")
-    elif any(shaft.weights for shaft in engine.shafts if shaft.throws):
-        reason = N_(
-            "no rotating mass in the file (big ends, crankpins), counted as zero beside its "
-            "counterweights"
-        )
+    throws = [throw for shaft in engine.shafts for throw in shaft.throws]
+    rigid = any(cylinder.rod is not None for cylinder in engine.cylinders)
+    weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
+    no_ends = not rigid and not any(throw.rotating_mass for throw in throws)
+    bare = not any(throw.throw_mass for throw in throws)
+    no_pins = bare and (no_ends or not weighted)
+    if not no_ends and not no_pins:
+        return
     first = engine.first
     relative = "mass" in engine.relative
+    unit = "m" if relative else "kg"
+    path = "cylinder.rotating_mass" if no_ends else "cylinder.throw_mass"
+    reason = _turning_reason(engine, ends=no_ends, pins=no_pins, weighted=weighted)
     names = ("rod", "small end", "crank pin", "piston group")
     found = [_usual(name, kind or "petrol") for name in names]
     if not all(found):
-        return Assumption("missing", "cylinder.rotating_mass", reason, value=0.0, unit="kg")
+        yield Assumption("missing", path, reason, value=0.0, unit=unit)
+        return
     rod, small, pin, piston = (each for each in found if each is not None)
     if relative or look is None or first.bore is None:
         scale = first.reciprocating / (piston.typical + small.typical * rod.typical)
     else:
         scale = first.bore**3
     ends = [
-        ((1 - share) * own + turning) * scale
-        for share, own, turning in zip(reversed(small.sizes), rod.sizes, pin.sizes, strict=True)
+        (1 - share) * own * scale
+        for share, own in zip(reversed(small.sizes), rod.sizes, strict=True)
     ]
-    unit = "m" if relative else "kg"
-    return Assumption(
-        "missing", "cylinder.rotating_mass", reason, 0.0, unit, ends[0], ends[-1],
-        vary=with_rotating_mass,
+    pins = [own * scale for own in pin.sizes]
+    if not no_ends:
+        yield Assumption(
+            "missing", path, reason, 0.0, unit, pins[0], pins[-1],
+            vary=lambda each, mass: with_turning_masses(each, None, mass),
+        )  # fmt: skip
+        return
+    beside = {ends[0]: pins[0], ends[-1]: pins[-1]} if no_pins else {}
+    yield Assumption(
+        "missing", path, reason, 0.0, unit, ends[0], ends[-1],
+        values=(("pins", (pins[0], pins[-1])),) if no_pins else (),
+        vary=lambda each, mass: with_turning_masses(each, mass, beside.get(mass)),
     )  # fmt: skip
+
+
+def _turning_reason(engine: Engine, *, ends: bool, pins: bool, weighted: bool) -> str:
+    """What is said of big ends and crankpins that are missing."""
+    if not ends:
+        return N_("no mass of the crankpins in the file, counted as zero")
+    if by_factor(engine):
+        return N_("no rotating mass in the file: balance_factor balances the pistons alone")
+    if not pins:
+        return N_("no rotating mass in the file (big ends), counted as zero")
+    if weighted:
+        return N_(
+            "no rotating mass in the file (big ends, crankpins), counted as zero beside its "
+            "counterweights"
+        )
+    return N_("no rotating mass in the file (big ends, crankpins), counted as zero")
 
 
 def _rods(engine: Engine, kind: EngineType | None) -> Iterator[Assumption]:

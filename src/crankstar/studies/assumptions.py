@@ -24,7 +24,7 @@ from crankstar.language.messages import MessageError
 from crankstar.mechanics.gas import Cycle
 from crankstar.studies.changed_values import Vary
 
-Status = Literal["missing", "left out", "assumed", "estimated", "unverified"]
+Status = Literal["doubtful", "missing", "left out", "assumed", "estimated", "unverified"]
 Uses = Literal["inertia", "gas", "running", "bearings", "torsion", "mounts"]
 """What an answer is made of: what of it may be lacking differs."""
 TRIAL = 0.01
@@ -110,7 +110,7 @@ class Answer:
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:
     """The assumptions with what each moves most, the largest first; without those of no effect.
 
-    What cannot be varied stays, behind those that can.
+    What is doubtful stands first; what cannot be varied stays, behind those that can.
     """
     now = answer.figures(engine)
     out: list[Assumption] = []
@@ -119,7 +119,7 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
         if most is not None and most.effect < SIGNIFICANT:
             continue
         out.append(replace(each, moved=most))
-    return tuple(sorted(out, key=lambda each: -each.effect))
+    return tuple(sorted(out, key=lambda each: (each.status != "doubtful", -each.effect)))
 
 
 def _moved(engine: Engine, each: Assumption, now: Figures, answer: Answer) -> Moved | None:
@@ -138,7 +138,7 @@ def _moved(engine: Engine, each: Assumption, now: Figures, answer: Answer) -> Mo
         return None
     tops = dict(answer.least(engine))
     for (quantity, _order), size in (item for one in (now, *others) for item in one.items()):
-        tops[quantity] = max(tops.get(quantity, 0.0), size)
+        tops[quantity] = max(tops.get(quantity, 0.0), abs(size))
     best: Moved | None = None
     for key in dict.fromkeys(key for one in (now, *others) for key in one):
         quantity, order = key

@@ -60,10 +60,10 @@ def _with_weights_along(before: Engine, after: Engine) -> Engine:
     return with_values(after, shafts=tuple(shafts))
 
 
-def with_rotating_mass(engine: Engine, mass: float) -> Engine:
-    """The engine with this mass (kg) per cylinder on its crankpins, where there was none.
+def with_turning_masses(engine: Engine, ends: float | None, pins: float | None) -> Engine:
+    """The engine with these masses (kg) per cylinder: big ends, and the crank's own pins.
 
-    Counterweights stay, but those of a balance factor go along.
+    What is None stays. Counterweights stay, but those of a balance factor go along.
     """
     counts: dict[tuple[str, int], int] = {}
     for cylinder in engine.cylinders:
@@ -71,11 +71,17 @@ def with_rotating_mass(engine: Engine, mass: float) -> Engine:
             continue
         key = (cylinder.shaft, cylinder.throw)
         counts[key] = counts.get(key, 0) + 1
+
+    def changes(shaft: str, number: int) -> dict[str, float]:
+        count = counts.get((shaft, number), 0)
+        named = {"rotating_mass": ends, "throw_mass": pins}
+        return {name: mass * count for name, mass in named.items() if mass is not None}
+
     shafts = [
         with_values(
             shaft,
             throws=tuple(
-                with_values(throw, rotating_mass=mass * counts.get((shaft.name, number), 0))
+                with_values(throw, **changes(shaft.name, number))
                 for number, throw in enumerate(shaft.throws, 1)
             ),
         )

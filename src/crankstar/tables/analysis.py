@@ -22,7 +22,6 @@ from crankstar.language.numbers import NEGLIGIBLE, order_text
 from crankstar.mechanics.balance import Balance, Grouping, balance, grouped
 from crankstar.mechanics.bounds import lengths, size
 from crankstar.mechanics.excitation import Reference, rolling_moment
-from crankstar.mechanics.mass_doubts import rod_doubts
 from crankstar.mechanics.remains import Sums, orders_pushed, orders_turning, summed
 from crankstar.tables.by_order import (
     MOMENTS,
@@ -114,11 +113,7 @@ def document(
         summary(shown.engine, shown.best, summed(shown.best)),
         Remarks(("", *heading(shown.engine).lines)),
         *remarks(*conditions(shown.engine, shown.best), kind="note"),
-        *remarks(
-            missing_parts(shown.engine),
-            *(fault.sentence for fault in rod_doubts(shown.engine)),
-            kind="doubt",
-        ),
+        *remarks(missing_parts(shown.engine), kind="doubt"),
     )
     body = tables(shown, angles=angles, by=by, vectors=vectors)
     return Document(shown.engine.name, (*heads, *body, *_with_gas(shown)))

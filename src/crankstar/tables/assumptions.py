@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import inf
 from typing import Any
 
 from crankstar.language.messages import N_, _, passage
@@ -50,7 +51,8 @@ def assumption_lines(found: Sequence[Assumption]) -> list[str]:
     >>> engine = load("audi-25-tfsi")
     >>> print(assumption_lines(rests_on(engine, amplitudes(engine)))[1])
     cylinder.rotating_mass: no rotating mass in the file (big ends, crankpins), counted as zero. \
-With 387 g to 990 g the couple of order 1 is 747 to 1260 N m, not 418 N m.
+With 182 g to 529 g, and a throw_mass of 205 g to 461 g, the couple of order 1 is 747 to 1260 N m, \
+not 418 N m.
     """
     return [line for line, _of in _told(found)]
 
@@ -64,8 +66,10 @@ def leading_line(found: Sequence[Assumption]) -> tuple[str, int]:
 def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     """The sentences, each with the assumptions that it is about."""
     told = [each for each in found if each.effect >= TOLD][:MOST_TOLD]
-    lines = [(_line(each), [each]) for each in told]
-    rest = [each for each in found if each not in told]
+    doubtful = [each for each in found if each.status == "doubtful"]
+    lines = [(f"{each.reason}.", [each]) for each in doubtful]
+    lines += [(_line(each), [each]) for each in told]
+    rest = [each for each in found if each not in (*told, *doubtful)]
     small = [each for each in rest if each.moved is not None]
     if small:
         lines.append((_("Of less effect: {paths}.", paths=_paths(small)), small))
@@ -103,7 +107,7 @@ def _line(each: Assumption) -> str:
             "{path}: {reason}. A per cent of it makes the {figure} {size}.", **words, size=size
         )
     if own.trial:
-        share = max(abs(own.low - own.now), abs(own.high - own.now)) / own.now if own.now else 0.0
+        share = max(abs(own.low - own.now), abs(own.high - own.now)) / (abs(own.now) or inf)
         return _(
             "{path}: {reason}. Each per cent of it moves the {figure} by {share} %.",
             **words,
@@ -126,6 +130,15 @@ def _line(each: Assumption) -> str:
             share=number(100 * factor),
         )
     words |= {"low": _value(each, each.low), "high": _value(each, each.high)}
+    pins = dict(each.values).get("pins")
+    if pins is not None:
+        return _(
+            "{path}: {reason}. With {low} to {high}, and a throw_mass of {least} to {most}, the "
+            "{figure} is {sizes}, not {now}.",
+            **words,
+            least=_value(each, pins[0]),
+            most=_value(each, pins[1]),
+        )
     if each.status == "assumed" and each.value is not None:
         return _(
             "{path}: {value} assumed, {reason}. From {low} to {high} the {figure} is {sizes}, not "
@@ -202,6 +215,7 @@ def _object(each: Assumption) -> Mapping[str, Any]:
         "unit": each.unit,
         "low": each.low,
         "high": each.high,
+        **({"throw_mass": list(pins)} if (pins := dict(each.values).get("pins")) else {}),
         "moves": moves,
     }
 
