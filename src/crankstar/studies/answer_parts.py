@@ -9,7 +9,7 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.studies.assumptions import Answer, Figure, Figures
 
-TURNING = ("cylinder.rotating_mass", "crankshaft.weight")
+TURNING = ("cylinder.rotating_mass", "cylinder.throw_mass", "crankshaft.weight")
 """What turns evenly: no pressure, torque or side thrust depends on it."""
 
 
@@ -85,4 +85,5 @@ def joined(parts: Sequence[Answer]) -> Answer:
         least=first.least,
         given=set.intersection(*({*part.given} for part in parts)),
         gasless=any(part.gasless for part in parts),
+        why_gasless=next((part.why_gasless for part in parts if part.why_gasless), ""),
     )

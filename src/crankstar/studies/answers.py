@@ -187,22 +187,21 @@ def outlook(
 def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool = False) -> Answer:
     """The rolling moment of gas and inertia by order, the mean torque, and the peak pressure.
 
-    With `sums` force and couple too, as several engines have them.
+    With `sums` force, couple and roll alone, as several engines have them; without gas too.
     """
     found = make(engine)
+    if sums and found is None:
+        return amplitudes(engine)
 
     def figures(each: Engine) -> Figures:
         again = make(each)
         if again is None:
             return {}
+        rolls = _rolls("roll", each, again)
+        if sums:
+            return _inertia_sizes(each, again.speed) | rolls
         mean = float(gas_torque(again).mean.sum())
-        inertia = _inertia_sizes(each, again.speed) if sums else {}
-        return {
-            **{key: size for key, size in inertia.items() if key[0] != "roll"},
-            **_rolls("roll", each, again),
-            ("mean torque", None): mean,
-            ("peak pressure", None): again.peak / 1e5,
-        }
+        return {**rolls, ("mean torque", None): mean, ("peak pressure", None): again.peak / 1e5}
 
     units = {"peak pressure": "bar"}
     return Answer(

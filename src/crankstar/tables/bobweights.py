@@ -137,7 +137,7 @@ def bobweights(engine: Engine, factor: float, *, notes: Sequence[str] = ()) -> T
         *_own(pins),
     )
     title = _("Bobweights")
-    if _lacks_rotating(engine):
+    if lacks_rotating(engine):
         title = _("No bobweights: the rotating masses are missing")
     return Table(title, columns, tuple(rows), notes=(*own, *notes), key="bobweights")
 
@@ -150,17 +150,17 @@ def _bobweight_law(factor: float) -> str:
     )
 
 
-def _lacks_rotating(engine: Engine) -> bool:
+def lacks_rotating(engine: Engine) -> bool:
     """Whether the file has masses in kg, and none that turns with a crank pin."""
     return "mass" not in engine.relative and not any(pin.rotating for pin in loads(engine))
 
 
 def _bobweight_head(engine: Engine) -> str:
-    return _("share of the reciprocating mass") if _lacks_rotating(engine) else _("bobweight")
+    return _("share of the reciprocating mass") if lacks_rotating(engine) else _("bobweight")
 
 
 def _without_rotating(engine: Engine) -> list[str]:
-    if not _lacks_rotating(engine):
+    if not lacks_rotating(engine):
         return []
     return [
         _(

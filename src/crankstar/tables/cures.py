@@ -16,6 +16,7 @@ from crankstar.mechanics.remains import EQUAL, Sums, summed
 from crankstar.remedy import Need, bobweight, loads, needs
 from crankstar.remedy.fitting import quiet_cranks
 from crankstar.remedy.shafts import ZERO
+from crankstar.tables.bobweights import lacks_rotating
 from crankstar.tables.paths import vector_name
 from crankstar.tables.scales import scales
 
@@ -141,6 +142,12 @@ def proposal(engine: Engine, *, speed: float | None = None) -> str:
         return _("Without its counterweights the engine has {left}.", left=left)
     if factor is None:
         return _("Counterweights on the end webs leave {left}.", left=left)
+    if lacks_rotating(engine):  # a bobweight would stand for the pistons alone
+        return _(
+            "Counterweights with a balance factor of {factor} leave {left}.",
+            factor=f"{factor:g}",
+            left=left,
+        )
     heaviest = max(bobweight(pin, factor) for pin in loads(engine))
     return _(
         "Counterweights with a balance factor of {factor} (heaviest bobweight {bobweight}) leave "

@@ -28,6 +28,7 @@ PEAKS = {
     "pitch": N_("pitch {size}"),
     "yaw": N_("yaw {size}"),
     "roll": N_("roll {size}"),
+    "roll beside gas": N_("roll without gas {size}"),
 }
 """The parts of force and couple, and the rolling moment, with their peaks."""
 
@@ -40,11 +41,12 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
     the first vector that has one.
     """
     remaining = [largest_sentences(name, result, sums) for name in ("force", "couple")]
-    remaining += [largest_sentence(engine, speed=result.speed), _roll_sentence(result, sums)]
+    with_gas = largest_sentence(engine, speed=result.speed)
+    remaining += [with_gas, _roll_sentence(result, sums)]
     lines = (
         passage((unit_sentence(engine, result), assumed_sentence(engine))),
         passage(remaining),
-        _peaks_sentence(engine, result, sums),
+        _peaks_sentence(engine, result, sums, beside_gas=bool(with_gas)),
         _remedy_sentence(engine, result),
     )
     return Remarks(tuple(filter(None, lines)))
@@ -62,7 +64,7 @@ def _roll_sentence(result: Balance, sums: Sums) -> str:
     )
 
 
-def _peaks_sentence(engine: Engine, result: Balance, sums: Sums) -> str:
+def _peaks_sentence(engine: Engine, result: Balance, sums: Sums, *, beside_gas: bool) -> str:
     """The peaks over a turn of all orders, and the force beside the weight of the engine."""
     pushes = {
         name: float(pushed(getattr(result, name)).max(initial=0.0)) for name in ("force", "couple")
@@ -77,8 +79,9 @@ def _peaks_sentence(engine: Engine, result: Balance, sums: Sums) -> str:
             if size > FELT * pushes.get(whole.get(name, ""), 0.0)
         ],
     )
+    words = PEAKS | ({"roll": PEAKS["roll beside gas"]} if beside_gas else {})
     sizes = [
-        _(PEAKS[name], size=quantity_text(size, unit))
+        _(words[name], size=quantity_text(size, unit))
         for name, (size, _angle, unit) in found.items()
         if name in felt
     ]
