@@ -56,3 +56,19 @@ def test_a_speed_without_masses_is_marked_with_what_is_missing(run: Run) -> None
     assert told.startswith("--speed changes nothing here")
     assert "cylinder.reciprocating_mass, cylinder.stroke" in told
     assert not run("analyze", "audi-25-tfsi", "--speed", "3000 rpm").err
+
+
+@pytest.mark.parametrize("verb", ["torque", "genset"])
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--off", "3", "--weaker", "3=10%"), "cylinder 3 is --off"),
+        (("--weaker", "3=10%", "--weaker", "3=20%"), "cylinder 3 stands twice"),
+    ],
+)
+def test_what_a_cylinder_lacks_is_given_once(
+    run: Run, verb: str, words: tuple[str, ...], said: str
+) -> None:
+    ran = run(verb, "audi-25-tfsi", *words)
+    assert (ran.code, ran.out) == (2, "")
+    assert said in ran.err

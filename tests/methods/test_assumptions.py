@@ -417,3 +417,23 @@ def test_a_rod_that_hardly_any_engine_has_is_doubted_first_everywhere(
     rests = said.partition("This rests on: ")[2]
     assert rests.startswith("cylinder.rod_ratio: the rod is 1.63 times as long as the crank radius")
     assert "rod_ratio is 3.26" in rests
+
+
+def test_the_charge_of_a_part_load_reaches_down_to_a_closed_throttle() -> None:
+    """Down to about the pressure at which all of the air of the load burns."""
+    sizes = {"cylinder.reciprocating_mass": "500 g", "gas": {"imep": "3 bar"}}
+    engine = load("honda-b18c", changes=sizes)
+    own = of(rests_on(engine, torques(engine, cycle)), "gas.intake_pressure")
+    assert own.low is not None
+    assert (own.value, own.high) == (1.0, pytest.approx(1.2))
+    throttled = cycle(
+        load("honda-b18c", changes={**sizes, "gas.intake_pressure": f"{own.low} bar"})
+    )
+    assert throttled.air_fuel_ratio is not None
+    assert 11 < throttled.air_fuel_ratio < 14.7  # gas exchange takes some more fuel
+    full = cycle(engine).air_fuel_ratio
+    assert full is not None
+    assert own.low == pytest.approx(14.7 / full)
+    loaded = load("honda-b18c", changes={**sizes, "gas": {"imep": "11 bar"}})
+    usual = of(rests_on(loaded, torques(loaded, cycle)), "gas.intake_pressure")
+    assert (usual.low, usual.high) == pytest.approx((0.9, 1.2))

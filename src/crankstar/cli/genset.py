@@ -22,7 +22,7 @@ from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
-from crankstar.options.gas import degree_of_irregularity, weaker_cylinders
+from crankstar.options.gas import degree_of_irregularity, refuse_weak_beside_off, weaker_cylinders
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
@@ -75,6 +75,7 @@ def genset(
         partial(inertia, flywheel),
         partial(degree_of_irregularity, irregularity),
     )
+    refuse_weak_beside_off(weak, silent)
 
     of_running = {
         "--pole-pairs": pole_pairs,

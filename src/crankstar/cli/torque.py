@@ -28,6 +28,7 @@ from crankstar.options.gas import (
     degree_of_irregularity,
     gas_orders,
     mean_pressures,
+    refuse_weak_beside_off,
     weaker_cylinders,
 )
 from crankstar.options.values import RequestError
@@ -93,6 +94,7 @@ def torque(
         partial(degree_of_irregularity, irregularity),
         partial(mean_pressures, tangential),
     )
+    refuse_weak_beside_off(weak, silent)
     names = {"--imep": "imep", "--bmep": "bmep", "--peak-pressure": "peak_pressure"}
     wanted = gas_orders(orders)
     if wanted and (orders or "").strip() != "all":

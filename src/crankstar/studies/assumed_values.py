@@ -23,6 +23,7 @@ from crankstar.engine.torsion import LOSS_FACTOR, STEEL
 from crankstar.engine.weighed import EngineType
 from crankstar.language.messages import N_
 from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.charge_air import STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
 from crankstar.mechanics.mass_doubts import rod_doubts
@@ -71,6 +72,11 @@ GAS_ENDS: Mapping[str, tuple[float, float]] = {
 Those of wiebe_a are 5 and 6.9 of one another; the others are wide enough for engines of one kind.
 Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9, for the order of
 size; the ends themselves are our judgement.
+"""
+LEANEST = 1.5
+"""Air-fuel ratio over the stoichiometric one from which a homogeneous mixture does not burn.
+
+Our judgement: petrol engines run up to 1.3 to 1.6 before they misfire.
 """
 START_ENDS = radians(10.0)
 """By how much the assumed start of combustion may be earlier or later, radians."""
@@ -392,14 +398,31 @@ def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             low, high = (share * value for share in GAS_ENDS[name])
             unit = UNITS_OF_GAS.get(name, "")
             factor = FACTORS.get(unit, 1.0)
+            reason = N_("usual for such engines")
+            closed = _throttled(own) if name == "intake_pressure" else 1.0
+            if closed < 1.0:
+                low = min(low, closed * value)
+                reason = N_("as with the throttle open, which burns too lean for a spark")
             yield Assumption(
-                "assumed", path, N_("usual for such engines"), value / factor, unit,
+                "assumed", path, reason, value / factor, unit,
                 low / factor, high / factor, vary=with_gas_value(name, factor),
             )  # fmt: skip
         elif name == "ignition":
             yield Assumption("assumed", path, N_("as compression ratio or bore say"), str(value))
         else:
             yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
+
+
+def _throttled(own: Cycle) -> float:
+    """Share of the assumed charge with which a spark-ignited load burns without a rest of air.
+
+    1 where the mixture is no leaner than one that burns (LEANEST).
+    """
+    ratio = own.air_fuel_ratio
+    complete = STOICHIOMETRIC["spark"]
+    if ratio is None or own.values.get("ignition") != "spark" or ratio <= LEANEST * complete:
+        return 1.0
+    return complete / ratio
 
 
 def _values_of_points(engine: Engine, own: Cycle) -> Mapping[str, Any]:
