@@ -40,8 +40,11 @@ def test_a_figure_says_how_far_a_missing_rotating_mass_moves_its_greatest_order(
     moves = found["moves"]
     assert (moves["quantity"], moves["order"], moves["unit"]) == ("couple", 1.0, "N*m")
     assert moves["now"] == pytest.approx(mass * size, rel=1e-9)
-    assert moves["low"] == pytest.approx((mass + found["low"]) * size, rel=1e-9)
-    assert moves["high"] == pytest.approx((mass + found["high"]) * size, rel=1e-9)
+    least, most = (
+        found[end] + pin for end, pin in zip(("low", "high"), found["throw_mass"], strict=True)
+    )
+    assert moves["low"] == pytest.approx((mass + least) * size, rel=1e-9)
+    assert moves["high"] == pytest.approx((mass + most) * size, rel=1e-9)
     assert foot(chart.spec)[0].startswith("cylinder.rotating_mass")
     assert foot(chart.spec)[-1] == "And 2 more: crankstar analyze"
     assert len([line for line in chart.notes if ": " in line]) == len(rests(chart))

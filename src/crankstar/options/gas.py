@@ -92,23 +92,23 @@ def weaker_cylinders(texts: Sequence[str] | None) -> list[tuple[int, float]]:
         name, _equals, value = (part.strip() for part in text.partition("="))
         if not name.isdecimal() or len(name) > 4 or not value:
             raise refusal("--weaker", text, "give a cylinder and what it lacks, as in 3=20%")
-        if int(name) in dict(found):
-            raise refusal(
-                "--weaker", text, "cylinder {number} stands twice; give once what it lacks",
-                number=int(name),
-            )  # fmt: skip
         found.append((int(name), share("--weaker", text, value)))
     return found
 
 
 def refuse_weak_beside_off(weak: Sequence[tuple[int, float]], off: Sequence[int]) -> None:
-    """Refuse cylinders that are weaker and burn nothing at all. Raises RequestError.
+    """Refuse cylinders that are weaker twice, or burn nothing at all. Raises RequestError.
 
     >>> refuse_weak_beside_off([(3, 0.1)], [1, 2])
     """
-    both = [number for number, _lost in weak if number in off]
-    if both:
-        raise RequestError(
-            "cylinder {number} is --off and cannot be --weaker besides; leave one out",
-            number=both[0],
-        )
+    numbers = [number for number, _lost in weak]
+    for number in numbers:
+        if number in off:
+            raise RequestError(
+                "cylinder {number} is --off and cannot be --weaker besides; leave one out",
+                number=number,
+            )
+        if numbers.count(number) > 1:
+            raise RequestError(
+                "--weaker: cylinder {number} stands twice; give once what it lacks", number=number
+            )
