@@ -168,7 +168,7 @@ def pages_tree(name: str) -> dict[str, object]:
 
 
 HELD = """
-import os, signal, sys, threading
+import os, signal, sys
 from pathlib import Path
 from crankstar.site import building
 
@@ -178,9 +178,13 @@ def held(subject, draft, scripts):
             pipe.read(1)
         os._exit(0)
 
+    woken, wakes = os.pipe()
+    os.set_blocking(wakes, False)
+    signal.set_wakeup_fd(wakes)  # what comes just before the wait ends it too
     signal.signal(signal.SIGTERM, ending)
     building.write(draft, f"pictures/{subject.name}.svg", b"half a picture")
-    threading.Event().wait()
+    while True:
+        os.read(woken, 1)
 
 if __name__ == "__main__":
     building._engine = held
@@ -209,7 +213,7 @@ def test_a_site_that_is_interrupted_leaves_nothing(tmp_path: Path, sent: list[in
         with reached(pipe) as ending:
             for number in sent[1:]:
                 send(process.pid, number)
-            ending.write(b"12")
+            ending.write(bytes(64))  # a process that is ended again while it ends reads again
             _out, said = process.communicate(timeout=PATIENCE)
         assert process.returncode == (130 if sent[0] == signal.SIGINT else -signal.SIGTERM)
         assert said == b""
