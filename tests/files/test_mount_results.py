@@ -101,6 +101,7 @@ def test_two_points_of_one_name_are_a_fault() -> None:
     assert (fault.path, fault.code) == (("block", "points", 1, "name"), "block.point-twice")
 
 
+@pytest.mark.release
 def test_compare_tells_modes_force_and_shake_of_both(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path)
     rows = json.loads(run("compare", place, place, "--json").out)["amplitudes"]

@@ -220,6 +220,7 @@ def test_a_load_that_is_asked_for_is_that_between_two_points(files: tuple[str, s
     assert cycle(engine, speed=900 * RPM, peak_pressure=60e5).peak == pytest.approx(60e5, rel=1e-8)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "changes",
     [

@@ -91,6 +91,7 @@ def test_the_verdict_without_the_table_says_nothing_of_torsion() -> None:
     assert not [fact for fact in crankstar.verdict(crankstar.load("i6")) if fact.about == "torsion"]
 
 
+@pytest.mark.release
 def test_compare_has_first_frequencies_and_critical_speeds(run: Run, six: str) -> None:
     rows = answer(run, "compare", six, six)["amplitudes"]
     told = answer(run, "torsion", six)

@@ -347,6 +347,7 @@ def test_newtons_are_units_of_m_r_w_squared(
     assert_alike(whole, in_newtons, sizes(engine, reference, speed))
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("kind", OF_ANY_KIND)
 @settings(max_examples=10)
 @given(data=st.data())
@@ -376,6 +377,7 @@ def test_the_whole_is_the_sum_of_its_parts_however_they_are_grouped(
         )
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("kind", OF_ANY_KIND)
 @settings(max_examples=10)
 @given(data=st.data())

@@ -110,6 +110,7 @@ def assert_momentum(engine: Engine, *, reference: Reference, speed: float) -> No
             assert_same(told, walked, chosen, scale, radius)
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("kind", OF_ANY_KIND)
 @settings(max_examples=60 if RELEASE else 5)
 @given(data=st.data(), reference=REFERENCES, speed=SPEEDS)

@@ -184,6 +184,7 @@ def test_bearings_that_are_placed_in_the_file_are_not_assumed() -> None:
     assert ["crankshaft.bearings" in each for each in paths] == [True, False]
 
 
+@pytest.mark.release
 def test_the_amplitude_at_a_resonance_goes_with_the_assumed_loss_factor() -> None:
     engine = load("cadillac-ld8")
     own = of(rests_on(engine, twist(engine)), "torsion.loss_factor")
@@ -215,16 +216,17 @@ SAYING = [
     ("bearings", "audi-25-tfsi", "--gas"),
     ("genset", "audi-25-tfsi"),
     ("marine", "man-s90mc-c"),
-    ("torsion", "cadillac-ld8"),
     ("fault", "audi-25-tfsi", "--cut", "2"),
     ("bobweight", "audi-25-tfsi"),
     ("drill", "audi-25-tfsi", "--diameter", "12.7 mm", "--at-radius", "80 mm"),
     ("sweep", "audi-25-tfsi", "--over", "cylinder.rod_length=130..160 mm"),
     ("tolerance", "audi-25-tfsi", "--typical", "--builds", "1000"),
     ("guide", "audi-25-tfsi", "--numbers", "5"),
+    ("torsion", "cadillac-ld8"),
 ]
 
 
+@pytest.mark.many(first=11)
 @pytest.mark.parametrize("words", SAYING, ids=lambda words: words[0])
 def test_every_command_says_what_it_rests_on(run: Run, words: tuple[str, ...]) -> None:
     assert "rests on:" in run(*words).out

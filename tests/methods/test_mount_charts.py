@@ -38,6 +38,7 @@ def said(chart: Any) -> str:
     return str(chart.to_dict()).replace("', '", " ")
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("ground", [None, GROUND])
 def test_each_row_of_the_modes_is_the_energy_of_a_mode(ground: Any) -> None:
     engine = mounted(**({} if ground is None else {"foundation": ground}))

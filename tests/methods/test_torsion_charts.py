@@ -151,6 +151,7 @@ def test_the_campbell_diagram_names_the_strongest_critical_speed(six: Any) -> No
     assert said in text_of(charts.campbell(six))
 
 
+@pytest.mark.release
 def test_rays_of_the_campbell_diagram_have_their_order_as_slope(six: Any) -> None:
     rays = [row for row in rows_of(charts.campbell(six).to_dict()) if "x0" in row]
     named = [row for row in rays if row["text"]]

@@ -28,7 +28,7 @@ KINDS: dict[str, dict[str, Any]] = {
 }
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize("kind", KINDS)
 def test_texts_of_charts_of_mounts_are_clear(kind: str, page: Page) -> None:
     own = {"block": BLOCK, "mounts": THREE, "gas": GAS, **KINDS[kind]}

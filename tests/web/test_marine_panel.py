@@ -72,6 +72,7 @@ def compared(answer: dict[str, Any], tables: dict[str, list[list[str]]]) -> None
             assert [size(cell) for cell in cells] == pytest.approx(expected, rel=6e-4, abs=1e-3)
 
 
+@pytest.mark.release
 def test_the_panel_has_the_moments_of_the_command(path: Path, page: Page, tmp_path: Path) -> None:
     opened(page, path, "a=0&tab=marine")
     panel = page.locator("[role=tabpanel]")

@@ -67,7 +67,7 @@ def at(engine: Engine, rpm: float) -> tuple[Real, Real]:
     return np.real(found.motion[0].T @ turning), np.real(forces)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("rpm", [811, 3210, 6111])
 def test_tables_at_any_speed_are_those_of_the_command(tmp_path: Path, page: Page, rpm: int) -> None:
     path, engine = written(tmp_path)

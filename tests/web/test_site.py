@@ -83,6 +83,7 @@ def test_a_site_opens_from_disk_and_its_engines_turn(site: Path, page: Page) -> 
     assert shown == [(site / f"pictures/{name}-light.webp").as_uri() for name in ENGINES]
 
 
+@pytest.mark.release
 def test_a_gallery_turns_and_is_whole_without_a_script(site: Path, browser: Browser) -> None:
     context = browser.new_context(java_script_enabled=False, color_scheme="dark")
     try:

@@ -35,6 +35,7 @@ def rows(page: Page, title: str) -> list[list[str]]:
     )
 
 
+@pytest.mark.release
 def test_the_panel_has_the_numbers_of_the_command(path: Path, page: Page, tmp_path: Path) -> None:
     file, answer = tmp_path / "engine.json", tmp_path / "answer.json"
     file.write_text(json.dumps(TOLERANT), encoding="utf-8")

@@ -149,6 +149,7 @@ def test_each_throw_is_ahead_by_its_turn_times_the_magnification(
     checked_places(engine, read(page), np.zeros((len(engine.shafts[0].throws), 8)), sense, EIGHT)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", [CLOCKWISE, COUNTER_CLOCKWISE])
 def test_the_colours_of_the_crank_go_with_the_stress(
     tmp_path: Path, page: Page, told: Told, name: str

@@ -104,6 +104,7 @@ def test_rows_of_cylinders_and_banks_are_the_forces_of_the_analysis(
     assert not expected
 
 
+@pytest.mark.release
 def test_a_long_name_above_its_numbers_is_whole_where_there_is_room(
     built_page: Build, page: Page
 ) -> None:
