@@ -641,8 +641,9 @@ def test_shafts_that_are_never_back_at_the_start_are_refused() -> None:
 
 
 def test_a_reference_crankshaft_that_is_geared_or_elsewhere_is_refused() -> None:
-    geared = codes(spoilt(EXPLICIT, shaft__0__speed_ratio=-1))
-    assert geared["shaft[1].speed_ratio"] == "shaft.reference-ratio"
+    for ratio in (-1, 2):
+        geared = codes(spoilt(EXPLICIT, shaft__0__speed_ratio=ratio))
+        assert geared["shaft[1].speed_ratio"] == "shaft.reference-ratio"
     assert codes(spoilt(EXPLICIT, shaft__0__up="3 mm"))["shaft[1]"] == "shaft.reference-place"
 
 

@@ -167,6 +167,14 @@ def test_what_cannot_be_estimated_is_refused(
         estimated(tree_of(name)[1], name=name, **options)
 
 
+@pytest.mark.parametrize("own", ["bore", "stroke"])
+def test_either_size_contradicts_a_displacement(own: str) -> None:
+    tree = tree_of("i4")[1]
+    tree["cylinder"] = {**tree["cylinder"], own: "80 mm"}
+    with pytest.raises(EngineFileError, match="which the displacement would contradict"):
+        estimated(tree, name="i4", displacement=2e-3)
+
+
 def within(number: Any, shown: Any, place: str = "") -> int:
     """Assert that a tree's numbers lie in the ranges of a ranged tree; how many have one."""
     count = 0

@@ -237,6 +237,7 @@ def test_a_motored_engine_gives_nothing_and_has_no_half_orders(run: Run) -> None
         (("--flywheel", "1 m"), "moment of inertia"),
         (("--flywheel", "0.1 kg*m^2"), "reciprocating_mass"),
         (("--orders", "24.5"), "orders up to 24"),
+        (("--orders", "1,900"), "orders up to 24"),
         (("--set", "gas.process=limited-pressure", "--set", "gas.peak_pressure=9 bar"), "alone"),
     ],
 )

@@ -276,6 +276,7 @@ def test_an_estimated_engine_has_ranges(run: Run) -> None:
         (("--compensate", "2: 0 m"), "no arm"),
         (("--compensate", "2: 4 m", "--compensate", "2: 5 m"), "give each order once"),
         (("--compensate", "3: 1 m, -1 m"), "no vertical moment of order 3"),
+        (("--compensate", "0: 6 m, -6 m"), "orders 1 to "),
         (("--phase-error", "3 deg"), "--phase-error"),
         (("--compensate", "2: 4 m, -4 m", "--phase-error", "400 deg"), "up to 180 deg"),
         (("--node", "25"), "write it with a unit"),

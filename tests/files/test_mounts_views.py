@@ -61,6 +61,20 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     assert [row["name"] for row in out["axes"]] == ["torque_roll", "elastic"]
 
 
+def test_each_mount_stands_under_the_headings_of_its_place(run: Run, tmp_path: Path) -> None:
+    places = [(20, -300, 100), (-10, 310, 90), (5, 40, -350)]
+    named = [
+        {"up": f"{up} mm", "right": f"{right} mm", "z": f"{z} mm", "stiffness": "150 N/mm"}
+        for up, right, z in places
+    ]
+    mounts = [{"name": f"mount {number}", **each} for number, each in enumerate(named, 1)]
+    out = run("mounts", written(tmp_path, mounts=mounts)).out
+    [heads] = re.findall(r"\n +(up +right +along) +its axes .*\n.*\[mm\]", out)
+    assert heads.split() == ["up", "right", "along"]
+    rows = re.findall(r"(?m)^mount \d +([-−\d]+) +([-−\d]+) +([-−\d]+) +150, 150, 150 ", out)
+    assert [tuple(int(cell.replace("−", "-")) for cell in row) for row in rows] == places
+
+
 @pytest.mark.release
 def test_the_sign_of_the_advance_is_told_and_holds(run: Run, tmp_path: Path) -> None:
     """A point on the elastic axis goes to the front with it while the block rolls clockwise."""

@@ -127,6 +127,13 @@ def test_two_groups_are_left_and_right_in_a_file_of_16_bits(name: str, channels:
         assert (file.getframerate(), file.getnframes()) == (RATE, RATE)
 
 
+def test_the_samples_of_a_file_are_those_of_the_sound_of_full_scale() -> None:
+    heard = steady(CROSS)
+    with wave.open(io.BytesIO(wav(heard))) as file:
+        read = np.frombuffer(file.readframes(RATE), "<i2").reshape(-1, 2).T
+    assert read / 32767 == pytest.approx(heard.samples, abs=0.51 / 32767)
+
+
 def test_pipes_whose_pulses_cancel_in_one_channel_are_heard_side_by_side() -> None:
     # three banks fire 20 deg apart, each six times a turn: their sum is steady
     heard = steady("napier-deltic").samples[:, RATE // 4 : -RATE // 4]

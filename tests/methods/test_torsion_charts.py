@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -202,6 +203,8 @@ def test_an_order_that_is_asked_for_is_drawn_and_no_other(six: Any) -> None:
     drawn = charts.torsion_response_chart(six, orders=[4.5], speeds=[400.0, 585.0])
     names = {row["what"] for row in rows_of(drawn.to_dict()) if "what" in row}
     assert names == {"all orders", "sum of amplitudes (dashed)", "order 4.5"}
+    titles = set(re.findall(r"'x': {.*?'title': '([^']*)'", str(drawn.to_dict())))
+    assert titles == {"speed (rpm)"}
     whole = torsion(six, speeds=[400.0, 585.0]).response
     assert whole is not None
     place = whole.orders.tolist().index(4.5)

@@ -205,6 +205,7 @@ def test_what_are_no_orders_is_refused(name: str, orders: Any, words: str) -> No
     [
         (lambda i4: crankstar.balance(i4, reference=NOWHERE), "reference is nan; it must be fin"),
         (lambda i4: crankstar.balance(i4, reference=FAR), r"reference is 1e\+300; it must be wi"),
+        (lambda i4: crankstar.balance(i4, reference=-FAR), r"reference is -1e\+300; it must be w"),
         (lambda i4: crankstar.balance(i4, reference=UNHASHABLE), "reference takes a crankstar"),
         (lambda i4: crankstar.sweep(i4, ODD_OVER), "a list of two such texts, not 1"),
         (lambda i4: crankstar.derivation(i4, NOWHERE), "The order is nan; give a crank order"),

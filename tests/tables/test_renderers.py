@@ -76,3 +76,13 @@ def test_text_in_html_is_escaped_and_text_in_csv_is_no_formula() -> None:
 def test_a_row_that_does_not_fit_its_columns_is_refused() -> None:
     with pytest.raises(ValueError, match="does not fit"):
         Table("", (Column("one"),), ((1.0, 2.0),))
+
+
+def test_a_sheet_for_readers_has_units_both_parts_of_a_vector_and_the_notes() -> None:
+    columns = (Column("part", kind="text"), Column("force", "N", kind="vector"))
+    table = Table("Forces", columns, (("piston", 3.0 - 4.0j),), notes=("Up is away from it.",))
+    sheet = openpyxl.load_workbook(io.BytesIO(spreadsheet_bytes(Document("", (table,)))))["Forces"]
+    heads, row, *rest = sheet.iter_rows(values_only=True)
+    assert heads == ("part", "force [N], up", "force [N], right")
+    assert row == ("piston", 3, -4)
+    assert [cells[0] for cells in rest if cells[0]] == ["Up is away from it."]

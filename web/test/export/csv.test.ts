@@ -1,7 +1,9 @@
 import { expect, test } from 'vitest'
-import { csv } from '../../src/export/csv'
+import type { Exhibit } from '../../src/exhibit'
+import { AMPLITUDES, amplitudes, csv } from '../../src/export/csv'
 import { angleWord, slug } from '../../src/export/fileNames'
 import { paint } from '../../src/export/svgPen'
+import { exhibit } from '../stage/engine'
 
 test('cells with commas and quotes stand in quotes, and no cell is a formula', () => {
   expect(
@@ -23,4 +25,18 @@ test('colours are written as every program reads them', () => {
   expect(paint('fill', 'rgb(200 53 43 / 0.5)')).toEqual({ fill: '#c8352b', 'fill-opacity': '0.5' })
   expect(paint('stroke', 'rgba(0, 0, 0, 0)')).toEqual({ stroke: '#000000', 'stroke-opacity': '0' })
   expect(paint('fill', '#28323c')).toEqual({ fill: '#28323c' })
+})
+
+test('an amplitude has its size and its phase in degrees, in both directions of turning', () => {
+  const turning = { forward: [[1, 0]], backward: [[0, 0]] } as Exhibit['total']['force']
+  const shown = exhibit()
+  const rows = amplitudes({ ...shown, sense: 1, total: { ...shown.total, force: turning } })
+  const force = rows.filter((row) => row[AMPLITUDES.indexOf('unit')] === shown.units.force)
+  const found = force.map((row) => [row[5], row[6], row[7]])
+  expect(found).toEqual([
+    ['vertical', shown.units.force_factor, 0],
+    ['horizontal', shown.units.force_factor, -90],
+    ['forward', shown.units.force_factor, 0],
+    ['backward', 0, 0],
+  ])
 })
