@@ -140,6 +140,8 @@ def compared(page: Page, answer: dict[str, Any]) -> None:
     assert facts(page)["mean gas torque"] == pytest.approx(answer["mean_torque"], rel=6e-4)
     pressure = facts(page)["indicated mean effective pressure"]
     assert pressure == pytest.approx(answer["imep"] / 1e5, rel=6e-4)
+    if "brake torque" in facts(page):
+        assert facts(page)["brake torque"] == pytest.approx(answer["brake_torque"], rel=6e-4)
 
 
 def test_torque_by_order_is_that_of_the_command_line(
