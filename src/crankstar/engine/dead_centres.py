@@ -140,28 +140,37 @@ def _kept(
     """Dead centres by chamber, cached: firing, strokes, verdict and drawing all need them."""
     *linked, lag, ratio, area = (np.array(values) for values in arrays)
     links = motion.Linkage(master=master, **dict(zip(motion.ARRAYS, linked, strict=True)))
-    return tuple(
-        (number, _dead_centre(links, list(pistons), lag, ratio, area))
-        for number, pistons in chambers
-    )
+    found = {
+        number: _in_line(links, own[0], lag, ratio, area)
+        for number, own in chambers
+        if len(own) == 1 and _is_in_line(links, own[0])
+    }
+    left = [(number, list(own)) for number, own in chambers if number not in found]
+    if left:
+        others = _searched(links, [own for _number, own in left], lag, ratio, area)
+        found |= {number: centre for (number, _own), centre in zip(left, others, strict=True)}
+    return tuple((number, found[number]) for number, _own in chambers)
 
 
-def _dead_centre(
-    links: motion.Linkage, pistons: list[int], lag: np.ndarray, ratio: np.ndarray, area: np.ndarray
+def _is_in_line(links: motion.Linkage, piston: int) -> bool:
+    """Whether the rod of a piston is on the crank pin and comes in line with the crank twice."""
+    room = float(links.rod_length[piston]) - float(links.crank_radius[piston])
+    return links.master[piston] < 0 and room > abs(float(links.offset[piston]))
+
+
+def _in_line(
+    links: motion.Linkage, piston: int, lag: np.ndarray, ratio: np.ndarray, area: np.ndarray
 ) -> DeadCentre:
-    """The dead centre of one piston on a crank pin in closed form, of others by search.
+    """The dead centre of one piston on a crank pin in closed form: rod and crank are in line.
 
-    Rod and crank are in line: for an offset e at sin psi = e/(l + r) at the top, at psi = 180 deg +
-    asin(e/(l - r)) at the bottom.
+    For an offset e at sin psi = e/(l + r) at the top, at psi = 180 deg + asin(e/(l - r)) at the
+    bottom.
     """
-    first = pistons[0]
     crank, rod, offset = (
-        float(values[first]) for values in (links.crank_radius, links.rod_length, links.offset)
+        float(values[piston]) for values in (links.crank_radius, links.rod_length, links.offset)
     )
-    if len(pistons) > 1 or links.master[first] >= 0 or rod - crank <= abs(offset):
-        return _searched(links, pistons, lag, ratio, area)
-    psi = asin(offset / (rod + crank)) if area[first] > 0 else pi + asin(offset / (rod - crank))
-    return _centre((psi - float(lag[first])) / float(ratio[first]), abs(float(ratio[first])))
+    psi = asin(offset / (rod + crank)) if area[piston] > 0 else pi + asin(offset / (rod - crank))
+    return _centre((psi - float(lag[piston])) / float(ratio[piston]), abs(float(ratio[piston])))
 
 
 def _centre(theta: float, speed: float) -> DeadCentre:
@@ -172,22 +181,44 @@ def _centre(theta: float, speed: float) -> DeadCentre:
 
 
 def _searched(
-    links: motion.Linkage, pistons: list[int], lag: np.ndarray, ratio: np.ndarray, area: np.ndarray
-) -> DeadCentre:
-    """Search a grid over one turn of the pistons' own shaft, then refine by Newton's method."""
-    speed = abs(float(ratio[pistons[0]]))
+    links: motion.Linkage,
+    chambers: list[list[int]],
+    lag: np.ndarray,
+    ratio: np.ndarray,
+    area: np.ndarray,
+) -> list[DeadCentre]:
+    """Search a grid over one turn of the pistons' own shaft, then refine by Newton's method.
+
+    All chambers at once: each has its own crank angle in a row of samples.
+    """
+    parts = np.zeros((len(chambers), len(area)))
+    for row, own in zip(parts, chambers, strict=True):
+        row[own] = 1.0
+    axis = np.exp(1j * links.bearing)[:, None]
+
+    def travelled(theta: np.ndarray) -> list[np.ndarray]:
+        """Bore area times outward travel [chamber, sample], and two derivatives."""
+        moved = motion.rods(links, ratio[:, None] * theta + lag[:, None])
+        return [
+            parts @ ((area * ratio**power)[:, None] * (path / axis).real)
+            for power, path in enumerate(moved.piston)
+        ]
+
+    speeds = np.array([abs(float(ratio[own[0]])) for own in chambers])
     grid = np.arange(360) * (2 * np.pi / 360)
-    travel, _, _ = outward(links, pistons, grid / speed, lag, ratio, area)
-    theta = float(grid[np.argmax(travel)]) / speed
+    theta = np.zeros(len(chambers))
+    for speed in {*speeds.tolist()}:
+        at = speeds == speed
+        theta[at] = grid[np.argmax(travelled(grid / speed)[0][at], axis=-1)] / speed
+    moving = np.ones(len(chambers), bool)
     for _ in range(20):
-        _, slope, bend = (
-            float(part[0]) for part in outward(links, pistons, np.array([theta]), lag, ratio, area)
-        )
-        step = -slope / bend if bend < 0 else 0.0
-        theta += float(np.clip(step, -0.02 / speed, 0.02 / speed))
-        if abs(step) < 1e-15:
+        _travel, slope, bend = (np.diagonal(part) for part in travelled(theta))
+        step = np.divide(-slope, bend, out=np.zeros_like(theta), where=moving & (bend < 0))
+        theta += np.clip(step, -0.02 / speeds, 0.02 / speeds)
+        moving &= np.abs(step) >= 1e-15
+        if not moving.any():
             break
-    return _centre(theta, speed)
+    return [_centre(float(at), float(speed)) for at, speed in zip(theta, speeds, strict=True)]
 
 
 def outward(

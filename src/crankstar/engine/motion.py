@@ -228,22 +228,13 @@ def unreachable(engine: Assembly) -> list[Fault]:
     Plain rods are checked by the engine itself; a slave's knuckle pin has to be followed round.
     """
     links = linkage(engine)
-    psi = np.arange(720) * (2 * np.pi / 720)
+    if all(index < 0 for index in links.master):
+        return []
+    arrays = tuple(tuple(map(float, getattr(links, name))) for name in ARRAYS)
     faults: list[Fault] = []
-    for index, cylinder in enumerate(engine.cylinders):
-        if cylinder.articulated is None:
-            continue
-        way = parted(links, chain(links.master, index))
-        # However long the rod is, its big end goes the same way.
-        long_enough = 10 * (
-            np.sum(way.crank_radius + way.rod_length + way.knuckle_radius) + abs(cylinder.offset)
-        )
-        try:
-            moved = rods(replace(way, rod_length=np.append(way.rod_length[:-1], long_enough)), psi)
-        except ValueError:
-            continue  # its master's rod is too short, which is told of that
-        axis = np.exp(1j * links.bearing[index])
-        reach = float(np.max(np.abs((moved.big_end.place[-1] / axis).imag - cylinder.offset)))
+    for index, (cylinder, reach) in enumerate(
+        zip(engine.cylinders, _reaches(links.master, arrays), strict=True)
+    ):
         if cylinder.rod_length < MINIMUM_CLEARANCE * reach:
             values = {
                 "value": cylinder.rod_length,
@@ -253,6 +244,34 @@ def unreachable(engine: Assembly) -> list[Fault]:
             path = ("cylinders", index, "rod_length")
             faults.append(Fault(path, "rod.slave-too-short", values, cylinder.number))
     return faults
+
+
+@lru_cache(maxsize=64)
+def _reaches(master: tuple[int, ...], arrays: tuple[tuple[float, ...], ...]) -> tuple[float, ...]:
+    """How far each big end of a slave goes from the axis of its cylinder; 0 of other rods.
+
+    Kept by geometry: an engine is checked anew for each mass that is tried.
+    """
+    links = Linkage(master=master, **dict(zip(ARRAYS, map(np.array, arrays), strict=True)))
+    psi = np.arange(720) * (2 * np.pi / 720)
+    out: list[float] = []
+    for index, own in enumerate(master):
+        out.append(0.0)
+        if own < 0:
+            continue
+        way = parted(links, chain(master, index))
+        # However long the rod is, its big end goes the same way.
+        offset = float(links.offset[index])
+        long_enough = 10 * (
+            np.sum(way.crank_radius + way.rod_length + way.knuckle_radius) + abs(offset)
+        )
+        try:
+            moved = rods(replace(way, rod_length=np.append(way.rod_length[:-1], long_enough)), psi)
+        except ValueError:
+            continue  # its master's rod is too short, which is told of that
+        axis = np.exp(1j * links.bearing[index])
+        out[-1] = float(np.max(np.abs((moved.big_end.place[-1] / axis).imag - offset)))
+    return tuple(out)
 
 
 def parted(links: Linkage, chain: list[int]) -> Linkage:
