@@ -12,6 +12,7 @@ where the crankshaft turns clockwise as seen from the front; negative is the oth
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -68,7 +69,7 @@ def side_thrust(engine: Engine, cycle: Cycle, *, samples: int = SAMPLES) -> Side
     >>> bool(abs(found.gas[0, 0]) < 1e-6), bool(found.gas[0, 30] > 1000)
     (True, True)
     """
-    return _at(engine, cycle, samples_over(engine, samples))
+    return _pressing(engine, cycle)(samples_over(engine, samples))
 
 
 def greatest_side_thrust(engine: Engine, cycle: Cycle) -> SideThrust:
@@ -88,22 +89,30 @@ def greatest_side_thrust(engine: Engine, cycle: Cycle) -> SideThrust:
         whole = found.total.T
         return np.maximum(np.hstack([whole, -whole]), 0.0)
 
-    return refined(
-        theta,
-        _at(engine, cycle, theta),
-        at=lambda angles: _at(engine, cycle, angles),
-        joined=_joined,
-        curves=both_sides,
-    )
+    at = _pressing(engine, cycle)
+    return refined(theta, at(theta), at=at, joined=_joined, curves=both_sides)
 
 
-def _at(engine: Engine, cycle: Cycle, theta: Real) -> SideThrust:
-    return SideThrust(
-        tuple(cylinder.number for cylinder in engine.cylinders),
-        theta,
-        _of_gas(engine, cycle, theta),
-        _of_inertia(engine, cycle.speed, theta),
-    )
+def _pressing(engine: Engine, cycle: Cycle) -> Callable[[Real], SideThrust]:
+    """The side thrust at any crank angles; what does not depend on them is found once."""
+    ratio, numbers = pistons(engine).ratio, tuple(each.number for each in engine.cylinders)
+    axis = np.exp(1j * np.array([cylinder.bearing for cylinder in engine.cylinders]))[:, None]
+    speed, guide = cycle.speed, None
+    if speed is not None and {"mass", "radius"}.isdisjoint(engine.relative):
+        guide = pin_loads(mechanism(engine)).guide
+
+    def at(theta: Real) -> SideThrust:
+        inertia = None
+        if guide is not None and speed is not None:
+            inertia = spectra.value(guide, theta) * speed**2 / axis
+        return SideThrust(
+            numbers,
+            theta,
+            _of_gas(engine, cycle, theta),
+            None if inertia is None else _to_thrust_side(inertia, ratio),
+        )
+
+    return at
 
 
 def _joined(one: SideThrust, two: SideThrust) -> SideThrust:
@@ -182,14 +191,6 @@ def rod_speeds(engine: Engine, theta: Real) -> Real:
     """
     direction = rods_over(engine, theta).direction
     return np.imag(np.conj(direction.place) * direction.first) * pistons(engine).ratio[:, None]
-
-
-def _of_inertia(engine: Engine, speed: float | None, theta: Real) -> Real | None:
-    if speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
-        return None
-    values = spectra.value(pin_loads(mechanism(engine)).guide, theta) * speed**2
-    axis = np.exp(1j * np.array([cylinder.bearing for cylinder in engine.cylinders]))
-    return _to_thrust_side(values / axis[:, None], pistons(engine).ratio)
 
 
 def _to_thrust_side(guide: Complex, ratio: Real) -> Real:
