@@ -207,6 +207,7 @@ def clear_places(engine: Engine, *, paired: bool, about_another: bool = False) -
     return ShaftPlaces(up=away * below, apart=apart if paired else 0.0)
 
 
+@lru_cache(maxsize=8)  # the record of an answer and its verdict ask the same
 def quiet_cranks(engine: Engine, *, bare: bool = False) -> tuple[Engine, float | None]:
     """The engine with counterweights that cancel what turns with a crankshaft, and their factor.
 
