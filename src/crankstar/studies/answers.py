@@ -33,7 +33,8 @@ from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summ
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.answer_parts import TURNING, joined
 from crankstar.studies.assumed_values import assumed_values
-from crankstar.studies.assumptions import Answer, Assumption, Figure, Figures, moved
+from crankstar.studies.assumptions import LOAD_OF, Answer, Assumption, moved
+from crankstar.studies.tried_values import Figure, Figures, Tuning
 
 if TYPE_CHECKING:
     from crankstar.studies.single_faults import Fault
@@ -255,12 +256,15 @@ def twist(
 ) -> Answer:
     """The first natural frequency of torsion, and the greatest turn of the free end."""
     from crankstar.dynamics.torsion_analysis import peaked, torsion_on_grid
+    from crankstar.dynamics.torsion_chain import torsion_chain
+    from crankstar.dynamics.torsion_modes import torsion_modes
 
-    whole = torsion_on_grid(engine, point=point, speed=speed, speeds=speeds)
+    fixed: dict[str, Any] = {"point": point, "speed": speed, "single": False}
+    whole = torsion_on_grid(engine, speeds=speeds, **fixed)
     ends = [float(whole.speeds[0]), float(whole.speeds[-1])] if len(whole.speeds) else []
 
     def figures(each: Engine) -> Figures:
-        rough = torsion_on_grid(each, point=point, speed=speed, speeds=ends)
+        rough = torsion_on_grid(each, speeds=ends, **fixed)
         found = peaked(each, rough, curves=lambda own: own.peak_turn(rough.free_end)[:, None])
         out: dict[Figure, float] = {}
         if found.modes:
@@ -270,6 +274,13 @@ def twist(
             out["torsional amplitude", None] = degrees(float(turn.max()))
         return out
 
+    def natural(each: Engine) -> list[float]:
+        return [mode.speed for mode in torsion_modes(torsion_chain(each))]
+
+    tunings = []
+    if ends and whole.response is not None:
+        orders = whole.response.orders.tolist()
+        tunings = [Tuning(natural, orders, (ends[0], ends[-1]))]
     units = {"natural frequency": "Hz", "torsional amplitude": "deg"}
     return Answer(
         figures=figures,
@@ -278,6 +289,7 @@ def twist(
         gas=whole.cycle,
         gasless=True,
         why_gasless="" if engine.gas is None else whole.without_gas,
+        tunings=tunings,
     )
 
 
@@ -288,27 +300,39 @@ def on_mounts(
     speed: float | None = None,
     speeds: Sequence[float] | Real = (),
 ) -> Answer:
-    """The natural frequencies of the block, and the greatest force into the ground over speeds."""
-    from crankstar.dynamics.mount_analysis import mounts
+    """The natural frequencies of the block, and the greatest force into the ground over speeds.
+
+    Also what each mount bears upward at rest, measured by the greatest of them.
+    """
+    from crankstar.dynamics.mount_analysis import greatest_ground_force, mounts
     from crankstar.dynamics.mount_modes import mount_modes
-    from crankstar.dynamics.mount_response import rms
-    from crankstar.dynamics.mounted_block import mounted_block, settled
+    from crankstar.dynamics.mounted_block import borne, mounted_block, settled
 
     whole = mounts(engine, point=point, speed=speed, speeds=speeds)
-    ends = [] if whole.over is None else [float(each) for each in whole.over.speeds[[0, -1]]]
+    over = whole.over
+    ends = None if over is None else (float(over.speeds[0]), float(over.speeds[-1]))
 
     def figures(each: Engine) -> Figures:
         block = mounted_block(each)
+        loads = settled(block)[1]
         modes = mount_modes(block)
         out: dict[Figure, float] = {
-            ("mount load", None): float(np.linalg.norm(settled(block)[1], axis=-1).max())
+            ("mount load", None): float(np.linalg.norm(loads, axis=-1).max())
         }
         out |= {(f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)}
-        if ends:
-            found = mounts(each, point=point, speed=speed, speeds=ends)
-            if found.over is not None:
-                out["mount force", None] = float(rms(found.over.ground_force[..., :3]).max())
+        out |= {
+            (f"{LOAD_OF}{mount.name}", None): load
+            for mount, load in zip(block.mounts, borne(block, loads).tolist(), strict=True)
+        }
+        if ends is not None:
+            force = greatest_ground_force(each, block, speeds=ends, point=point)
+            out["mount force", None] = force
         return out
+
+    def least(each: Engine) -> Mapping[str, float]:
+        block = mounted_block(each)
+        loads = borne(block, settled(block)[1])
+        return {f"{LOAD_OF}{own.name}": float(np.abs(loads).max()) for own in block.mounts}
 
     gas, why = _gas_of(engine, point=point, speed=speed)
     return Answer(
@@ -318,7 +342,20 @@ def on_mounts(
         gas=gas,
         gasless=True,
         why_gasless=why,
+        least=least,
+        tunings=[] if over is None else [_on_mounts_tuned(over.orders.tolist(), *(ends or (0, 0)))],
     )
+
+
+def _on_mounts_tuned(orders: Sequence[float], low: float, high: float) -> Tuning:
+    """The natural frequencies of an engine on its mounts and the orders of some speeds, rad/s."""
+    from crankstar.dynamics.mount_modes import mount_modes
+    from crankstar.dynamics.mounted_block import mounted_block
+
+    def natural(each: Engine) -> list[float]:
+        return [mode.speed for mode in mount_modes(mounted_block(each))]
+
+    return Tuning(natural, orders, (low, high))
 
 
 def felt(
@@ -348,6 +385,10 @@ def felt(
         }
 
     gas, why = _gas_of(engine, point=point, speed=speed)
+    tunings = []
+    if engine.mounts:
+        now = shaken(engine, faults, point=point, speed=speed, orders=orders)
+        tunings = [_on_mounts_tuned(now.orders.tolist(), now.speed, now.speed)]
     return Answer(
         figures=figures,
         unit=lambda quantity, _engine: units[quantity],
@@ -355,6 +396,7 @@ def felt(
         gas=gas,
         gasless=True,
         why_gasless=why,
+        tunings=tunings,
     )
 
 

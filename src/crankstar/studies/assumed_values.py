@@ -331,11 +331,15 @@ def _turning(engine: Engine, kind: EngineType | None, look: Look | None) -> Iter
             vary=lambda each, mass: with_turning_masses(each, None, mass),
         )  # fmt: skip
         return
-    beside = {ends[0]: pins[0], ends[-1]: pins[-1]} if no_pins else {}
+
+    def vary(each: Engine, mass: float) -> Engine:
+        pin = float(np.interp(mass, ends[:: len(ends) - 1], pins[:: len(pins) - 1]))
+        return with_turning_masses(each, mass, pin if no_pins else None)
+
     yield Assumption(
         "missing", path, reason, 0.0, unit, ends[0], ends[-1],
         values=(("pins", (pins[0], pins[-1])),) if no_pins else (),
-        vary=lambda each, mass: with_turning_masses(each, mass, beside.get(mass)),
+        vary=vary,
     )  # fmt: skip
 
 
