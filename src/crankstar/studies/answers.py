@@ -31,7 +31,7 @@ from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Real, Spectrum
-from crankstar.studies.answer_parts import TURNING, joined
+from crankstar.studies.answer_parts import TURNING, in_own_unit, joined, without_speed
 from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.assumptions import LOAD_OF, Answer, Assumption, moved
 from crankstar.studies.tried_values import Figure, Figures, Tuning
@@ -106,12 +106,21 @@ def _rolls(name: str, engine: Engine, found: Cycle) -> dict[Figure, float]:
     return _by_order(name, roll_of(engine, found))
 
 
-def compared(engine: Engine, *, speed: float | None = None) -> Answer:
-    """What engines are compared by: inertia by order, the torque with gas, torsion, mounts."""
-    gas = _of_torque(engine, speed)
-    of_file = bool(gas) and bool({"mass", "radius"} & {*engine.relative})  # gas in another unit
-    inertia = amplitudes(engine, speed=speed, gas=of_file)
-    return joined([inertia, *gas, *_driven(engine, speed)])
+def compared(
+    engine: Engine, *, speed: float | None = None, own_unit: bool = False, gas: bool = True
+) -> Answer:
+    """What engines are compared by: inertia by order, the torque with gas, torsion, mounts.
+
+    In m r omega^2 with `own_unit`, as where an engine beside it has no masses; without the torque
+    unless `gas`, as where one beside it has none.
+    """
+    torque = _of_torque(engine, speed) if gas else []
+    of_file = bool(torque) and bool({"mass", "radius"} & {*engine.relative})  # gas in another unit
+    if own_unit:
+        inertia = in_own_unit(amplitudes(without_speed(engine), gas=of_file))
+    else:
+        inertia = amplitudes(engine, speed=speed, gas=of_file)
+    return joined([inertia, *torque, *_driven(engine, speed)])
 
 
 def summary(engine: Engine, *, speed: float | None = None) -> Answer:

@@ -12,6 +12,8 @@ from crankstar.language.shown_units import quantity_text
 from crankstar.studies.assumptions import LOAD_OF, TOLD, Assumption, Moved
 from crankstar.tables.table import Remarks
 
+PAIRED = 2
+"""Sentences on each of two engines that find room on the first screen; on each of more, one."""
 MOST_TOLD = 5
 """Sentences of their own, at most; the others are named."""
 FIGURES = {
@@ -256,3 +258,21 @@ def assumption_remarks(found: Sequence[Assumption], *, of: str = "") -> tuple[Re
     lines = assumption_lines(found)
     head = _("{name} rests on:", name=of) if of else _("This rests on:")
     return (Remarks((passage([head]), *lines), kind="doubt"),) if lines else ()
+
+
+def side_by_side(
+    found: Sequence[Sequence[Assumption]], names: Sequence[str]
+) -> tuple[tuple[Remarks, ...], tuple[Remarks, ...]]:
+    """What matters most of each engine, for the first screen, and for the end the rest of it."""
+    first, rest = [], []
+    most = PAIRED if len(names) <= 2 else 1
+    for own, name in zip(found, names, strict=True):
+        lines = assumption_lines(own)
+        leading, others = lines[:most], lines[most:]
+        if leading:
+            head = passage([_("{name} rests on:", name=name)])
+            first.append(Remarks((head, *leading), kind="doubt"))
+        if others:
+            head = passage([_("{name} also rests on:", name=name)])
+            rest.append(Remarks((head, *others), kind="doubt"))
+    return tuple(first), tuple(rest)
