@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
@@ -37,6 +38,7 @@ from crankstar.studies.assumptions import LOAD_OF, Answer, Assumption, moved
 from crankstar.studies.tried_values import Figure, Figures, Tuning
 
 if TYPE_CHECKING:
+    from crankstar.studies.diagnosis import Diagnosis
     from crankstar.studies.single_faults import Fault
 
 MakeCycle = Callable[[Engine], Cycle | None]
@@ -449,8 +451,20 @@ def bobweights(engine: Engine, *, factor: float) -> Answer:
     )
 
 
-def watched_results(engine: Engine, names: Sequence[str], *, speed: float | None = None) -> Answer:
-    """The figures of what a sweep watches, those of the first name."""
+def watched_results(
+    engine: Engine, names: Sequence[str], *, speed: float | None = None, varied: Sequence[str] = ()
+) -> Answer:
+    """The figures of what a sweep watches, those of the first name; `varied` are its key paths.
+
+    What is varied is in no doubt; nor are the counterweights that a balance factor gives.
+    """
+    given = {*varied, *(("crankshaft.weight",) if "balance_factor" in varied else ())}
+    own = _watched(engine, names, speed=speed)
+    return replace(own, given={*own.given, *given})
+
+
+def _watched(engine: Engine, names: Sequence[str], *, speed: float | None) -> Answer:
+    """The figures of the first of these results."""
     from crankstar.mechanics.gas import cycle
     from crankstar.studies.gas_results import GAS_WATCHABLE
     from crankstar.studies.mount_results import MOUNT_WATCHABLE
@@ -464,6 +478,21 @@ def watched_results(engine: Engine, names: Sequence[str], *, speed: float | None
     if first in MOUNT_WATCHABLE:
         return on_mounts(engine, speed=speed)
     return amplitudes(engine, speed=speed, gas=first != "roll")
+
+
+def explained(found: Diagnosis) -> Answer:
+    """What a diagnosis explains: the velocity at the first place of its readings, by their orders.
+
+    At the highest of their speeds.
+    """
+    return felt(
+        found.engine,
+        (),
+        point=found.point,
+        speed=found.states[-1].speed,
+        orders=sorted({each.order for each in found.readings}),
+        at=found.readings[0].place,
+    )
 
 
 def _inertia_sizes(

@@ -29,7 +29,7 @@ from crankstar.studies.changed_values import Vary
 from crankstar.studies.tried_values import Figure, Figures, Tried, Tuning
 
 Status = Literal["doubtful", "missing", "left out", "assumed", "estimated", "unverified"]
-Uses = Literal["inertia", "gas", "running", "bearings", "torsion", "mounts"]
+Uses = Literal["inertia", "gas", "running", "bearings", "torsion", "mounts", "valves"]
 """What an answer is made of: what of it may be lacking differs."""
 TRIAL = 0.01
 """Share by which a value without ends is varied."""
