@@ -11,9 +11,10 @@ from tests.mounted_engines import MOUNTS, standing
 
 from crankstar.dynamics.mounted_block import borne, mounted_block, settled
 from crankstar.dynamics.whirl import body
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load
-from crankstar.studies.answers import amplitudes, felt, on_mounts, rests_on
+from crankstar.studies.answers import amplitudes, felt, on_mounts, rests_on, summary
 from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.changed_values import with_turning_masses
 from crankstar.studies.single_faults import Fault, shaken
@@ -186,3 +187,15 @@ def test_a_mount_that_lifts_off_in_the_range_of_the_centre_is_named() -> None:
     assert all(name in line.split("lifts off")[1] for name in pulling)
     rows = {row["path"]: row for row in assumption_facts(found)["rests_on"]}
     assert {*rows["block.z"]["moves"]["lifting"]} == pulling
+
+
+def test_a_usual_cycle_of_a_file_without_gas_moves_no_force_on_its_mounts() -> None:
+    engine = plain()
+    still = with_values(engine, gas=None, drive=None)
+    answer = summary(still)
+    before = answer.figures(still)["mount force", None]
+    burning = answer.figures(with_values(still, gas=engine.gas))
+    assert burning["mount force", None] == before
+    for own in rests_on(still, answer):
+        if own.path.startswith("gas.") and own.moved is not None:
+            assert own.moved.quantity != "mount force", own.path

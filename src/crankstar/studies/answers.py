@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from crankstar import spectra
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
@@ -275,6 +276,7 @@ def twist(
     ends = [float(whole.speeds[0]), float(whole.speeds[-1])] if len(whole.speeds) else []
 
     def figures(each: Engine) -> Figures:
+        each = _gas_as_in(engine, each)
         rough = torsion_on_grid(each, speeds=ends, **fixed)
         found = peaked(each, rough, curves=lambda own: own.peak_turn(rough.free_end)[:, None])
         out: dict[Figure, float] = {}
@@ -324,6 +326,7 @@ def on_mounts(
     ends = None if over is None else (float(over.speeds[0]), float(over.speeds[-1]))
 
     def figures(each: Engine) -> Figures:
+        each = _gas_as_in(engine, each)
         block = mounted_block(each)
         loads = settled(block)[1]
         modes = mount_modes(block)
@@ -356,6 +359,11 @@ def on_mounts(
         least=least,
         tunings=[] if over is None else [_on_mounts_tuned(over.orders.tolist(), *(ends or (0, 0)))],
     )
+
+
+def _gas_as_in(engine: Engine, changed: Engine) -> Engine:
+    """A changed engine, without gas where the file has none: a usual cycle may have been varied."""
+    return with_values(changed, gas=None) if engine.gas is None else changed
 
 
 def _on_mounts_tuned(orders: Sequence[float], low: float, high: float) -> Tuning:
