@@ -14,6 +14,7 @@ from crankstar.files.catalog import path_of
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque
 
+ROOT = Path(__file__).parents[2]
 AUDI, BMW = "audi-25-tfsi", "bmw-m52b28"
 V8 = crankstar.load("v8-cross-plane").name
 RUBBER = """
@@ -202,3 +203,18 @@ def test_axes_of_inertia_that_are_taken_along_the_engine_are_in_the_record(
     zero = ("--set", "block.product_up_z=0 kg*m^2")
     given = json.loads(run("mounts", mounted, *changes, *zero, "--json").out)
     assert "block.product_up_z" not in rows_by_path(given)
+
+
+def test_gas_that_is_not_there_is_named_on_the_first_screen(
+    tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    lines = (ROOT / "docs" / "how-to" / "mounts.md").read_text(encoding="utf-8").splitlines()
+    start = lines.index('```toml title="v6-on-three.toml"')
+    own = lines[start + 1 : lines.index("```", start)]
+    burning, block = own.index("[gas]"), next(n for n, x in enumerate(own) if x[:7] == "[block]")
+    path = tmp_path / "still.toml"
+    path.write_text("\n".join([*own[:burning], *own[block:]]), encoding="utf-8")
+    for verb in ("analyze", "bearings", "mounts", "verdict"):
+        screen = run(verb, str(path)).out.splitlines()[:24]
+        assert any(line.startswith("Not in these numbers: ") and "gas" in line for line in screen)

@@ -69,16 +69,22 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     told = [each for each in found if each.effect >= TOLD or _lifts(each)][:MOST_TOLD]
     doubtful = [each for each in found if each.status == "doubtful"]
     lines = [(f"{each.reason}.", [each]) for each in doubtful]
-    lines += [(_line(each), [each]) for each in told]
     rest = [each for each in found if each not in (*told, *doubtful)]
+    whole = [line for status in FIRST for line in _together(rest, status)]
+    lines += [(_line(each), [each]) for each in told[:1]]
+    lines += whole  # of what is not there at all nobody knows how much it matters
+    lines += [(_line(each), [each]) for each in told[1:]]
     small = [each for each in rest if each.moved is not None]
     if small:
         lines.append((_("Of less effect: {paths}.", paths=_paths(small)), small))
-    for status, words in OTHERS.items():
-        own = [each for each in rest if each.moved is None and each.status == status]
-        if own:
-            lines.append((_(words, paths=_paths(own)), own))
+    lines += [line for status in OTHERS if status not in FIRST for line in _together(rest, status)]
     return lines
+
+
+def _together(found: Sequence[Assumption], status: str) -> list[tuple[str, list[Assumption]]]:
+    """One sentence on all of a status of which it is not known how much they move; none of none."""
+    own = [each for each in found if each.moved is None and each.status == status]
+    return [(_(OTHERS[status], paths=_paths(own)), own)] if own else []
 
 
 def _lifts(each: Assumption) -> bool:
@@ -97,6 +103,8 @@ OTHERS = {
     "unverified": N_("Unverified: {paths}."),
 }
 """Sentences for those of which it is not known how much they move, by status."""
+FIRST = ("missing", "left out")
+"""Of these the sentences that stand behind the first of all, on the first screen."""
 
 
 def _line(each: Assumption) -> str:
