@@ -14,7 +14,9 @@ from crankstar.files.catalog import path_of
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque
 
+ROOT = Path(__file__).parents[2]
 AUDI, BMW = "audi-25-tfsi", "bmw-m52b28"
+V8 = crankstar.load("v8-cross-plane").name
 RUBBER = """
 [[mounts]]
 name = "left"
@@ -112,6 +114,42 @@ def test_compared_engines_name_the_speed_and_point_of_their_gas(
     assert said.count("At 3000 rpm, with a load between the points") == 2
 
 
+def test_two_compared_engines_say_what_matters_most_on_the_first_screen(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    lines = run("compare", AUDI, "honda-b18c").out.splitlines()
+    screen = "\n".join(lines[:24])
+    for name in (AUDI, "honda-b18c"):
+        assert f"{crankstar.load(name).name} rests on:" in screen
+    assert screen.index("rests on:") > screen.index("Force")
+    assert "cylinder.rotating_mass" in screen
+    assert "also rests on:" in "\n".join(lines[24:])
+
+
+def test_engines_that_are_compared_without_masses_rest_on_figures_in_their_own_unit(
+    run: Run,
+) -> None:
+    answer = json.loads(run("compare", AUDI, "v8-cross-plane", "--json").out)
+    units = {row["unit"] for row in answer["amplitudes"] if row["quantity"] in ("force", "couple")}
+    found = [row for row in answer["rests_on"] if row["moves"] is not None]
+    assert {row["engine"] for row in found} == {crankstar.load(AUDI).name, V8}
+    assert {
+        row["moves"]["unit"] for row in found if row["moves"]["quantity"] in ("force", "couple")
+    } <= units
+    assert "N*m" not in {row["moves"]["unit"] for row in found}
+    first = next(row for row in found if row["path"] == "cylinder.rotating_mass")
+    # what turns adds to the 0.492 kg that go up and down as it does to the couple of order 1
+    [now] = {
+        row["greatest"]
+        for row in answer["amplitudes"]
+        if (row["quantity"], row["order"], row["engine"]) == ("couple", 1.0, first["engine"])
+    }
+    heavier = 1 + (first["high"] + first["throw_mass"][1]) / 0.492
+    assert first["moves"]["now"] == pytest.approx(now, rel=1e-6)
+    assert first["moves"]["high"] == pytest.approx(now * heavier, rel=1e-6)
+
+
 def test_the_range_of_an_assumed_value_between_two_points_holds_the_number(run: Run) -> None:
     answer = json.loads(run("torque", BMW, "--speed", "3000 rpm", "--json").out)
     pressure = rows_by_path(answer)["gas.intake_pressure"]
@@ -165,3 +203,18 @@ def test_axes_of_inertia_that_are_taken_along_the_engine_are_in_the_record(
     zero = ("--set", "block.product_up_z=0 kg*m^2")
     given = json.loads(run("mounts", mounted, *changes, *zero, "--json").out)
     assert "block.product_up_z" not in rows_by_path(given)
+
+
+def test_gas_that_is_not_there_is_named_on_the_first_screen(
+    tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    lines = (ROOT / "docs" / "how-to" / "mounts.md").read_text(encoding="utf-8").splitlines()
+    start = lines.index('```toml title="v6-on-three.toml"')
+    own = lines[start + 1 : lines.index("```", start)]
+    burning, block = own.index("[gas]"), next(n for n, x in enumerate(own) if x[:7] == "[block]")
+    path = tmp_path / "still.toml"
+    path.write_text("\n".join([*own[:burning], *own[block:]]), encoding="utf-8")
+    for verb in ("analyze", "bearings", "mounts", "verdict"):
+        screen = run(verb, str(path)).out.splitlines()[:24]
+        assert any(line.startswith("Not in these numbers: ") and "gas" in line for line in screen)

@@ -8,15 +8,23 @@ import numpy as np
 import pytest
 from tests.charted import foot
 from tests.commands import Run
+from tests.mounted_engines import standing
+from tests.search.test_fronts import found as found_stars
+from tests.twisting_engines import TORSION
 
 import crankstar
 from crankstar import charts
 from crankstar.charts import resting
 from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import SMALL, text_width
+from crankstar.dynamics.whirl import body
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import spoken
 from crankstar.page.figures import chart as page_chart
 from crankstar.studies import answers
+from crankstar.studies.diagnosis import diagnosed
+from crankstar.studies.readings import Reading
+from crankstar.studies.single_faults import Fault, shaken
 
 AUDI = "audi-25-tfsi"
 
@@ -57,6 +65,104 @@ def test_a_figure_rests_on_nothing_that_does_not_move_it() -> None:
         assert "cylinder.rotating_mass" not in rests(chart)
     assert (foot(star.spec), star.notes, "usermeta" in star.spec) == ([], (), False)
     assert rests(charts.hodograph(engine, quantity="couple", order=2)).keys() <= rests(force).keys()
+
+
+def unverified(engine: Engine, *keys: str) -> set[str]:
+    """The values of an engine file that nobody has read in a source, with these first letters."""
+    return {
+        path
+        for path, origin in engine.provenance.items()
+        if origin.status in ("unverified", "placeholder") and path.startswith(keys)
+    }
+
+
+LAYOUT = ("layout", "cylinder.stroke", "rotation", "shaft")
+FIRING = ("layout", "firing_order", "rotation", "shaft")
+OF_SHAPE = {
+    "crank-star": LAYOUT,  # the throws, as the layout has them: no mass, no speed
+    "shaft": LAYOUT,  # throws and arms from the side
+    "balance-shafts": LAYOUT,  # places and unbalances that are in the file
+    "stroke-chart": FIRING,  # crank angles of firing, and the timing of the valves
+    "firing-ring": FIRING,  # crank angles of firing
+    "exhaust-orders": FIRING,  # equal pulses at these angles
+}
+"""Charts in which there is no force: key paths from which what they show comes, and why."""
+
+
+@pytest.mark.parametrize("name", charts.CHARTS)
+def test_every_chart_rests_on_what_its_numbers_come_from(name: str) -> None:
+    engine = standing(torsion={**TORSION}, block={"mass": "165 kg"})
+    chart = charts.CHARTS[name].draw(engine)
+    found = rests(chart)
+    if name not in OF_SHAPE:
+        assert any(row["moves"] is not None for row in found.values())
+        assert foot(chart.spec)
+        return
+    timed = {path for path in found if path.startswith("valves.")}
+    assert {*found} - timed == unverified(engine, *OF_SHAPE[name])
+    assert bool(timed) == (name == "stroke-chart")
+    assert all(row["moves"] is None for row in found.values())
+
+
+@pytest.mark.parametrize("name", OF_SHAPE)
+def test_a_drawing_names_what_of_its_shape_nobody_has_read(name: str) -> None:
+    seen = set()
+    for engine in map(crankstar.load, ("honda-b18c", "subaru-ej25", "v8-cross-plane")):
+        paths = {path for path in rests(charts.CHARTS[name].draw(engine)) if "valves" not in path}
+        assert paths == unverified(engine, *OF_SHAPE[name]), engine.name
+        seen |= paths
+    assert seen or name == "balance-shafts"
+
+
+def test_charts_of_studies_rest_on_what_their_tables_do(run: Run, tmp_path: Path) -> None:
+    asked = {
+        "sweep": ("--over", "speed=1000..6000 rpm/5"),
+        "tolerance": ("--typical", "--builds", "1000"),
+    }
+    for verb, words in asked.items():
+        rows = json.loads(run(verb, AUDI, *words, "--json").out)["rests_on"]
+        picture = tmp_path / f"{verb}.svg"
+        said = run(verb, AUDI, *words, "-o", str(picture))
+        told = {  # the tables have rolling moments too
+            row["path"]
+            for row in rows
+            if (own := row["moves"]) and own["quantity"] != "roll" and own["effect"] > 0.1
+        }
+        assert told
+        assert all(path in said.err for path in told), verb
+        assert "cylinder.rotating_mass" in picture.read_text(encoding="utf-8")
+
+
+def test_a_balance_factor_that_is_swept_leaves_no_counterweight_in_doubt(run: Run) -> None:
+    answer = json.loads(run("sweep", AUDI, "--over", "balance_factor=0..1/3", "--json").out)
+    paths = {row["path"] for row in answer["rests_on"]}
+    assert "cylinder.rotating_mass" in paths
+    assert "crankshaft.weight" not in paths
+
+
+def test_the_chart_of_a_diagnosis_rests_on_the_block_it_shakes() -> None:
+    engine = standing(block={"mass": "165 kg"})
+    speed = 1000 * np.pi / 30
+    place = body(engine).centre
+    shake = shaken(engine, [Fault("combustion", 2)], speed=speed, orders=[0.5, 1.0, 1.5])
+    moved = shake.displacement(place)
+    readings = [
+        Reading(float(order), place, axis, 1j * order * speed * complex(moved[at, axis]), speed, at)
+        for at, order in enumerate(shake.orders)
+        for axis in (0, 1)
+    ]
+    chart = charts.suspect_chart(diagnosed(engine, readings))
+    found = rests(chart)
+    assert {"block.inertia", "block.up"} <= {*found}
+    assert {row["moves"]["quantity"] for row in found.values() if row["moves"]} & {"velocity"}
+    assert foot(chart.spec)
+
+
+def test_charts_of_a_search_rest_on_no_file() -> None:
+    # sums of unit vectors over throws that are all alike: no engine file is read
+    stars = found_stars("6")
+    for chart in (charts.pareto_front(stars), charts.best_stars(stars, count=1)):
+        assert (foot(chart.spec), chart.notes, "usermeta" in chart.spec) == ([], (), False)
 
 
 def test_a_figure_without_a_speed_counts_in_its_own_unit() -> None:

@@ -13,6 +13,7 @@ from crankstar.charts.drawing import BLUE, GREY, VERMILION, Panel, figure, headi
 from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, own, span
 from crankstar.charts.letters import SMALL, TEXT, text_width, together
 from crankstar.charts.plane import turning
+from crankstar.charts.resting import LAYOUT, of_drawing
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Shaft
 from crankstar.language.messages import _
@@ -88,7 +89,8 @@ def shaft_elevation(
     height = _("at θ = {theta}°, heights to scale", theta=f"{degrees(theta):.4g}")
     subtitle = [*heading(engine), height, *_arm_range(engine)]
     turns = turns_together(engine)
-    return figure(rows, title=title, subtitle=subtitle, theta=theta, turns=turns)
+    rests = of_drawing(engine, LAYOUT)
+    return figure(rows, title=title, subtitle=subtitle, theta=theta, turns=turns, rests=rests)
 
 
 def _lengths(engine: Engine) -> Shown:

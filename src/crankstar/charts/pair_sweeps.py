@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -25,6 +26,7 @@ from crankstar.charts.drawing import (
 from crankstar.charts.grammar import DISC, Chart, Layer, constant, field, of_rows, span
 from crankstar.charts.labels import Box
 from crankstar.charts.letters import SMALL, TEXT, folded
+from crankstar.charts.resting import of_sweep
 from crankstar.charts.sweeps import RING, value_axis
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
@@ -68,9 +70,11 @@ def contours(
     names = {"first": field_name(sweep.axes[0].path), "second": field_name(sweep.axes[1].path)}
     title = _("{quantities} over {first} and {second}", quantities=names_of(curves), **names)
     subtitle = [sweep.engine.name, *_words(pairs, sweep)]
-    made = figure(rows, title=title[0].upper() + title[1:], subtitle=subtitle)
+    watched, paths = [curve.what for curve in curves], [axis.path for axis in sweep.axes]
+    rests = of_sweep(sweep.engine, watched, paths, speed=sweep.speed)
+    made = figure(rows, title=title[0].upper() + title[1:], subtitle=subtitle, rests=rests)
     own = {"color": "independent"}
-    return Chart({**made.spec, "resolve": {"scale": own, "legend": own}})
+    return replace(made, spec={**made.spec, "resolve": {"scale": own, "legend": own}})
 
 
 def _words(pairs: Sequence[tuple[Curve, BestPair | None]], sweep: Sweep) -> list[str]:

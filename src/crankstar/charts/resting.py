@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import partial
 from math import inf
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from crankstar.charts.canvas import shows_rests, speed_of
 from crankstar.charts.grammar import Layer, constant, field, of_rows
@@ -28,6 +28,9 @@ from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.chart_answers import vectors
 from crankstar.tables.assumptions import assumption_facts, assumption_remarks, leading_line
 
+if TYPE_CHECKING:
+    from crankstar.studies.diagnosis import Diagnosis
+
 FOOT = "rests"
 """The name of the panel below the others."""
 MOST_LINES = 4
@@ -35,6 +38,10 @@ MOST_LINES = 4
 LEADING = 1.25
 """From line to line, in the size of the letters."""
 OF_INERTIA = ("force", "couple", "roll")
+LAYOUT = ("layout", "cylinder.stroke", "cylinders", "rotation", "shaft", "crankshaft")
+"""Key paths from which the shape of a crankshaft comes."""
+FIRING = ("layout", "firing_order", "cylinders", "shaft", "rotation")
+"""Key paths from which the crank angles come at which cylinders fire."""
 TWISTING = ("natural frequency", "torsional amplitude")
 OF_COMPONENT = {
     "vertical": "force", "horizontal": "force", "pitch": "couple", "yaw": "couple"
@@ -139,6 +146,7 @@ def of_inertia(
     *,
     speed: float | None,
     orders: Sequence[float] | None = None,
+    command: str = "analyze",
     **options: Any,
 ) -> Rests:
     """Of a figure of forces, couples or rolling moments of inertia.
@@ -152,7 +160,7 @@ def of_inertia(
     def answer(engine: Engine) -> Answer:
         return _at(make, engine, speed_of(engine, speed), kinds, orders)
 
-    return Rests(engines, answer, "analyze")
+    return Rests(engines, answer, command)
 
 
 def of_vectors(
@@ -271,3 +279,34 @@ def of_speeds(
         return narrowed(made, kinds, orders=orders)
 
     return Rests([engine], answer, "analyze")
+
+
+def of_drawing(engine: Engine, keys: Sequence[str], *, valves: bool = False) -> Rests:
+    """Of a figure of shape or firing: no force is in it, only what is read from these keys.
+
+    `keys` begin the key paths that count; with `valves` the timing that the file does not give.
+    """
+    others = [path for path in engine.provenance if not path.startswith((*keys,))]
+
+    def answer(_engine: Engine) -> Answer:
+        return Answer(
+            figures=lambda _each: {("shape", None): 0.0},
+            unit=lambda _quantity, _each: "",
+            uses=("valves",) if valves else (),
+            given=others,
+        )
+
+    return Rests([engine], answer, "analyze")
+
+
+def of_sweep(
+    engine: Engine, names: Sequence[str], paths: Sequence[str], *, speed: float | None
+) -> Rests:
+    """Of a figure of quantities over the values at these key paths."""
+    answer = partial(answers.watched_results, names=names, speed=speed, varied=paths)
+    return Rests([engine], answer, "sweep")
+
+
+def of_diagnosis(found: Diagnosis) -> Rests:
+    """Of a figure of what a fault explains of readings."""
+    return Rests([found.engine], lambda _engine: answers.explained(found), "diagnose")

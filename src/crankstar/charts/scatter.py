@@ -23,9 +23,11 @@ from crankstar.charts.drawing import (
 from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import COLOUR, Chart, constant, field, of_rows, span
 from crankstar.charts.letters import SMALL, folded, text_width, together
+from crankstar.charts.resting import Rests, of_inertia, of_loads
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
+from crankstar.studies.linear_law import BEARING
 from crankstar.studies.scatter import OrderScatter, Scatter
 from crankstar.tables.scatter import is_of, signal_text
 
@@ -77,6 +79,23 @@ def scatter_chart(
         panels,
         title=_("Engines built to their tolerances"),
         subtitle=[*heading(found.engine, speed=found.speed), *estimate_lines([found.engine]), said],
+        rests=_rests(found, rows),
+    )
+
+
+def _rests(found: Scatter, rows: Sequence[OrderScatter]) -> Rests:
+    """What the amplitudes of the engine as drawn rest on; loads of bearings by their greatest."""
+    kinds = list(dict.fromkeys(row.signal.partition(" ")[0].partition(".")[0] for row in rows))
+    if BEARING in kinds:
+        speed = found.speed
+        return of_loads(found.engine, lambda _engine: None, "main bearing", speed=speed)
+    return of_inertia(
+        [found.engine],
+        kinds,
+        speed=found.speed,
+        orders=sorted({row.order for row in rows}),
+        command="tolerance",
+        reference=found.reference,
     )
 
 

@@ -9,6 +9,7 @@ from crankstar.charts.canvas import panel_width
 from crankstar.charts.drawing import BLUE, GREY, ChartError, Panel, figure, layered
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
 from crankstar.charts.letters import SMALL, text_width
+from crankstar.charts.resting import of_diagnosis
 from crankstar.charts.vector_diagrams import Diagram, Named, diagram_panels
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
@@ -62,6 +63,7 @@ def suspect_chart(found: Diagnosis) -> Chart:
             found.engine.name,
             _("vectors: the difference in mm/s, its phase clockwise from up"),
         ],
+        rests=of_diagnosis(found),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import cycle, islice
 from typing import Any
 
@@ -22,6 +23,7 @@ from crankstar.charts.drawing import (
 from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import DISC, Channel, Chart, field, of_rows, span
 from crankstar.charts.letters import folded, text_width, together
+from crankstar.charts.resting import of_sweep
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import Shown, quantity_text, shown
@@ -80,9 +82,11 @@ def swept(
     title = title[0].upper() + title[1:]
     doubt = [_(BAND)] if any(bands) else estimate_lines([sweep.engine])
     subtitle = [sweep.engine.name, *doubt, *_words(pairs, sweep)]
-    made = figure([[panel] for panel in panels], title=title, subtitle=subtitle)
+    names, paths = [curve.what for curve in curves], [axis.path for axis in sweep.axes]
+    rests = of_sweep(sweep.engine, names, paths, speed=sweep.speed)
+    made = figure([[panel] for panel in panels], title=title, subtitle=subtitle, rests=rests)
     own = {"color": "independent", "strokeDash": "independent"}  # each panel has its own curves
-    return Chart({**made.spec, "resolve": {"scale": own, "legend": own}})
+    return replace(made, spec={**made.spec, "resolve": {"scale": own, "legend": own}})
 
 
 def _words(pairs: Sequence[tuple[Curve, Best | None]], sweep: Sweep) -> list[str]:

@@ -20,7 +20,7 @@ from crankstar.cli.options import (
     option,
     together,
 )
-from crankstar.cli.output import working, write_bytes
+from crankstar.cli.output import complain, working, write_bytes
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.quantities import MASS
 from crankstar.files import units
@@ -123,7 +123,7 @@ def diagnose(
 ) -> None:
     """Find the likeliest fault by measured vibration."""
     from crankstar.mechanics.operating_points import operating_state
-    from crankstar.studies.answers import felt
+    from crankstar.studies.answers import explained
     from crankstar.studies.diagnosis import diagnosed
     from crankstar.tables.diagnoses import diagnosis_document
     from crankstar.tables.ranges import resting
@@ -146,15 +146,7 @@ def diagnose(
             return
         every = form != "txt"
         document = diagnosis_document(found, every=every, before=before is not None)
-        answered = partial(
-            felt,
-            loaded,
-            (),
-            point=point or "",
-            speed=found.states[-1].speed,
-            orders=sorted({each.order for each in found.readings}),
-            at=found.readings[0].place,
-        )
+        answered = partial(explained, found)
         document = resting(document, resting_on(form, loaded, answered))
     give(document, output, form=form)
 
@@ -165,6 +157,8 @@ def _draw(found: Diagnosis, form: str, output: str | None) -> None:
     look = chart_request.paper(form, theme=None, width=None, height=None, dpi=None, font_size=None)
     made = drawing.printed(partial(drawing.suspect_chart, found), look, title=title)
     write_bytes(drawing.saved_print(made, form, title=title), output)
+    for line in made.chart.notes:
+        complain(line)
 
 
 def _readings(place: str, engine: Engine, speed: float | None) -> Sequence[Reading]:

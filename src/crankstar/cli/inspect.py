@@ -257,7 +257,6 @@ def compare(
     from crankstar.studies.answers import compared, rests_on
     from crankstar.tables import comparison as tables
     from crankstar.tables.analysis import analysis
-    from crankstar.tables.assumptions import assumption_facts, assumption_remarks
     from crankstar.tables.ranges import ranged_side_by_side
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -293,14 +292,11 @@ def compare(
 
     document = ranged_side_by_side(sheet, [each.spread for each in loaded], engines)
     if form not in ("csv", "parquet"):
-        for one, name in zip(engines, own, strict=True):
-            rests = rests_on(one, compared(one, speed=turning))
-            said = assumption_remarks(rests, of=name)
-            rows = [{"engine": name, **row} for row in assumption_facts(rests).get("rests_on", [])]
-            facts = {"rests_on": [*document.facts.get("rests_on", []), *rows]}
-            document = replace(
-                document, parts=(*document.parts, *said), facts={**document.facts, **facts}
-            )
+        own_unit = any(analysis(one, speed=turning).real is None for one in engines)
+        burning = all(one.gas is not None for one in engines)
+        answer = partial(compared, speed=turning, own_unit=own_unit, gas=burning)
+        rests = [rests_on(one, answer(one)) for one in engines]
+        document = tables.resting(document, rests, own)
     give(tables.with_shares(document, engines), output, form=form)
 
 

@@ -24,7 +24,7 @@ from crankstar.cli.options import (
     option,
     together,
 )
-from crankstar.cli.output import working, writable, write_bytes
+from crankstar.cli.output import complain, working, writable, write_bytes
 from crankstar.cli.tabulating import give, resting_on
 from crankstar.files import STANDARD_INPUT
 from crankstar.files.changes import path_and_value
@@ -101,8 +101,7 @@ def sweep(
     paths = [axis.path for axis in made.sweep.axes]
 
     def answered() -> Answer:
-        watched = watched_results(engine_swept, names, speed=speed_swept)
-        return replace(watched, given=paths)
+        return watched_results(engine_swept, names, speed=speed_swept, varied=paths)
 
     document = resting(made.document(form), resting_on(form, engine_swept, answered))
     tree = None
@@ -223,3 +222,5 @@ def _draw(made: _Made, kind: str, paper: Any, output: str | None) -> None:
     )
     printed = drawing.printed(draw, paper, title=title)
     write_bytes(drawing.saved_print(printed, kind, title=title), output)
+    for line in printed.chart.notes:
+        complain(line)

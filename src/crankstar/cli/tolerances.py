@@ -22,7 +22,7 @@ from crankstar.cli.options import (
     option,
     together,
 )
-from crankstar.cli.output import working, writable, write_bytes
+from crankstar.cli.output import complain, working, writable, write_bytes
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.files import changed, engine_of
 from crankstar.language.messages import _
@@ -107,7 +107,7 @@ def tolerance(
         every = orders is not None
         signals = names or None
         document = scatter_document(found, signals=signals, machine=form != "txt", every=every)
-        answered = partial(amplitudes, found.engine)
+        answered = partial(amplitudes, found.engine, speed=found.speed, reference=found.reference)
         document = resting(document, resting_on(form, found.engine, answered))
         if form == "xlsx":
             own = scatter_document(found, signals=signals, every=every)
@@ -201,3 +201,5 @@ def _draw(
     )
     printed = drawing.printed(draw, paper, title=title)
     write_bytes(drawing.saved_print(printed, kind, title=title), output)
+    for line in printed.chart.notes:
+        complain(line)

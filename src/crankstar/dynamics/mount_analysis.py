@@ -6,8 +6,9 @@ for, else from the lowest to the highest that the file knows, else about the one
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
@@ -114,7 +115,7 @@ def mounts(
         grid = wanted
         if grid.size > 1 and not point:
             grid = _inside(wanted, [*points_by_speed(engine)])
-        over = _peaked(block, modes, push(grid), told)
+        over = _peaked(block, modes, push(grid), partial(_told_curves, point=told))
     return MountAnalysis(
         block=block,
         modes=modes,
@@ -132,6 +133,34 @@ def mounts(
     )
 
 
+def greatest_ground_force(
+    engine: Engine, block: MountedBlock, *, speeds: tuple[float, float], point: str = ""
+) -> float:
+    """The greatest force on the ground from one speed (rad/s) to another, N rms, of all orders.
+
+    That of `mounts` over this range, without all else that it lists.
+
+    >>> from crankstar.files.catalog import load
+    >>> places = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
+    >>> rubber = [{"name": n, "right": r, "z": z, "stiffness": "50 N/mm"} for n, r, z in places]
+    >>> five = load("audi-25-tfsi", changes={"mounts": rubber, "block": {"mass": "150 kg"}})
+    >>> whole = rms(mounts(five, speeds=[80, 600]).over.ground_force[..., :3]).max()
+    >>> own = greatest_ground_force(five, mounted_block(five), speeds=(80, 600))
+    >>> bool(abs(own / whole - 1) < 1e-5)
+    True
+    """
+    grid = np.unique(np.array(speeds, float))
+    if grid.size > 1 and not point:
+        grid = _inside(grid, [*points_by_speed(engine)])
+    push = mount_excitation(block, engine, speeds=grid, point=point)
+
+    def curves(found: MountResponse) -> Real:
+        return rms(found.ground_force[..., :3])[:, None]
+
+    found = _peaked(block, mount_modes(block), push, curves)
+    return float(curves(found).max(initial=0.0))
+
+
 def _inside(grid: Real, more: Sequence[float] | Real) -> Real:
     """A grid of speeds with those of some more that are between its ends."""
     added = np.asarray(more, float)
@@ -142,24 +171,17 @@ def _peaked(
     block: MountedBlock,
     modes: Sequence[MountMode],
     push: MountExcitation,
-    point: tuple[float, float, float],
+    curves: Callable[[MountResponse], Real],
 ) -> MountResponse:
     """The response with the critical speeds, half-power points and maxima of the range in it.
 
-    The maxima of the motion of the point, of what reaches the ground and of each force in a mount.
-    Mounts without damping have none at their resonance.
+    The maxima of the `curves` [speed, curve]. Mounts without damping have none at their resonance.
     """
     damped = [each for each in modes if each.damping > 0]
     if push.speeds.size == 1 or not push.orders.size or len(damped) < len(modes):
         return mount_response(block, push)
     at = np.array([each.speed * (1 + n * each.damping) for each in modes for n in (-1, 0, 1)])
     grid = _inside(push.speeds, np.divide.outer(at, push.orders).ravel())
-
-    def curves(found: MountResponse) -> Real:
-        ground, motion = found.ground_force, found.displacement(point)
-        each = found.mount_force[:, :, : block.of_block]
-        told = [ground[..., :3], ground[..., 3:], motion, found.velocity(point)]
-        return np.column_stack([*map(rms, told), *map(rms, np.moveaxis(each, 2, 0))])
 
     return refined(
         grid,
@@ -168,6 +190,14 @@ def _peaked(
         joined=joined,
         curves=curves,
     )
+
+
+def _told_curves(found: MountResponse, point: tuple[float, float, float]) -> Real:
+    """What is greatest somewhere: the motion of the point, the force on the ground, in mounts."""
+    ground, motion = found.ground_force, found.displacement(point)
+    each = found.mount_force[:, :, : found.block.of_block]
+    told = [ground[..., :3], ground[..., 3:], motion, found.velocity(point)]
+    return np.column_stack([*map(rms, told), *map(rms, np.moveaxis(each, 2, 0))])
 
 
 def _told(engine: Engine, block: MountedBlock) -> tuple[float, float, float]:

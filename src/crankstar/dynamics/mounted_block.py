@@ -249,3 +249,23 @@ def settled(block: MountedBlock) -> tuple[Real, Real]:
     weight[::SIX] = -GRAVITY * np.diag(block.mass)[::SIX]
     down = np.linalg.solve(block.stiffness, weight)
     return down, block.along * (block.arms @ down)
+
+
+def borne(block: MountedBlock, loads: Real) -> Real:
+    """What each mount bears upward at rest, N: less than zero where it pulls; `loads` of `settled`.
+
+    Three mounts alike, the centre of mass ahead of the front ones: the rear one pulls with a third
+    of the weight, by moments about the front ones.
+
+    >>> from crankstar.files.catalog import load
+    >>> at = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
+    >>> mounts = [{"name": n, "right": r, "z": z, "stiffness": "50 N/mm"} for n, r, z in at]
+    >>> own = {"mounts": mounts, "block": {"mass": "150 kg", "z": "0.1 m"}}
+    >>> block = mounted_block(load("audi-25-tfsi", changes=own))
+    >>> [round(each / 9.80665, 6) for each in borne(block, settled(block)[1]).tolist()]
+    [100.0, 100.0, -50.0]
+    """
+    up = block.arms[:, :, 0].copy()
+    if block.freedoms > SIX:
+        up[block.of_block :] = block.arms[block.of_block :, :, SIX]
+    return -(up * loads).sum(axis=-1)

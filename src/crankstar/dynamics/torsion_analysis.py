@@ -150,10 +150,12 @@ def torsion_on_grid(
     speeds: Sequence[float] | Real = (),
     orders: Sequence[float] | None = None,
     modes: int | None = None,
+    single: bool = True,
 ) -> TorsionAnalysis:
     """The same as `torsion` at the speeds of the range and critical ones, not yet at the peaks.
 
-    For those who refine other curves (`peaked`), or a single value. Raises what `torsion` raises.
+    For those who refine other curves (`peaked`), or a single value. What is listed of the one
+    `speed` is left out unless `single`. Raises what `torsion` raises.
     """
     chain = torsion_chain(source)
     free = torsion_modes(chain)
@@ -170,6 +172,7 @@ def torsion_on_grid(
     push = excitation(chain, source, found, ends=_ends(wanted), point=point)
     own = replace(push, course=None)
     driven = found is not None or push.inertia is not None
+    alone = driven and single
     meeting = orders or [float(k) for k in push.orders if k <= HIGHEST_CRITICAL]
     rough = TorsionAnalysis(
         chain=chain,
@@ -185,12 +188,12 @@ def torsion_on_grid(
             excitation=push if driven else None,
         ),
         response=None,
-        at=response(chain, own, speeds=np.array([speed])) if driven and speed else None,
+        at=response(chain, own, speeds=np.array([speed])) if alone and speed else None,
         cycle=found,
         limit=limit,
         without_gas=why,
         range_assumed=assumed,
-        exact=_exact(source, chain, own, speed) if driven and speed else None,
+        exact=_exact(source, chain, own, speed) if alone and speed else None,
         point=point,
     )
     if not driven:

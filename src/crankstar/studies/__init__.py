@@ -12,6 +12,7 @@
 | `mount_results` | modes, force and shake on the mounts of each engine of a sweep |
 | `torsion_results` | torsional frequency, stress and amplitude of each engine of a sweep |
 | `changed_values` | an engine with one of its values changed |
+| `tried_values` | the values of a range at which an answer is tried: ends, resonances, extremes |
 | `assumptions` | what an answer rests on that a file does not give, and how much it matters |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |
 | `answer_parts` | answers about fewer quantities, and several as one |

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.studies.assumptions import Answer, Figure, Figures
+from crankstar.studies.assumptions import Answer
+from crankstar.studies.tried_values import Figure, Figures
 
 TURNING = ("cylinder.rotating_mass", "cylinder.throw_mass", "crankshaft.weight")
 """What turns evenly: no pressure, torque or side thrust depends on it."""
@@ -33,7 +34,7 @@ def in_own_unit(answer: Answer) -> Answer:
 def at_rest(answer: Answer) -> Answer:
     """The answer as far as no gas is in it, as natural modes have none."""
     uses = [each for each in answer.uses if each != "gas"]
-    return replace(answer, uses=uses, gas=None, gasless=False)
+    return replace(answer, uses=uses, gas=None, gasless=False, tunings=())
 
 
 def narrowed(
@@ -76,14 +77,18 @@ def joined(parts: Sequence[Answer]) -> Answer:
                 return part.unit(quantity, engine)
         return first.unit(quantity, engine)
 
+    def least(engine: Engine) -> Mapping[str, float]:
+        return {name: size for part in parts for name, size in part.least(engine).items()}
+
     return Answer(
         figures=figures,
         unit=unit,
         uses=[*dict.fromkeys(each for part in parts for each in part.uses)],
         gas=next((part.gas for part in parts if part.gas is not None), None),
         without_gas=first.without_gas,
-        least=first.least,
+        least=least,
         given=set.intersection(*({*part.given} for part in parts)),
         gasless=any(part.gasless for part in parts),
         why_gasless=next((part.why_gasless for part in parts if part.why_gasless), ""),
+        tunings=[each for part in parts for each in part.tunings],
     )

@@ -16,12 +16,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from crankstar import spectra
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
@@ -31,11 +33,13 @@ from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Real, Spectrum
-from crankstar.studies.answer_parts import TURNING, joined
+from crankstar.studies.answer_parts import TURNING, in_own_unit, joined, without_speed
 from crankstar.studies.assumed_values import assumed_values
-from crankstar.studies.assumptions import Answer, Assumption, Figure, Figures, moved
+from crankstar.studies.assumptions import LOAD_OF, Answer, Assumption, moved
+from crankstar.studies.tried_values import Figure, Figures, Tuning
 
 if TYPE_CHECKING:
+    from crankstar.studies.diagnosis import Diagnosis
     from crankstar.studies.single_faults import Fault
 
 MakeCycle = Callable[[Engine], Cycle | None]
@@ -105,12 +109,21 @@ def _rolls(name: str, engine: Engine, found: Cycle) -> dict[Figure, float]:
     return _by_order(name, roll_of(engine, found))
 
 
-def compared(engine: Engine, *, speed: float | None = None) -> Answer:
-    """What engines are compared by: inertia by order, the torque with gas, torsion, mounts."""
-    gas = _of_torque(engine, speed)
-    of_file = bool(gas) and bool({"mass", "radius"} & {*engine.relative})  # gas in another unit
-    inertia = amplitudes(engine, speed=speed, gas=of_file)
-    return joined([inertia, *gas, *_driven(engine, speed)])
+def compared(
+    engine: Engine, *, speed: float | None = None, own_unit: bool = False, gas: bool = True
+) -> Answer:
+    """What engines are compared by: inertia by order, the torque with gas, torsion, mounts.
+
+    In m r omega^2 with `own_unit`, as where an engine beside it has no masses; without the torque
+    unless `gas`, as where one beside it has none.
+    """
+    torque = _of_torque(engine, speed) if gas else []
+    of_file = bool(torque) and bool({"mass", "radius"} & {*engine.relative})  # gas in another unit
+    if own_unit:
+        inertia = in_own_unit(amplitudes(without_speed(engine), gas=of_file))
+    else:
+        inertia = amplitudes(engine, speed=speed, gas=of_file)
+    return joined([inertia, *torque, *_driven(engine, speed)])
 
 
 def summary(engine: Engine, *, speed: float | None = None) -> Answer:
@@ -255,12 +268,16 @@ def twist(
 ) -> Answer:
     """The first natural frequency of torsion, and the greatest turn of the free end."""
     from crankstar.dynamics.torsion_analysis import peaked, torsion_on_grid
+    from crankstar.dynamics.torsion_chain import torsion_chain
+    from crankstar.dynamics.torsion_modes import torsion_modes
 
-    whole = torsion_on_grid(engine, point=point, speed=speed, speeds=speeds)
+    fixed: dict[str, Any] = {"point": point, "speed": speed, "single": False}
+    whole = torsion_on_grid(engine, speeds=speeds, **fixed)
     ends = [float(whole.speeds[0]), float(whole.speeds[-1])] if len(whole.speeds) else []
 
     def figures(each: Engine) -> Figures:
-        rough = torsion_on_grid(each, point=point, speed=speed, speeds=ends)
+        each = _gas_as_in(engine, each)
+        rough = torsion_on_grid(each, speeds=ends, **fixed)
         found = peaked(each, rough, curves=lambda own: own.peak_turn(rough.free_end)[:, None])
         out: dict[Figure, float] = {}
         if found.modes:
@@ -270,6 +287,13 @@ def twist(
             out["torsional amplitude", None] = degrees(float(turn.max()))
         return out
 
+    def natural(each: Engine) -> list[float]:
+        return [mode.speed for mode in torsion_modes(torsion_chain(each))]
+
+    tunings = []
+    if ends and whole.response is not None:
+        orders = whole.response.orders.tolist()
+        tunings = [Tuning(natural, orders, (ends[0], ends[-1]))]
     units = {"natural frequency": "Hz", "torsional amplitude": "deg"}
     return Answer(
         figures=figures,
@@ -278,6 +302,7 @@ def twist(
         gas=whole.cycle,
         gasless=True,
         why_gasless="" if engine.gas is None else whole.without_gas,
+        tunings=tunings,
     )
 
 
@@ -288,27 +313,40 @@ def on_mounts(
     speed: float | None = None,
     speeds: Sequence[float] | Real = (),
 ) -> Answer:
-    """The natural frequencies of the block, and the greatest force into the ground over speeds."""
-    from crankstar.dynamics.mount_analysis import mounts
+    """The natural frequencies of the block, and the greatest force into the ground over speeds.
+
+    Also what each mount bears upward at rest, measured by the greatest of them.
+    """
+    from crankstar.dynamics.mount_analysis import greatest_ground_force, mounts
     from crankstar.dynamics.mount_modes import mount_modes
-    from crankstar.dynamics.mount_response import rms
-    from crankstar.dynamics.mounted_block import mounted_block, settled
+    from crankstar.dynamics.mounted_block import borne, mounted_block, settled
 
     whole = mounts(engine, point=point, speed=speed, speeds=speeds)
-    ends = [] if whole.over is None else [float(each) for each in whole.over.speeds[[0, -1]]]
+    over = whole.over
+    ends = None if over is None else (float(over.speeds[0]), float(over.speeds[-1]))
 
     def figures(each: Engine) -> Figures:
+        each = _gas_as_in(engine, each)
         block = mounted_block(each)
+        loads = settled(block)[1]
         modes = mount_modes(block)
         out: dict[Figure, float] = {
-            ("mount load", None): float(np.linalg.norm(settled(block)[1], axis=-1).max())
+            ("mount load", None): float(np.linalg.norm(loads, axis=-1).max())
         }
         out |= {(f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)}
-        if ends:
-            found = mounts(each, point=point, speed=speed, speeds=ends)
-            if found.over is not None:
-                out["mount force", None] = float(rms(found.over.ground_force[..., :3]).max())
+        out |= {
+            (f"{LOAD_OF}{mount.name}", None): load
+            for mount, load in zip(block.mounts, borne(block, loads).tolist(), strict=True)
+        }
+        if ends is not None:
+            force = greatest_ground_force(each, block, speeds=ends, point=point)
+            out["mount force", None] = force
         return out
+
+    def least(each: Engine) -> Mapping[str, float]:
+        block = mounted_block(each)
+        loads = borne(block, settled(block)[1])
+        return {f"{LOAD_OF}{own.name}": float(np.abs(loads).max()) for own in block.mounts}
 
     gas, why = _gas_of(engine, point=point, speed=speed)
     return Answer(
@@ -318,7 +356,25 @@ def on_mounts(
         gas=gas,
         gasless=True,
         why_gasless=why,
+        least=least,
+        tunings=[] if over is None else [_on_mounts_tuned(over.orders.tolist(), *(ends or (0, 0)))],
     )
+
+
+def _gas_as_in(engine: Engine, changed: Engine) -> Engine:
+    """A changed engine, without gas where the file has none: a usual cycle may have been varied."""
+    return with_values(changed, gas=None) if engine.gas is None else changed
+
+
+def _on_mounts_tuned(orders: Sequence[float], low: float, high: float) -> Tuning:
+    """The natural frequencies of an engine on its mounts and the orders of some speeds, rad/s."""
+    from crankstar.dynamics.mount_modes import mount_modes
+    from crankstar.dynamics.mounted_block import mounted_block
+
+    def natural(each: Engine) -> list[float]:
+        return [mode.speed for mode in mount_modes(mounted_block(each))]
+
+    return Tuning(natural, orders, (low, high))
 
 
 def felt(
@@ -348,6 +404,10 @@ def felt(
         }
 
     gas, why = _gas_of(engine, point=point, speed=speed)
+    tunings = []
+    if engine.mounts:
+        now = shaken(engine, faults, point=point, speed=speed, orders=orders)
+        tunings = [_on_mounts_tuned(now.orders.tolist(), now.speed, now.speed)]
     return Answer(
         figures=figures,
         unit=lambda quantity, _engine: units[quantity],
@@ -355,6 +415,7 @@ def felt(
         gas=gas,
         gasless=True,
         why_gasless=why,
+        tunings=tunings,
     )
 
 
@@ -398,8 +459,20 @@ def bobweights(engine: Engine, *, factor: float) -> Answer:
     )
 
 
-def watched_results(engine: Engine, names: Sequence[str], *, speed: float | None = None) -> Answer:
-    """The figures of what a sweep watches, those of the first name."""
+def watched_results(
+    engine: Engine, names: Sequence[str], *, speed: float | None = None, varied: Sequence[str] = ()
+) -> Answer:
+    """The figures of what a sweep watches, those of the first name; `varied` are its key paths.
+
+    What is varied is in no doubt; nor are the counterweights that a balance factor gives.
+    """
+    given = {*varied, *(("crankshaft.weight",) if "balance_factor" in varied else ())}
+    own = _watched(engine, names, speed=speed)
+    return replace(own, given={*own.given, *given})
+
+
+def _watched(engine: Engine, names: Sequence[str], *, speed: float | None) -> Answer:
+    """The figures of the first of these results."""
     from crankstar.mechanics.gas import cycle
     from crankstar.studies.gas_results import GAS_WATCHABLE
     from crankstar.studies.mount_results import MOUNT_WATCHABLE
@@ -413,6 +486,21 @@ def watched_results(engine: Engine, names: Sequence[str], *, speed: float | None
     if first in MOUNT_WATCHABLE:
         return on_mounts(engine, speed=speed)
     return amplitudes(engine, speed=speed, gas=first != "roll")
+
+
+def explained(found: Diagnosis) -> Answer:
+    """What a diagnosis explains: the velocity at the first place of its readings, by their orders.
+
+    At the highest of their speeds.
+    """
+    return felt(
+        found.engine,
+        (),
+        point=found.point,
+        speed=found.states[-1].speed,
+        orders=sorted({each.order for each in found.readings}),
+        at=found.readings[0].place,
+    )
 
 
 def _inertia_sizes(

@@ -131,6 +131,8 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
         yield from _torsion(engine)
     if "mounts" in answer.uses:
         yield from _mounts(engine)
+    if "valves" in answer.uses:
+        yield from _valves(engine)
     yield from _unverified(engine, answer)
 
 
@@ -193,6 +195,18 @@ def _torsion(engine: Engine) -> Iterator[Assumption]:
             STEEL / 1e9, "GPa", low, high,
             vary=with_torsion_value("dimensions.shear_modulus", 1e9),
         )  # fmt: skip
+
+
+def _valves(engine: Engine) -> Iterator[Assumption]:
+    """The timing of valves or ports that a file does not give."""
+    from crankstar.firing.strokes import working_cycle
+
+    if not engine.firing_order:
+        return
+    timing = working_cycle(engine).timing
+    for name in timing.assumed:
+        value = degrees(getattr(timing, name))
+        yield Assumption("assumed", f"valves.{name}", N_("usual for such engines"), value, "deg")
 
 
 def _mounts(engine: Engine) -> Iterator[Assumption]:
@@ -331,11 +345,15 @@ def _turning(engine: Engine, kind: EngineType | None, look: Look | None) -> Iter
             vary=lambda each, mass: with_turning_masses(each, None, mass),
         )  # fmt: skip
         return
-    beside = {ends[0]: pins[0], ends[-1]: pins[-1]} if no_pins else {}
+
+    def vary(each: Engine, mass: float) -> Engine:
+        pin = float(np.interp(mass, ends[:: len(ends) - 1], pins[:: len(pins) - 1]))
+        return with_turning_masses(each, mass, pin if no_pins else None)
+
     yield Assumption(
         "missing", path, reason, 0.0, unit, ends[0], ends[-1],
         values=(("pins", (pins[0], pins[-1])),) if no_pins else (),
-        vary=lambda each, mass: with_turning_masses(each, mass, beside.get(mass)),
+        vary=vary,
     )  # fmt: skip
 
 

@@ -2,20 +2,23 @@
 
 A value may be missing and counted as zero, left out of the model, assumed, estimated or unverified.
 Each is an `Assumption`: the key path, the value that was taken, the ends between which it may lie,
-and why. An `Answer` gives its figures as a function of the engine; `moved` computes them again at
-both ends and says which of them moves most:
+and why. An `Answer` gives its figures as a function of the engine; `moved` computes them again over
+the range and says which of them moves most:
 
-    effect = max over figures of max(|f(low) - f|, |f(high) - f|) / F
+    effect = max over figures of max |f(x) - f| / F
 
 F being the maximum of the same quantity over all orders, at least what the answer says is the
-least to measure by, so that what is hardly there does not lead. A value without ends (an unverified
-one) is varied by `TRIAL` up and down.
+least to measure by, so that what is hardly there does not lead. Of a range [low, high] both ends
+are tried, the value as it is or the middle, where a resonance is met, and where that figure has an
+extreme in between (`tried_values` says how they are found): its least and its greatest value are
+those of the range. A value without ends (an unverified one) is varied by `TRIAL` up and down.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, Literal
 
 from crankstar.engine.engine import Engine
@@ -23,25 +26,28 @@ from crankstar.language.faults import EngineError
 from crankstar.language.messages import MessageError
 from crankstar.mechanics.gas import Cycle
 from crankstar.studies.changed_values import Vary
+from crankstar.studies.tried_values import Figure, Figures, Tried, Tuning
 
 Status = Literal["doubtful", "missing", "left out", "assumed", "estimated", "unverified"]
-Uses = Literal["inertia", "gas", "running", "bearings", "torsion", "mounts"]
+Uses = Literal["inertia", "gas", "running", "bearings", "torsion", "mounts", "valves"]
 """What an answer is made of: what of it may be lacking differs."""
 TRIAL = 0.01
 """Share by which a value without ends is varied."""
 SIGNIFICANT = 1e-3
 """Effect below which an assumption does not matter to an answer."""
-Figure = tuple[str, float | None]
-"""A quantity (`force`, `couple`, `roll`) and an order; None where the quantity has no orders."""
-Figures = Mapping[Figure, float]
+TOLD = 0.01
+"""Effect from which an assumption has a sentence of its own."""
+LOAD_OF = "load of mount "
+"""What a mount bears upward at rest, as a quantity: before its name."""
 
 
 @dataclass(frozen=True)
 class Moved:
     """The figure that an assumption moves most, in the unit of its Balance or in N m.
 
-    `now` is its value as given, `low` and `high` the ends over the range; `trial` says that the
-    value has no range and was varied by TRIAL up and down.
+    `now` is its value as given, `low` and `high` its least and its greatest over the range; `trial`
+    says that the value has no range and was varied by TRIAL up and down. `lifting` are the mounts
+    that bear a weight now and pull somewhere in the range.
     """
 
     quantity: str
@@ -52,6 +58,7 @@ class Moved:
     high: float
     effect: float
     trial: bool = False
+    lifting: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -94,6 +101,7 @@ class Answer:
     values that a question has of its own, as a sweep does. `gas` is the cycle that is part of the
     answer; `without_gas` the one that its rolling moment leaves out; `gasless` says that gas
     belongs to it where it is known, `why_gasless` why it is not in it though the file has some.
+    `tunings` are the natural frequencies of an answer that resonates.
     """
 
     figures: Callable[[Engine], Figures]
@@ -105,6 +113,7 @@ class Answer:
     given: Collection[str] = ()
     gasless: bool = False
     why_gasless: str = ""
+    tunings: Sequence[Tuning] = ()
 
 
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:
@@ -113,40 +122,81 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
     What is doubtful stands first; what cannot be varied stays, behind those that can.
     """
     now = answer.figures(engine)
+    least = dict(answer.least(engine))
     out: list[Assumption] = []
     for each in found:
-        most = each.moved if each.vary is None else _moved(engine, each, now, answer)
-        if most is not None and most.effect < SIGNIFICANT:
+        most = each.moved if each.vary is None else _moved(engine, each, (now, least), answer)
+        if most is not None and most.effect < SIGNIFICANT and not most.lifting:
             continue
         out.append(replace(each, moved=most))
     return tuple(sorted(out, key=lambda each: (each.status != "doubtful", -each.effect)))
 
 
-def _moved(engine: Engine, each: Assumption, now: Figures, answer: Answer) -> Moved | None:
+def _moved(
+    engine: Engine, each: Assumption, known: tuple[Figures, Mapping[str, float]], answer: Answer
+) -> Moved | None:
     """The figure that one assumption moves most; None where an end is no engine."""
-    vary = each.vary
-    assert vary is not None  # noqa: S101  # asked before
+    assert each.vary is not None  # noqa: S101  # asked before
+    now, least = known
     trial = each.low is None or each.high is None
-    ends = (1 - TRIAL, 1 + TRIAL) if trial else (each.low, each.high)
+    ends = (1 - TRIAL, 1 + TRIAL) if trial else (float(each.low or 0), float(each.high or 0))
+    value = 0.0 if each.value is None else each.value
     try:
-        others = [
-            answer.figures(vary(engine, float(end)))
-            for end in dict.fromkeys(ends)
-            if end is not None
-        ]
+        tried = Tried(
+            at=partial(each.vary, engine),
+            figures=answer.figures,
+            now=now,
+            ends=ends,
+            value=1.0 if trial else value if isinstance(value, float) else None,
+        )
     except (EngineError, MessageError):
         return None
-    tops = dict(answer.least(engine))
-    for (quantity, _order), size in (item for one in (now, *others) for item in one.items()):
+    if not trial and ends[0] < ends[1]:
+        tried.add_meetings(answer.tunings)
+        key, effect, top = _most(tried, now, least)
+        if effect >= TOLD and answer.tunings:
+            tried.add_quarters()
+            key, effect, top = _most(tried, now, least)
+        if effect >= TOLD:
+            tried.add_extremes(key, top=top)
+    (quantity, order), effect, _top = _most(tried, now, least)
+    sizes = [size for _x, size in tried.sizes((quantity, order))]
+    return Moved(
+        quantity=quantity,
+        order=order,
+        unit=answer.unit(quantity, engine),
+        now=now.get((quantity, order), 0.0),
+        low=min(sizes),
+        high=max(sizes),
+        effect=effect,
+        trial=trial,
+        lifting=() if trial else _lifting(tried, now),
+    )
+
+
+def _most(tried: Tried, now: Figures, least: Mapping[str, float]) -> tuple[Figure, float, float]:
+    """The figure that moves most, by how much of the greatest of its quantity, and that."""
+    tops = dict(least)
+    every = [now, *tried.known.values()]
+    for (quantity, _order), size in (item for one in every for item in one.items()):
         tops[quantity] = max(tops.get(quantity, 0.0), abs(size))
-    best: Moved | None = None
-    for key in dict.fromkeys(key for one in (now, *others) for key in one):
-        quantity, order = key
-        size = now.get(key, 0.0)
-        sizes = [one.get(key, 0.0) for one in others]
-        most = max(abs(other - size) for other in sizes)
-        effect = most / tops[quantity] if tops[quantity] else 0.0
-        if best is None or effect > best.effect * (1 + 1e-9):
-            unit = answer.unit(quantity, engine)
-            best = Moved(quantity, order, unit, size, min(sizes), max(sizes), effect, trial)
+    best: tuple[Figure, float, float] | None = None
+    for key in dict.fromkeys(key for one in every for key in one):
+        size, top = now.get(key, 0.0), tops[key[0]]
+        most = max(abs(one.get(key, 0.0) - size) for one in tried.known.values())
+        effect = most / top if top else 0.0
+        if best is None or effect > best[1] * (1 + 1e-9):
+            best = key, effect, top
+    assert best is not None  # noqa: S101  # an answer has figures
     return best
+
+
+def _lifting(tried: Tried, now: Figures) -> tuple[str, ...]:
+    """The mounts that bear a weight as the file is, and none somewhere in the range."""
+    return tuple(
+        quantity.removeprefix(LOAD_OF)
+        for (quantity, order), size in now.items()
+        if quantity.startswith(LOAD_OF)
+        and size > 0
+        and min(size for _x, size in tried.sizes((quantity, order))) < 0
+    )

@@ -14,7 +14,8 @@ from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import pushed
 from crankstar.studies.answer_parts import TURNING
 from crankstar.studies.answers import MakeCycle
-from crankstar.studies.assumptions import Answer, Figure, Figures
+from crankstar.studies.assumptions import Answer
+from crankstar.studies.tried_values import Figure, Figures
 
 
 def vectors(

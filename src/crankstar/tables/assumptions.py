@@ -9,11 +9,11 @@ from typing import Any
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
-from crankstar.studies.assumptions import Assumption, Moved
+from crankstar.studies.assumptions import LOAD_OF, TOLD, Assumption, Moved
 from crankstar.tables.table import Remarks
 
-TOLD = 0.01
-"""Effect from which an assumption has a sentence of its own."""
+PAIRED = 2
+"""Sentences on each of two engines that find room on the first screen; on each of more, one."""
 MOST_TOLD = 5
 """Sentences of their own, at most; the others are named."""
 FIGURES = {
@@ -38,6 +38,7 @@ FIGURES = {
     "torsional amplitude": N_("torsional amplitude"),
     "mount force": N_("greatest force on the ground"),
     "mount load": N_("greatest load of a mount at rest"),
+    LOAD_OF: N_("vertical load of mount {name} at rest"),
     "bobweight": N_("bobweight"),
     **{f"mode {number}": N_("frequency of mode {number}") for number in range(1, 13)},
 }
@@ -65,19 +66,29 @@ def leading_line(found: Sequence[Assumption]) -> tuple[str, int]:
 
 def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     """The sentences, each with the assumptions that it is about."""
-    told = [each for each in found if each.effect >= TOLD][:MOST_TOLD]
+    told = [each for each in found if each.effect >= TOLD or _lifts(each)][:MOST_TOLD]
     doubtful = [each for each in found if each.status == "doubtful"]
     lines = [(f"{each.reason}.", [each]) for each in doubtful]
-    lines += [(_line(each), [each]) for each in told]
     rest = [each for each in found if each not in (*told, *doubtful)]
+    whole = [line for status in FIRST for line in _together(rest, status)]
+    lines += [(_line(each), [each]) for each in told[:1]]
+    lines += whole  # of what is not there at all nobody knows how much it matters
+    lines += [(_line(each), [each]) for each in told[1:]]
     small = [each for each in rest if each.moved is not None]
     if small:
         lines.append((_("Of less effect: {paths}.", paths=_paths(small)), small))
-    for status, words in OTHERS.items():
-        own = [each for each in rest if each.moved is None and each.status == status]
-        if own:
-            lines.append((_(words, paths=_paths(own)), own))
+    lines += [line for status in OTHERS if status not in FIRST for line in _together(rest, status)]
     return lines
+
+
+def _together(found: Sequence[Assumption], status: str) -> list[tuple[str, list[Assumption]]]:
+    """One sentence on all of a status of which it is not known how much they move; none of none."""
+    own = [each for each in found if each.moved is None and each.status == status]
+    return [(_(OTHERS[status], paths=_paths(own)), own)] if own else []
+
+
+def _lifts(each: Assumption) -> bool:
+    return each.moved is not None and bool(each.moved.lifting)
 
 
 def _paths(found: Sequence[Assumption]) -> str:
@@ -92,14 +103,30 @@ OTHERS = {
     "unverified": N_("Unverified: {paths}."),
 }
 """Sentences for those of which it is not known how much they move, by status."""
+FIRST = ("missing", "left out")
+"""Of these the sentences that stand behind the first of all, on the first screen."""
 
 
 def _line(each: Assumption) -> str:
+    """One assumption with what it moves most, and the mounts that lift off in its range."""
+    own = each.moved
+    names = "" if own is None else ", ".join(own.lifting)
+    lifting = _("Somewhere in that range a mount lifts off: {names}.", names=names) if names else ""
+    return passage([_moving(each), lifting]) if lifting else _moving(each)
+
+
+def _moving(each: Assumption) -> str:
     """One assumption with what it moves most."""
     own = each.moved
     assert own is not None  # noqa: S101  # asked before
     order = "" if own.order is None else order_text(own.order)
-    figure = _(FIGURES[own.quantity], order=order, number=own.quantity.rpartition(" ")[2])
+    kind = LOAD_OF if own.quantity.startswith(LOAD_OF) else own.quantity
+    figure = _(
+        FIGURES[kind],
+        order=order,
+        number=own.quantity.rpartition(" ")[2],
+        name=own.quantity.removeprefix(LOAD_OF),
+    )
     words = {"path": each.path, "reason": _(each.reason), "figure": figure}
     if own.trial and not own.now:
         size = quantity_text(_rounded(own.high), own.unit)
@@ -139,12 +166,25 @@ def _line(each: Assumption) -> str:
             least=_value(each, pins[0]),
             most=_value(each, pins[1]),
         )
+    at_an_end = _rounded(own.now) in (_rounded(own.low), _rounded(own.high))
+    if each.status == "assumed" and each.value is not None and at_an_end:
+        return _(
+            "{path}: {value} assumed, {reason}. From {low} to {high} the {figure} is {sizes}; "
+            "{now} as assumed.",
+            **words,
+            value=_value(each, each.value),
+        )
     if each.status == "assumed" and each.value is not None:
         return _(
             "{path}: {value} assumed, {reason}. From {low} to {high} the {figure} is {sizes}, not "
             "{now}.",
             **words,
             value=_value(each, each.value),
+        )
+    if at_an_end and own.low < own.high:
+        return _(
+            "{path}: {reason}. With {low} to {high} the {figure} is {sizes}; {now} as it is.",
+            **words,
         )
     return _("{path}: {reason}. With {low} to {high} the {figure} is {sizes}, not {now}.", **words)
 
@@ -206,6 +246,7 @@ def _object(each: Assumption) -> Mapping[str, Any]:
             "high": own.high,
             "effect": own.effect,
             "trial": own.trial,
+            **({"lifting": list(own.lifting)} if own.lifting else {}),
         }
     return {
         "status": each.status,
@@ -225,3 +266,21 @@ def assumption_remarks(found: Sequence[Assumption], *, of: str = "") -> tuple[Re
     lines = assumption_lines(found)
     head = _("{name} rests on:", name=of) if of else _("This rests on:")
     return (Remarks((passage([head]), *lines), kind="doubt"),) if lines else ()
+
+
+def side_by_side(
+    found: Sequence[Sequence[Assumption]], names: Sequence[str]
+) -> tuple[tuple[Remarks, ...], tuple[Remarks, ...]]:
+    """What matters most of each engine, for the first screen, and for the end the rest of it."""
+    first, rest = [], []
+    most = PAIRED if len(names) <= 2 else 1
+    for own, name in zip(found, names, strict=True):
+        lines = assumption_lines(own)
+        leading, others = lines[:most], lines[most:]
+        if leading:
+            head = passage([_("{name} rests on:", name=name)])
+            first.append(Remarks((head, *leading), kind="doubt"))
+        if others:
+            head = passage([_("{name} also rests on:", name=name)])
+            rest.append(Remarks((head, *others), kind="doubt"))
+    return tuple(first), tuple(rest)

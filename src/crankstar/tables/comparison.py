@@ -16,7 +16,9 @@ from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.bounds import peak, size
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import Sums, summed
+from crankstar.studies.assumptions import Assumption
 from crankstar.tables.analysis import Analysis, analysis
+from crankstar.tables.assumptions import assumption_facts, side_by_side
 from crankstar.tables.by_order import QUANTITIES, none_line, sums_size
 from crankstar.tables.conditions import unverified
 from crankstar.tables.headings import firing_text
@@ -179,6 +181,27 @@ def _sizes(name: str, compared: _Compared) -> list[tuple[float | None, list[floa
 def _share(value: float, first: float, whole: float) -> float | None:
     """Of the value of the first engine, which is `whole`; None where that is next to nothing."""
     return whole * value / first if MOST_TIMES * first > value else None
+
+
+def resting(
+    document: Document, found: Sequence[Sequence[Assumption]], names: Sequence[str]
+) -> Document:
+    """The comparison with what each engine rests on, for machines too.
+
+    What matters most of each stands below the first table, on the first screen; the rest at the
+    end.
+    """
+    first, rest = side_by_side(found, names)
+    parts = [*document.parts]
+    headline = next((n for n, part in enumerate(parts) if isinstance(part, Table)), -1)
+    parts[headline + 1 : headline + 1] = first
+    rows = [
+        {"engine": name, **row}
+        for own, name in zip(found, names, strict=True)
+        for row in assumption_facts(own).get("rests_on", ())
+    ]
+    facts = {**document.facts, **({"rests_on": rows} if rows else {})}
+    return replace(document, parts=(*parts, *rest), facts=facts)
 
 
 def with_shares(document: Document, engines: Sequence[Engine]) -> Document:
