@@ -379,7 +379,9 @@ def test_gas_that_cannot_be_computed_says_what_would_put_it_in(
 ) -> None:
     torsion_table = {
         "inertia": "0.02 kg*m^2",
-        "disc": [{"name": "wheel", "inertia": 0.2, "to": "rear", "stiffness": 1e6}],
+        "disc": [
+            {"name": "wheel", "inertia": "0.2 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
+        ],
     }
     tree = single(gas={"imep": "9 bar"}, firing_order=[1], torsion=torsion_table)
     del tree["cylinder"]["bore"]  # type: ignore[attr-defined]

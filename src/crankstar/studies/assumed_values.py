@@ -21,12 +21,13 @@ from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.proportions import Look, Proportion, inferred, look_of, proportion
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL
 from crankstar.engine.weighed import EngineType
+from crankstar.language.faults import where
 from crankstar.language.messages import N_
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.charge_air import STOICHIOMETRIC
+from crankstar.mechanics.doubts import doubts_of
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
-from crankstar.mechanics.mass_doubts import rod_doubts
 from crankstar.mechanics.remains import summed
 from crankstar.remedy.fitting import quiet_cranks
 from crankstar.studies.assumptions import Answer, Assumption, Moved
@@ -114,6 +115,8 @@ SHIFT = 10.0
 
 def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     """All that is lacking or doubtful of what an answer uses, in no order."""
+    for fault in doubts_of(engine, answer.uses, answer.gas):
+        yield Assumption("doubtful", where(fault.path), fault.sentence)
     if "inertia" in answer.uses:
         yield from _inertia(engine)
     if answer.without_gas is not None:
@@ -267,8 +270,6 @@ def _inertia(engine: Engine) -> Iterator[Assumption]:
     """What is missing or assumed of the masses and lengths that forces come from."""
     look = look_of(engine)
     kind = None if look is None else inferred(look)[0]
-    for fault in rod_doubts(engine):
-        yield Assumption("doubtful", "cylinder.rod_ratio", fault.sentence)
     yield from _rods(engine, kind)
     yield from _turning(engine, kind, look)
     if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
