@@ -74,9 +74,7 @@ def doubts(engine: Engine) -> tuple[Fault, ...]:
     return tuple(once.values())
 
 
-def doubts_of(
-    engine: Engine, uses: Collection[str], computed: Cycle | None
-) -> tuple[Fault, ...]:
+def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> tuple[Fault, ...]:
     """Those doubts of an engine that are about what an answer uses, of gas its one cycle.
 
     `uses` are the parts of an answer (`studies.assumptions.Uses`).

@@ -27,7 +27,7 @@ from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
-from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.mechanics.gas_torque import friction_torque, gas_torque
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Real, Spectrum
@@ -36,11 +36,16 @@ from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.assumptions import Answer, Assumption, Figure, Figures, moved
 
 if TYPE_CHECKING:
+    from crankstar.dynamics.mount_analysis import MountAnalysis
     from crankstar.studies.single_faults import Fault
 
 MakeCycle = Callable[[Engine], Cycle | None]
 GAS_OPTION = N_("--gas adds it")
 """Why loads of a file with gas are without it."""
+IN_ROLL = N_("Not in the rolling moment: {paths}.")
+IN_LOADS = N_("Not in the loads: {paths}.")
+IN_VIBRATION = N_("Not in the forced vibration: {paths}.")
+"""What gas that is not known is missing in, by what an answer is about."""
 
 
 def rests_on(engine: Engine, answer: Answer) -> tuple[Assumption, ...]:
@@ -85,8 +90,8 @@ def amplitudes(
         uses=("inertia", "gas") if both else ("inertia",),
         gas=without if both else None,
         least=lambda each: _pushed(each, speed, reference),
-        without_gas=without,
-        gasless=not gas,
+        without_gas=None if both else without,
+        gasless="" if gas or (both and without is not None) else IN_ROLL,
         why_gasless=why,
     )
 
@@ -185,7 +190,7 @@ def outlook(
 
 
 def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool = False) -> Answer:
-    """The rolling moment of gas and inertia by order, the mean torque, and the peak pressure.
+    """The rolling moment of gas and inertia by order, mean and brake torque, the peak pressure.
 
     With `sums` force, couple and roll alone, as several engines have them; without gas too.
     """
@@ -201,7 +206,10 @@ def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool
         if sums:
             return _inertia_sizes(each, again.speed) | rolls
         mean = float(gas_torque(again).mean.sum())
-        return {**rolls, ("mean torque", None): mean, ("peak pressure", None): again.peak / 1e5}
+        plain = {("mean torque", None): mean, ("peak pressure", None): again.peak / 1e5}
+        if again.speed is not None:
+            plain["brake torque", None] = mean - friction_torque(again)
+        return {**rolls, **plain}
 
     units = {"peak pressure": "bar"}
     return Answer(
@@ -241,7 +249,7 @@ def bearing_peaks(
         unit=lambda _quantity, each: found(each, make(each)).unit,
         uses=("inertia", "bearings", *(("gas",) if first is not None else ())),
         gas=first,
-        gasless=True,
+        gasless=IN_LOADS,
         why_gasless="" if engine.gas is None else _gas_of(engine, speed=speed)[1] or GAS_OPTION,
     )
 
@@ -276,9 +284,23 @@ def twist(
         unit=lambda quantity, _engine: units[quantity],
         uses=("inertia", "torsion", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
-        gasless=True,
+        gasless=IN_VIBRATION,
         why_gasless="" if engine.gas is None else whole.without_gas,
     )
+
+
+ON_MOUNTS = {
+    "mount load": "N",
+    "mount force": "N",
+    "mount moment": "N*m",
+    "one mount": "N",
+    "velocity at the point": "mm/s",
+    "displacement at the point": "um",
+    "acceleration at the point": "m/s^2",
+    "weighted acceleration": "m/s^2",
+    "transmissibility": "",
+}
+"""The units of the figures of an engine on its mounts, beside those of its modes, Hz."""
 
 
 def on_mounts(
@@ -287,15 +309,22 @@ def on_mounts(
     point: str = "",
     speed: float | None = None,
     speeds: Sequence[float] | Real = (),
+    at: Sequence[float] | None = None,
 ) -> Answer:
-    """The natural frequencies of the block, and the greatest force into the ground over speeds."""
+    """The natural frequencies of the block, and what its mounts transmit and a point of it does.
+
+    The maximum of each over the speeds, where it is of the engine as given, and at both ends; `at`
+    is the point of the block (up, right, z; m), as of `mount_analysis.mounts`.
+    """
     from crankstar.dynamics.mount_analysis import mounts
     from crankstar.dynamics.mount_modes import mount_modes
-    from crankstar.dynamics.mount_response import rms
     from crankstar.dynamics.mounted_block import mounted_block, settled
 
-    whole = mounts(engine, point=point, speed=speed, speeds=speeds)
-    ends = [] if whole.over is None else [float(each) for each in whole.over.speeds[[0, -1]]]
+    whole = mounts(engine, point=point, speed=speed, speeds=speeds, at=at)
+    places: list[float] = []
+    if whole.over is not None:
+        tops = [int(np.nanargmax(curve)) for curve in _forced(whole).values()]
+        places = whole.over.speeds[sorted({0, len(whole.over.speeds) - 1, *tops})].tolist()
 
     def figures(each: Engine) -> Figures:
         block = mounted_block(each)
@@ -304,21 +333,42 @@ def on_mounts(
             ("mount load", None): float(np.linalg.norm(settled(block)[1], axis=-1).max())
         }
         out |= {(f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)}
-        if ends:
-            found = mounts(each, point=point, speed=speed, speeds=ends)
-            if found.over is not None:
-                out["mount force", None] = float(rms(found.over.ground_force[..., :3]).max())
+        if places:
+            found = mounts(each, point=point, speed=speed, speeds=places, at=at)
+            out |= {(name, None): float(np.nanmax(own)) for name, own in _forced(found).items()}
         return out
 
     gas, why = _gas_of(engine, point=point, speed=speed)
     return Answer(
         figures=figures,
-        unit=lambda quantity, _engine: "Hz" if quantity.startswith("mode ") else "N",
+        unit=lambda quantity, _engine: ON_MOUNTS.get(quantity, "Hz"),
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
-        gasless=True,
+        gasless=IN_VIBRATION,
         why_gasless=why,
     )
+
+
+def _forced(found: MountAnalysis) -> dict[str, Real]:
+    """What the mounts transmit and what the point does, rms, against speed; nothing without one."""
+    from crankstar.dynamics.mount_response import rms
+
+    over, at = found.over, found.point
+    if over is None:
+        return {}
+    each = [rms(over.mount_force[:, :, place]) for place in range(len(over.block.mounts))]
+    curves = {
+        "mount force": rms(over.ground_force[..., :3]),
+        "mount moment": rms(over.ground_force[..., 3:]),
+        "one mount": np.max(each, axis=0),
+        "velocity at the point": 1e3 * rms(over.velocity(at)),
+        "displacement at the point": 1e6 * rms(over.displacement(at)),
+        "acceleration at the point": rms(over.acceleration(at)),
+        "weighted acceleration": rms(over.hand_arm(at)),
+    }
+    if np.isfinite(over.transmissibility).any():
+        curves["transmissibility"] = np.nanmax(over.transmissibility, axis=1)
+    return curves
 
 
 def felt(
@@ -353,7 +403,7 @@ def felt(
         unit=lambda quantity, _engine: units[quantity],
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
-        gasless=True,
+        gasless=IN_VIBRATION,
         why_gasless=why,
     )
 

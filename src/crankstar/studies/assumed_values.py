@@ -39,6 +39,7 @@ from crankstar.studies.changed_values import (
     with_block_inertia,
     with_block_mass,
     with_block_value,
+    with_gas_choice,
     with_gas_value,
     with_mount_loss,
     with_rods_of,
@@ -74,6 +75,11 @@ Those of wiebe_a are 5 and 6.9 of one another; the others are wide enough for en
 Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9, for the order of
 size; the ends themselves are our judgement.
 """
+CHOICES: Mapping[str, tuple[str, str]] = {
+    "ignition": ("spark", "compression"),
+    "friction": ("spark-ignition", "diesel"),
+}
+"""What is assumed of a cycle without a number: one of two."""
 LEANEST = 1.5
 """Air-fuel ratio over the stoichiometric one from which a homogeneous mixture does not burn.
 
@@ -123,7 +129,10 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
         yield _without_gas(engine, answer.without_gas)
     elif answer.gas is None and answer.gasless:
         reason = answer.why_gasless or N_("there is no gas in it")
-        yield Assumption("left out", "gas", reason, explained=bool(answer.why_gasless))
+        yield Assumption(
+            "left out", "gas", reason,
+            explained=bool(answer.why_gasless), sentence=answer.gasless,
+        )  # fmt: skip
     if "gas" in answer.uses and answer.gas is not None:
         yield from _gas(engine, answer.gas)
     if "running" in answer.uses and (engine.drive is None or engine.drive.inertia is None):
@@ -204,17 +213,17 @@ def _mounts(engine: Engine) -> Iterator[Assumption]:
 
     block = engine.block
     own = body(engine)
-    if block is None:
+    if block is None or block.mass is None:
         low, high = (share * own.mass for share in BLOCK_ENDS)
         yield Assumption(
             "assumed", "block.mass", N_("usual for its reciprocating masses"),
             own.mass, "kg", low, high, vary=with_block_mass,
         )  # fmt: skip
     yield from _centre_of_mass(engine, own)
-    if own.assumed:
+    if block is None or block.inertia is None:
         low, high = BAR_ENDS
         if block is not None and block.sides is not None:
-            box = inertia_in_box(block.mass, sides=block.sides)
+            box = inertia_in_box(own.mass, sides=block.sides)
             low = min(end / mid for end, mid in zip(box.low, box.typical, strict=True))
             high = max(end / mid for end, mid in zip(box.high, box.typical, strict=True))
         yield Assumption(
@@ -408,8 +417,15 @@ def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
                 "assumed", path, reason, value / factor, unit,
                 low / factor, high / factor, vary=with_gas_value(name, factor),
             )  # fmt: skip
-        elif name == "ignition":
-            yield Assumption("assumed", path, N_("as compression ratio or bore say"), str(value))
+        elif name in CHOICES and value in CHOICES[name]:
+            other = next(each for each in CHOICES[name] if each != value)
+            reason = N_("usual for such engines")
+            if name == "ignition":
+                reason = N_("as compression ratio or bore say")
+            yield Assumption(
+                "assumed", path, reason, str(value), "", 1.0, 1.0,
+                named=True, vary=with_gas_choice(name, other),
+            )  # fmt: skip
         else:
             yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
 
