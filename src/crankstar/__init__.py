@@ -38,13 +38,11 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 [1.0, 2.0]
 """
 
-from __future__ import annotations
-
 import sys
-from importlib import import_module
-from types import FunctionType
 
-TYPE_CHECKING = False  # typing takes most of the time in which an interrupt would be a traceback
+# nothing is read from a file here that Python has not read itself: until the command line runs, an
+# interrupt would be a traceback
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
@@ -160,8 +158,11 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> "Any":
     """Load a public name on first use."""
+    from importlib import import_module
+    from types import FunctionType
+
     for module, public in _HOMES.items():
         if name in public:
             value = getattr(import_module(f"crankstar.{module}"), name)
@@ -181,7 +182,9 @@ def _registered_in_notebook() -> None:
     """Have a running IPython show engines and balances as tables."""
     shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
     if shell is not None:
-        import_module("crankstar.tables.notebook").register(shell)
+        from crankstar.tables.notebook import register
+
+        register(shell)
 
 
 _registered_in_notebook()

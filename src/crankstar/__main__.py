@@ -12,13 +12,13 @@ OBJECTS = 500_000
 
 def main() -> None:
     """Run the command line; an interrupt while it is being loaded, or ends, ends it silently."""
-    gc.set_threshold(OBJECTS)
-    # it would read what is known of every installed package, to find plug-ins that none here needs
-    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
-    # matrices are small here: a second thread of numpy's waits for the first, at full speed
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         try:
+            gc.set_threshold(OBJECTS)
+            # it would read what is known of every installed package, for plug-ins that none needs
+            os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+            # matrices are small here: a second thread of numpy's waits for the first, at full speed
+            os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
             _run()
         finally:
             _deaf()

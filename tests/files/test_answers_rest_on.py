@@ -1,15 +1,19 @@
 """What fault, compare, verdict and mounts print rests on, beside the numbers that they print."""
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from tests.charted import foot
 from tests.commands import Run
 
 import crankstar
 from crankstar import spectra
+from crankstar.charts.mount_responses import mount_response_chart
+from crankstar.dynamics.mounted_block import mounted_block, settled
 from crankstar.files.catalog import path_of
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque
@@ -217,4 +221,129 @@ def test_gas_that_is_not_there_is_named_on_the_first_screen(
     path.write_text("\n".join([*own[:burning], *own[block:]]), encoding="utf-8")
     for verb in ("analyze", "bearings", "mounts", "verdict"):
         screen = run(verb, str(path)).out.splitlines()[:24]
-        assert any(line.startswith("Not in these numbers: ") and "gas" in line for line in screen)
+        assert any(re.match(r"Not in the [a-z ]+: .*gas", line) for line in screen)
+
+
+def test_what_analyze_has_with_gas_is_not_listed_as_left_out(run: Run) -> None:
+    """With masses the roll has a line with gas; without any the table of gas alone is there."""
+    for asked in ((AUDI,), ("honda-b18c", "--set", "gas.compression_ratio=10.6")):
+        out = run("analyze", *asked).out
+        assert "gas included" in out
+        assert "not in the rolling moment" not in out.lower()
+        answer = json.loads(run("analyze", *asked, "--json").out)
+        assert answer["gas_orders"]
+        assert "left out" not in {row["status"] for row in answer["rests_on"]}
+
+
+def test_gas_is_left_out_of_the_numbers_that_it_belongs_to(mounted: str, run: Run) -> None:
+    assert "Not in the rolling moment: gas." in run("analyze", "i4").out
+    assert "Not in the loads: gas." in run("bearings", "i4").out
+    bare = crankstar.load(mounted).model_copy(update={"gas": None})
+    from crankstar.studies.answers import on_mounts, rests_on
+
+    [gas] = [each for each in rests_on(bare, on_mounts(bare)) if each.path == "gas"]
+    assert "forced vibration" in gas.sentence
+
+
+def test_nothing_is_headed_as_a_foundation_where_gas_alone_is_missing(run: Run) -> None:
+    whole = ("--set", "cylinder.rotating_mass=0.8", "--set", "cylinder.throw_mass=0.5")
+    known = [word for path in UNREAD for word in ("--set", f'provenance."{path}".status=published')]
+    out = run("analyze", "i4", *whole, "--set", "balance_factor=0.5", *known).out
+    assert "Not in the rolling moment: gas." in out
+    assert "This rests on" not in out
+
+
+UNREAD = ("firing_order", "cylinder.rod_ratio")
+"""Of the in-line four of the catalog, what nobody has read in a source."""
+WITHOUT = ("rests_on", "assumed")
+"""Of an answer in JSON: what the record is, and what it was."""
+
+
+@pytest.mark.parametrize(
+    "verb", [("analyze",), ("torque",), ("bearings", "--gas"), ("mounts",), ("fault", "--cut", "3")]
+)
+@pytest.mark.parametrize("load", ["bmep", "imep"])
+def test_a_choice_is_in_the_record_where_it_moves_a_printed_number_and_nowhere_else(
+    verb: tuple[str, ...], load: str, mounted: str, run: Run
+) -> None:
+    """A brake load adds friction to what the gas does; an indicated one has it in the brake."""
+    command, *options = verb
+    text = Path(mounted).read_text(encoding="utf-8")
+    Path(mounted).write_text(text.replace("\nbmep =", f"\n{load} ="), encoding="utf-8")
+    asked = (command, mounted, *options, "--json")
+    before = json.loads(run(*asked).out)
+    other = json.loads(run(*asked, "--set", "gas.friction=diesel").out)
+    rows = {row["path"] for row in before["rests_on"]}
+    moved = {k: v for k, v in before.items() if k not in WITHOUT} != {
+        k: v for k, v in other.items() if k not in WITHOUT
+    }
+    assert ("gas.friction" in rows) == moved
+
+
+VIEWS = {
+    None: "velocity of the point",
+    "displacement": "displacement of the point",
+    "acceleration": "acceleration of the point",
+    "hand-arm": "weighted acceleration of the point",
+    "force": "force on the ground",
+    "mounts": "force in a mount",
+}
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_the_foot_of_a_response_names_what_it_draws(view: Any, mounted: str) -> None:
+    engine = crankstar.load(mounted)
+    speeds = [80.0, 200.0, 600.0]
+    at = (0.1, 0.2, -0.3)
+    drawn = mount_response_chart(engine, quantity=view, speeds=speeds, at=at)
+    words = " ".join(foot(drawn.spec))
+    assert f"the maximum {VIEWS[view]} is" in words
+    now = float(re.findall(r"not ([\d.]+)", words)[0])
+    assert now == pytest.approx(float(drawn_top(drawn.spec)), rel=6e-3)
+
+
+def drawn_top(spec: Any) -> float:
+    """The maximum of the lines of a chart: that of all orders, or of the mounts."""
+    found: list[float] = []
+
+    def walk(part: Any) -> None:
+        if isinstance(part, dict):
+            values = part.get("values")
+            if isinstance(values, list) and values and "y" in values[0] and "what" in values[0]:
+                found.extend(row["y"] for row in values)
+            for each in part.values():
+                walk(each)
+        elif isinstance(part, list):
+            for each in part:
+                walk(each)
+
+    walk(spec)
+    return max(found)
+
+
+@pytest.mark.parametrize(
+    "block",
+    [
+        "",
+        '[block]\nz = "0 m"\n',
+        f"[block]\n{INERTIA}",
+        '[block]\nlength = "500 mm"\nwidth = "400 mm"\nheight = "600 mm"\n',
+    ],
+)
+def test_a_block_without_a_mass_has_the_estimated_one_in_the_record(
+    block: str, mounted: str, run: Run
+) -> None:
+    """By statics the mounts carry m g; m is 40 reciprocating masses, here 5 of 492 g."""
+    text = Path(mounted).read_text(encoding="utf-8")
+    Path(mounted).write_text(text.replace('[block]\nmass = "150 kg"\n', block), encoding="utf-8")
+    answer = json.loads(run("mounts", mounted, "--json").out)
+    row = rows_by_path(answer)["block.mass"]
+    assert (row["status"], row["unit"]) == ("assumed", "kg")
+    assert row["value"] == pytest.approx(40 * 5 * 0.492)
+    assert (row["low"], row["high"]) == pytest.approx((0.6 * row["value"], 1.6 * row["value"]))
+    engine = crankstar.load(mounted)
+    up = settled(mounted_block(engine))[1][:, 0].sum()
+    assert abs(up) == pytest.approx(row["value"] * 9.80665, rel=1e-9)
+    assert run("check", mounted).code == 0
+    given = run("mounts", mounted, "--set", "block.mass=150 kg", "--json")
+    assert "block.mass" not in rows_by_path(json.loads(given.out))

@@ -228,11 +228,21 @@ def test_a_number_without_a_unit_is_refused_where_si_cannot_be_meant(
     assert not implausible or fault.values["unit"] == unit
 
 
-@pytest.mark.parametrize(
-    ("value", "size"), [(0.0825, None), ("0.0825", None), ("8.25 cm", None), ("3.248 in", None)]
-)
-def test_a_size_in_metres_needs_no_unit(value: object, size: None) -> None:
-    assert told(spoilt(SHORT, cylinder__stroke=value)) == {} or size is not None
+@pytest.mark.parametrize("value", ["0.0825 m", "8.25 cm", "3.248 in"])
+def test_a_size_is_in_any_unit_of_length(value: str) -> None:
+    assert told(spoilt(SHORT, cylinder__stroke=value)) == {}
+
+
+@pytest.mark.parametrize("value", [0.0825, "0.0825"])
+def test_a_size_in_metres_needs_no_unit_where_no_other_size_has_one(value: object) -> None:
+    tree = spoilt(SHORT, cylinder__stroke=value)
+    (fault,) = faults(tree)
+    assert fault.code == "unit.bare-beside-unit"
+    assert fault.values["like"] == "0.0825 mm"
+    assert fault.values["absolute"] == "0.0825 m"
+    bare = {"type": "inline", "throws": ["0 deg", "180 deg"], "bore_pitch": 0.1}
+    sizes = {"bore": 0.086, "stroke": value, "rod_length": "0.14", "reciprocating_mass": "650 g"}
+    assert engine_of({"name": "x", "cylinder": sizes, "layout": bare}).cylinders[0].bore == 0.086
 
 
 @pytest.mark.parametrize(
@@ -398,7 +408,11 @@ def test_a_slave_rod_that_cannot_reach_its_cylinder_is_refused(length: str) -> N
     assert place == "cylinders[2].rod_length"
     assert "articulated rod is too short to reach its cylinder over the whole turn" in message
     assert (
-        told(spoilt(EXPLICIT, cylinders__1=tree["cylinders"][1] | {"rod_length": needed(message)}))
+        told(
+            spoilt(
+                EXPLICIT, cylinders__1=tree["cylinders"][1] | {"rod_length": f"{needed(message)} m"}
+            )
+        )
         == {}
     )
 

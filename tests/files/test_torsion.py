@@ -135,7 +135,7 @@ def disc(**values: Any) -> list[dict[str, Any]]:
         ({"disc": disc() + disc()}, "torsion.disc.1.name", "disc.same-name"),
         ({"disc": disc(name="Throw 3")}, "torsion.disc.0.name", "disc.place-name"),
         (
-            {"disc": [*disc(to="hub"), {"name": "hub", "inertia": 1, "to": "rear"}]},
+            {"disc": [*disc(to="hub"), {"name": "hub", "inertia": "1 kg*m^2", "to": "rear"}]},
             "torsion.disc.0.to",
             "disc.on-a-later",
         ),

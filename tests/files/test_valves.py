@@ -69,7 +69,9 @@ def test_what_is_assumed_is_marked_and_is_an_engine_that_runs(cycle: Any) -> Non
     assert (
         told(
             spoilt(
-                SHORT, cycle="four-stroke", valves={name: getattr(found, name) for name in EVENTS}
+                SHORT,
+                cycle="four-stroke",
+                valves={name: f"{getattr(found, name)} rad" for name in EVENTS},
             )
         )
         == {}

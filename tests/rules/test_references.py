@@ -239,7 +239,7 @@ def test_an_inertia_over_an_unknown_mass_is_an_area() -> None:
     assert engine.drive.inertia == pytest.approx(2.0 * 0.04**2)
 
 
-@pytest.mark.parametrize("places", [[0.05, -0.05], ["50 mm", "-50 mm"]])
+@pytest.mark.parametrize("places", [["0.05 m", "-0.05 m"], ["50 mm", "-50 mm"]])
 def test_bearings_of_a_v_twin_may_be_a_stroke_beyond_its_crankpin(places: list[Any]) -> None:
     mass = {**V_TWIN["cylinder"], "reciprocating_mass": "500 g"}
     tree = {**V_TWIN, "cylinder": mass, "crankshaft": [{"bearings": places}]}

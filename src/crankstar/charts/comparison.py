@@ -24,16 +24,18 @@ def compared(
     theta: float | None = None,
     turns: int = 1,
     ranges: str = "",
+    notes: Sequence[str] = (),
     rests: Rests | None = None,
 ) -> Chart:
     """The panels of each engine, in rows; several engines stand two in a row, each in a column.
 
     Where the canvas has the first `alone`, the others have only had their part in the scales.
 
-    `ranges` says how the ranges of estimated engines are drawn, `rests` what the numbers rest on.
+    `ranges` says how the ranges of estimated engines are drawn, `notes` what else is to be known of
+    the picture, `rests` what the numbers rest on.
     """
     engines = engines[: abreast(len(engines))]
-    lines = estimate_lines(engines, drawn=ranges)
+    lines = [*notes, *estimate_lines(engines, drawn=ranges)]
     if len(engines) == 1:
         subtitle = [*heading(engines[0], speed=speed), *lines]
         return figure(

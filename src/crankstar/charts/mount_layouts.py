@@ -76,7 +76,7 @@ def mount_layout_chart(engine: Engine, *, at: Sequence[float] | None = None) -> 
         _View(_("from its right, the front of the engine at the left"), UP, REAR),
     )
     rows = [[_panel(engine, found, view, named=at is not None)] for view in views]
-    return figure(rows, title=title, subtitle=told, rests=on_mounts(engine, forces=False))
+    return figure(rows, title=title, subtitle=told, rests=on_mounts(engine))
 
 
 def _places(engine: Engine, found: MountAnalysis, *, named: bool) -> list[Real]:

@@ -87,4 +87,4 @@ def mount_mode_chart(engine: Engine) -> Chart:
         *about(engine, found, shaken=False),
         _("share of each freedom in the kinetic energy, %, about the centre of mass"),
     ]
-    return figure([[panel]], title=title, subtitle=told, rests=on_mounts(engine, forces=False))
+    return figure([[panel]], title=title, subtitle=told, rests=on_mounts(engine))

@@ -61,6 +61,15 @@ UNITS = {
     "force": "N",
     "mounts": "N",
 }
+FIGURES = {
+    "velocity": "velocity at the point",
+    "displacement": "displacement at the point",
+    "acceleration": "acceleration at the point",
+    "hand-arm": "weighted acceleration",
+    "force": "mount force",
+    "mounts": "one mount",
+}
+"""What each view shows, as `studies.answers.on_mounts` names it."""
 FACTORS = {"velocity": 1e3, "displacement": 1e6}
 """Of what is not drawn in SI."""
 THROUGH = N_("Transmissibility of the mounts over the speed")
@@ -129,13 +138,14 @@ def mount_response_chart(
     top = max(lines, key=lambda line: float(line.values.max()))
     told.append(
         _(
-            "greatest: {size} {unit} at {rpm} rpm",
+            "maximum: {size} {unit} at {rpm} rpm",
             size=number(float(f"{top.values.max():.4g}")),
             unit=unit,
             rpm=number(round(float(over.speeds[int(np.argmax(top.values))] * RPM))),
         )
     )
-    rests = on_mounts(engine, point=point or "", speeds=[*(speeds or ())])
+    options = {"point": point or "", "speeds": [*(speeds or ())], "at": at}
+    rests = on_mounts(engine, FIGURES[wanted], **options)
     return figure([[panel]], title=title, subtitle=told, rests=rests)
 
 
@@ -163,7 +173,8 @@ def transmissibility_chart(
     one = _Line(_("stiff mounts (dashed)"), np.ones(over.speeds.size), GREY, 1.2, (4, 3))
     told = [*about(engine, found), _("force in a mount over that without inertia of the block")]
     panel = _panel(over, [*lines, one], _("transmissibility"))
-    rests = on_mounts(engine, point=point or "", speeds=[*(speeds or ())])
+    options = {"point": point or "", "speeds": [*(speeds or ())]}
+    rests = on_mounts(engine, "transmissibility", **options)
     return figure([[panel]], title=title, subtitle=told, rests=rests)
 
 

@@ -245,13 +245,13 @@ def of_twist(
     return Rests([source], answer, "torsion")
 
 
-def on_mounts(engine: Engine, *, forces: bool = True, **options: Any) -> Rests:
-    """Of a figure of the engine on its mounts: modes, and with `forces` what shakes them."""
+def on_mounts(engine: Engine, quantity: str = "", **options: Any) -> Rests:
+    """Of a figure of the engine on its mounts: a quantity of `answers.ON_MOUNTS`, or its modes."""
     modes = [f"mode {number}" for number in range(1, 13)]
 
     def answer(each: Engine) -> Answer:
         made = answers.on_mounts(each, **options)
-        return made if forces else narrowed(at_rest(made), modes)
+        return narrowed(made, [quantity]) if quantity else narrowed(at_rest(made), modes)
 
     return Rests([engine], answer, "mounts")
 

@@ -42,6 +42,9 @@ AXES = {
     "roll": N_("rolling moment\n({unit})"),
 }
 WHISKERS = N_("Estimated masses or lengths: each thin line is the range of a bar.")
+FINEST = 0.01
+"""Share of what one piston alone makes up to which an axis reaches at least."""
+COARSE = N_("Each axis reaches at least {share} % of m r ω², m r ω² a or m r² ω² of one piston.")
 NONE = {"force": N_("no force"), "couple": N_("no couple"), "roll": N_("no rolling moment")}
 
 
@@ -52,13 +55,15 @@ SYMBOL, COLUMNS_APART = 18.0, 26.0
 class Bars(NamedTuple):
     """Lengths by order: of the vectors with and against the crank, or of the rolling moment.
 
-    `ends` are the lowest and the highest sum of the two of an estimated engine.
+    `ends` are the lowest and the highest sum of the two of an estimated engine; `least` is what an
+    axis reaches at least.
     """
 
     quantity: str
     unit: str
     lengths: dict[float, tuple[float, float]]
     ends: dict[float, tuple[float, float]]
+    least: float = 0.0
 
     @property
     def reach(self) -> float:
@@ -87,8 +92,9 @@ def spectrum(
 
     The bars of force and couple are stacked: the vector with the crank and the one against it,
     whose sum is the semi-major axis of the ellipse. In units of m r w^2 or, at a `speed` (rad/s),
-    in N and N m. Several engines stand side by side, with every order that is visible in one of
-    them.
+    in N and N m. An axis reaches at least FINEST of what one piston alone makes, m r w^2, m r w^2 a
+    or m r^2 w^2, and the figure says so: a force of nothing is no full bar. Several engines stand
+    side by side, with every order that is visible in one of them.
     """
     engines = several(engine)
     wholes = [sums(one, AXES, speed=speed, reference=reference) for one in engines]
@@ -96,7 +102,11 @@ def spectrum(
     bars = list(zip(*columns, strict=True))
     shown = [{order for one in column for order in one.visible()} for column in columns]
     names = [f"{order:g}" for order in sorted(set().union(*shown))] or ["1"]
-    reaches = [max(one.reach for one in column) for column in columns]
+    tops = [max(one.reach for one in column) for column in columns]
+    floors = [max(one.least for one in column) for column in columns]
+    reaches = list(map(max, tops, floors))
+    raised = any(0 < top < floor for top, floor in zip(tops, floors, strict=True))
+    notes = [_(COARSE, share=f"{100 * FINEST:g}")] if raised else []
     width = panel_width() if abreast(len(engines)) == 1 else half_width() - 30
     blocks = [
         [
@@ -106,7 +116,9 @@ def spectrum(
         for row in bars
     ]
     rests = of_inertia(engines, speed=speed, reference=reference)
-    return compared(engines, blocks, title=_(TITLE), speed=speed, ranges=_(WHISKERS), rests=rests)
+    return compared(
+        engines, blocks, title=_(TITLE), speed=speed, ranges=_(WHISKERS), notes=notes, rests=rests
+    )
 
 
 def _bars(whole: Sum) -> Bars:
@@ -119,7 +131,7 @@ def _bars(whole: Sum) -> Bars:
     orders = spectrum.orders.tolist()
     lengths = dict(zip(orders, zip(ahead.tolist(), against.tolist(), strict=True), strict=True))
     ends = dict(zip(orders, length_ranges(spectrum, whole.ends), strict=False))
-    return Bars(whole.quantity, whole.unit, lengths, ends)
+    return Bars(whole.quantity, whole.unit, lengths, ends, FINEST * whole.piston)
 
 
 def _panel(one: Bars, names: Sequence[str], reach: float, width: float) -> Panel:

@@ -14,7 +14,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import shown
-from crankstar.mechanics.balance import Balance, balance
+from crankstar.mechanics.balance import Balance, balance, of_one_piston
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE, pushed, sizes, summed
 from crankstar.spectra import Spectrum
@@ -34,13 +34,15 @@ class Sum(NamedTuple):
     """A quantity of the whole engine: the orders that remain of it, and its unit.
 
     The unit is that of a Balance until `in_one_unit` writes it as readers see it. `ends` are the
-    spectra in the middle and at the corners of the ranges of an estimated engine.
+    spectra in the middle and at the corners of the ranges of an estimated engine; `piston` is what
+    the first piston alone would make, m r w^2 and its like.
     """
 
     quantity: str
     unit: str
     spectrum: Spectrum
     ends: tuple[Spectrum, ...] = ()
+    piston: float = 0.0
 
     @property
     def turns(self) -> int:
@@ -59,6 +61,7 @@ def sums(
         summed(balance(each, speed=speed, reference=reference))._asdict()
         for each in ends_of(engine)
     ]
+    one = of_one_piston(engine, speed=speed)._asdict()
     out = []
     for quantity in quantities:
         least = NEGLIGIBLE * pushed(parts[quantity]).max(initial=0.0)
@@ -68,7 +71,8 @@ def sums(
         if missing - {*spectrum.orders.tolist()}:  # what cancels in the engine as given alone
             orders = sorted(missing | {*spectrum.orders.tolist()})
             spectrum = spectra.selected(spectrum, orders)
-        out.append(Sum(quantity, unit_of(result, quantity), spectrum, ends))
+        piston = one.get(quantity, one["moment"])
+        out.append(Sum(quantity, unit_of(result, quantity), spectrum, ends, piston))
     return out
 
 
@@ -98,6 +102,7 @@ def in_one_unit(courses: Sequence[Sum]) -> list[Sum]:
             unit=unit_text(said.unit),
             spectrum=spectra.scaled(each.spectrum, said.factor),
             ends=tuple(spectra.scaled(end, said.factor) for end in each.ends),
+            piston=each.piston * said.factor,
         )
         for each in courses
     ]

@@ -68,6 +68,11 @@ def mounts(
         document = mounts_document(
             loaded, found, machine=machine, every=form != "txt", every_order=wanted is not None
         )
-        state: dict[str, Any] = {"point": point or "", "speed": turning, "speeds": over}
+        state: dict[str, Any] = {
+            "point": point or "",
+            "speed": turning,
+            "speeds": over,
+            "at": place,
+        }
         document = resting(document, resting_on(form, loaded, partial(on_mounts, loaded, **state)))
     give(document, output, form=form)

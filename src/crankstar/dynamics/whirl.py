@@ -67,28 +67,39 @@ class Response:
 def body(engine: Engine, *, along: float = 1.0) -> Body:
     """The engine as a rigid body, from `[block]` of its file, else a homogeneous round bar.
 
-    Where `[block]` has a mass and an outer size, it is a homogeneous box. The bar is homogeneous
-    too, and lies along the crankshaft about the centre of mass. Its mass is `MASS_TO_PISTONS`
-    reciprocating masses (a third of a rigid rod included), its length the span of the cylinders
-    plus a stroke, its radius `RADIUS_TO_REACH` of the reach of the pistons. A couple that turns in
-    a circle makes it whirl in a circle. `along` is the unit along the crankshaft in units across it
-    (1 unless bore pitch or stroke is unknown); the body is in units across.
+    Where `[block]` has an outer size, it is a homogeneous box. The bar is homogeneous too, and lies
+    along the crankshaft about the centre of mass. A mass that the file does not give is
+    `MASS_TO_PISTONS` reciprocating masses (a third of a rigid rod included). The bar has as its
+    length the span of the cylinders plus a stroke, as its radius `RADIUS_TO_REACH` of the reach of
+    the pistons. A couple that turns in a circle makes it whirl in a circle. `along` is the unit
+    along the crankshaft in units across it (1 unless bore pitch or stroke is unknown); the body is
+    in units across.
     """
     block, middle = engine.block, default_reference(engine).z
     pistons = sum(
         c.reciprocating_mass + (c.rod.mass / 3 if c.rod else 0.0) for c in engine.cylinders
     )
-    mass = MASS_TO_PISTONS * pistons if block is None else block.mass
+    given = None if block is None else block.mass
+    mass = MASS_TO_PISTONS * pistons if given is None else given
+    heavy: tuple[str, ...] = ()
+    if block is not None and given is None:
+        heavy = (
+            _(
+                "The engine file gives no mass in [block]; {factor} times that of the "
+                "reciprocating parts is assumed.",
+                factor=f"{MASS_TO_PISTONS:g}",
+            ),
+        )
     centre = (0.0, 0.0, middle * along)
     if block is not None:
         centre = (block.up, block.right, (middle if block.z is None else block.z) * along)
     inertia = None if block is None else block.inertia
     if inertia is not None:
-        return Body(mass, centre, inertia)
+        return Body(mass, centre, inertia, heavy)
     if block is not None and block.sides is not None:
         up, right, length = block.sides
         own = inertia_in_box(mass, sides=(up, right, length * along))
-        return Body(mass, centre, own.typical, (_boxed(own),))
+        return Body(mass, centre, own.typical, (*heavy, _boxed(own)))
     assumed = _(
         "The engine file gives no moments of inertia in [block]; a homogeneous round bar about the "
         "crankshaft is assumed."
@@ -99,7 +110,7 @@ def body(engine: Engine, *, along: float = 1.0) -> Body:
             "assumed, {factor} times as heavy as the reciprocating parts.",
             factor=f"{MASS_TO_PISTONS:g}",
         )
-    return Body(mass, centre, _bar(engine, mass, along), (assumed,))
+    return Body(mass, centre, _bar(engine, mass, along), (*heavy, assumed))
 
 
 def _boxed(own: BodyEstimate) -> str:

@@ -53,8 +53,10 @@ class Block(Record):
     needed, and marked so.
     """
 
-    mass: MovingMass = Field(
-        description="of the whole engine, moving parts included", examples=["165 kg"]
+    mass: MovingMass | None = Field(
+        default=None,
+        description="of the whole engine, moving parts included; estimated if left out",
+        examples=["165 kg"],
     )
     up: Length = Field(
         default=0.0, description="height of its centre of mass over the reference shaft"

@@ -75,11 +75,12 @@ def carried_mass(engine: Assembly) -> float:
 
 def _weight_faults(engine: Assembly) -> Iterator[Fault]:
     """A whole engine that is lighter than its pistons and rods."""
-    if engine.block is None or "mass" in engine.relative:
+    mass = None if engine.block is None else engine.block.mass
+    if mass is None or "mass" in engine.relative:
         return
     moving = carried_mass(engine)
-    if engine.block.mass <= moving:
-        values = {"value": engine.block.mass, "moving": moving}
+    if mass <= moving:
+        values = {"value": mass, "moving": moving}
         yield Fault(("block", "mass"), "block.too-light", values)
 
 

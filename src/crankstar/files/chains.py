@@ -12,6 +12,7 @@ from crankstar.engine.torsion_checks import chain_faults
 from crankstar.files import units
 from crankstar.files.errors import EngineFileError
 from crankstar.files.mistakes import Tree, faults_of, mended
+from crankstar.files.references import written_units
 from crankstar.language.faults import Fault
 
 _OF_ENGINES = {"layout", "cylinder", "cylinders", "shaft", "shafts", "torsion"}
@@ -47,9 +48,10 @@ def chain_of(tree: Tree, *, name: str = "the chain") -> Chain:
     >>> chain_of({"name": "fan drive", "disc": discs}).discs[1].stiffness
     6.0
     """
-    context = {"reader": units.reader(frozenset())}
+    context = {"reader": units.reader(frozenset())}  # of mended copies, whose numbers are bare
+    strict = {"reader": units.reader(frozenset(), written=written_units(tree, Chain))}
     try:
-        chain = Chain.model_validate(tree, context=context, by_alias=True, by_name=False)
+        chain = Chain.model_validate(tree, context=strict, by_alias=True, by_name=False)
     except ValidationError as error:
         faults = faults_of(error, Chain, tree)
         faults += _behind(mended(tree, error, Chain, number=9000), faults, context)

@@ -37,7 +37,13 @@ from crankstar.files.mistakes import (
     unknown_sources,
 )
 from crankstar.files.parts import with_sums
-from crankstar.files.references import listed, measured_scales, relative_of, unknown_scales
+from crankstar.files.references import (
+    listed,
+    measured_scales,
+    relative_of,
+    unknown_scales,
+    written_units,
+)
 from crankstar.files.source import read_tree
 from crankstar.files.tolerances import tolerance_faults, without_tolerances
 from crankstar.language.faults import EngineError, Fault, where
@@ -198,7 +204,8 @@ def _built(
     """Check a tree against its record and build the engine; corrected copies find more faults."""
     reader = partial(units.reader, relative, because=because)
     context = {"reader": reader()}  # of corrected copies, whose numbers are bare
-    strict = {"reader": reader(measured=measured_scales(tree))}
+    given = written_units(tree, model)
+    strict = {"reader": reader(measured=measured_scales(tree), written=given)}
     try:
         record = model.model_validate(tree, context=strict, by_alias=True, by_name=False)
     except ValidationError as error:

@@ -16,12 +16,14 @@ from typing import Any
 
 from crankstar.engine.basis import Sizes
 from crankstar.engine.quantities import LENGTH, MASS
+from crankstar.engine.records import Record
 from crankstar.files import units
 from crankstar.files.forms import field_at, form_of, is_explicit, quantity_of
 from crankstar.files.mistakes import Path as KeyPath
 from crankstar.files.mistakes import Tree
 from crankstar.files.parts import tells_mass, with_sums
-from crankstar.language.faults import ValueFaultError
+from crankstar.files.plus_minus import nominal
+from crankstar.language.faults import ValueFaultError, where
 
 
 def relative_of(tree: Tree) -> frozenset[str]:
@@ -63,6 +65,17 @@ def unknown_scales(tree: Tree) -> frozenset[str]:
 def measured_scales(tree: Tree) -> dict[str, tuple[str, float]]:
     """The sizes that a file gives with a unit: their key and SI value, by scale."""
     return _sizes(tree, with_unit=True)
+
+
+def written_units(tree: Tree, form: type[Record]) -> dict[str, units.Written]:
+    """The values that a file gives with a unit, the first of each dimension."""
+    return units.written(
+        (where(path), value, quantity)
+        for table, key, path in _leaves(tree)
+        if isinstance(value := table[key], str) and path[0] != "provenance"
+        if (info := field_at(form, path)) is not None
+        if (quantity := quantity_of(info)) is not None
+    )
 
 
 def _in_one_plane(tree: Tree, layout: Tree) -> bool:
@@ -121,11 +134,15 @@ def _sizes(tree: Tree, *, with_unit: bool = False) -> dict[str, tuple[str, float
     places.append(("mass", key, total, 1.0, MASS))
     out: dict[str, tuple[str, float]] = {}
     for scale, key, value, share, quantity in places:
-        if value is None or (with_unit and not isinstance(value, str)):
+        if value is None or (with_unit and not _has_unit(value)):
             continue
         with suppress(ValueFaultError):  # reading the file says what is wrong
             out.setdefault(scale, (key, share * units.without_tolerance(value, quantity)))
     return out
+
+
+def _has_unit(value: Any) -> bool:
+    return isinstance(value, str) and bool(units.unit_of(str(nominal(value))))
 
 
 def absolute(tree: Tree, sizes: Mapping[str, float], *, but: Collection[KeyPath] = ()) -> None:

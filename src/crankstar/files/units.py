@@ -8,7 +8,7 @@ a force or a moment is wanted, pounds and ounces are their weight.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from math import prod
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
@@ -173,23 +173,38 @@ NOTHING_MEASURED: Mapping[str, tuple[str, float]] = MappingProxyType({})
 """No unit of itself of which a file gives the size with a unit."""
 
 
+class Written(NamedTuple):
+    """The first value of a dimension that a file gives with a unit: its key path, its unit."""
+
+    key: str
+    unit: str
+
+
+NOTHING_WRITTEN: Mapping[str, Written] = MappingProxyType({})
+"""No value with a unit."""
+
+
 def reader(
     relative: frozenset[str],
     *,
     because: Literal["unknown", "relative"] = "unknown",
     measured: Mapping[str, tuple[str, float]] = NOTHING_MEASURED,
+    written: Mapping[str, Written] = NOTHING_WRITTEN,
 ) -> Callable[[Any, Quantity], float]:
     """The reader of one file's values; those in `relative` are bare numbers in units of themselves.
 
     `because`: the file does not give it, or says in `relative` that it is not known. `measured` are
     units of itself that it gives with a unit, by name the key and the SI size: a bare number beside
-    one may be counted in it, from when it was not known, and is refused.
+    one may be counted in it, from when it was not known, and is refused. `written` are the values
+    with a unit by dimension: a bare number beside one of its own may be in that unit or in SI, one
+    beside others alone lacks its unit, unless it is evident; both are refused.
     """
 
     def read(value: Any, quantity: Quantity) -> float:
         missing = quantity.relative_to & relative
         if not missing:
             _refuse_bare(value, quantity, measured)
+            _refuse_alone(value, quantity, written)
             return si(value, quantity)
         rest = remaining(quantity, missing)
         if rest is not None and is_of(value, rest):
@@ -225,6 +240,51 @@ def _refuse_bare(value: Any, quantity: Quantity, measured: Mapping[str, tuple[st
         relative=text(value * factor, quantity, digits=6),
         absolute=text(value, quantity, digits=6),
     )
+
+
+def _refuse_alone(value: Any, quantity: Quantity, written: Mapping[str, Written]) -> None:
+    """Refuse a number without a unit in a file that gives units."""
+    if not written:
+        return
+    number, has_unit = _read(value, quantity)
+    if has_unit or not number or abs(number) > _KINDS[quantity.dimension].greatest_bare:
+        return
+    if quantity.least and number < 0:
+        return  # no size at all
+    beside = written.get(_ALIKE.get(quantity.dimension, quantity.dimension))
+    if beside is None:
+        if quantity.dimension in _EVIDENT:
+            return
+        raise _fault("unit.missing", value, quantity)
+    own = f"{number:.15g}"
+    raise ValueFaultError(
+        "unit.bare-beside-unit",
+        value=seen(value),
+        key=beside.key,
+        like=f"{own} {beside.unit}",
+        absolute=f"{own} {_KINDS[quantity.dimension].short}",
+    )
+
+
+def written(pairs: Iterable[tuple[str, Any, Quantity]]) -> dict[str, Written]:
+    """The first value with a unit of each dimension, of the key, value and quantity of a file.
+
+    Where a number needs a unit in any case, as a speed does, that it has one says nothing.
+
+    >>> written([("torsion.stiffness", "1.2 MN*m/rad", Quantity("torsional stiffness", "1 N*m"))])
+    {'torsional stiffness': Written(key='torsion.stiffness', unit='MN*m/rad')}
+    """
+    out: dict[str, Written] = {}
+    for key, value, quantity in pairs:
+        unit = unit_of(nominal(value)) if isinstance(value, str) else ""
+        if unit and is_of(f"1 {unit}", quantity) and _KINDS[quantity.dimension].greatest_bare:
+            out.setdefault(_ALIKE.get(quantity.dimension, quantity.dimension), Written(key, unit))
+    return out
+
+
+_ALIKE = {"length along the crankshaft": "length"}
+_EVIDENT = ("angle", "length", "length along the crankshaft", "mass")
+"""Dimensions of which a slip of unit shows: a bare number is SI where no other has a unit."""
 
 
 def _refuse_mixed(

@@ -49,6 +49,9 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}; compression does not ignite fuel below {bound}: for spark ignition "
         'give gas.ignition = "spark"'
     ),
+    "doubt.ratio": N_(
+        "{where} is {value}; hardly any engine has less than {least} or more than {greatest}"
+    ),
     "doubt.gamma": N_("{where} is {value}; the gas in a cylinder has 1.2 to 1.42"),
     "doubt.scavenging": N_(
         "{where} is {intake} bar and the exhaust has {exhaust} bar; the charge of a two-stroke "

@@ -41,6 +41,9 @@ SENTENCES: dict[str, str | Plural] = {
     "unit.missing": N_(
         "{where} is {value}, a number without a unit; {dimension} is needed, such as {example}"
     ),
+    "unit.bare-beside-unit": N_(
+        "{where} is {value} without a unit, and {key} has one; give {like}, or {absolute}"
+    ),
     "unit.bare-beside-pitch": N_(
         "{where} is {value} without a unit, and {key} has one; give {relative} where it counts "
         "bore pitches, or {absolute}"

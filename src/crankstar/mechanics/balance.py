@@ -211,6 +211,18 @@ def unit_unbalance(engine: Engine) -> float:
     return unit_mass(engine) * engine.throw(engine.first).radius
 
 
+def of_one_piston(engine: Engine, *, speed: float | None = None) -> Scale:
+    """Force m r w^2, couple m r w^2 a, moment m r^2 w^2 of the first piston, as a Balance has them.
+
+    >>> from crankstar.files.catalog import load
+    >>> of_one_piston(load("i4"))
+    Scale(force=1.0, couple=1.0, moment=1.0)
+    """
+    one, first = unit_unbalance(engine), engine.throw(engine.first).radius
+    scale, _units = scales(engine, speed)
+    return Scale(one * scale.force, one * engine.pitch * scale.couple, one * first * scale.moment)
+
+
 def unit_mass(engine: Engine) -> float:
     """The unit of mass, m, kg: what goes up and down in the first cylinder.
 

@@ -13,7 +13,7 @@ computed from (`value_doubts`), of the cycle itself (`cycle_doubts`), of the mom
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
 from math import degrees, pi
 from typing import Any
@@ -36,6 +36,8 @@ Path = tuple[str | int, ...]
 GREATEST_SPARK_RATIO = 16.0
 LEAST_DIESEL_RATIO = 10.0
 """Compression ratios beyond which spark ignition knocks, and a Diesel does not fire."""
+RATIOS = (3.0, 25.0)
+"""Compression ratios of engines: of the first with electric ignition, of small Diesel engines."""
 LONGER = 1.05
 """Of a throw, journal, pin and webs, over the distance to the next."""
 GREATEST_PEAK = 250e5
@@ -72,6 +74,28 @@ def doubts(engine: Engine) -> tuple[Fault, ...]:
     return tuple(once.values())
 
 
+def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> tuple[Fault, ...]:
+    """Those doubts of an engine that are about what an answer uses, of gas its one cycle.
+
+    `uses` are the parts of an answer (`studies.assumptions.Uses`).
+
+    >>> from crankstar.files.catalog import load
+    >>> own = load("honda-b18c", changes={"gas.compression_ratio": 60})
+    >>> [fault.code for fault in doubts_of(own, ["gas"], cycle(own))]
+    ['doubt.ratio']
+    """
+    found: list[Fault] = []
+    if "inertia" in uses:
+        found += [*rod_doubts(engine), *piston_doubts(engine), *inertia_doubts(engine)]
+    if "torsion" in uses:
+        found += torsion_doubts(engine)
+    if "mounts" in uses:
+        found += body_doubts(engine)
+    if "gas" in uses and computed is not None:
+        found += point_doubts(engine, computed)
+    return tuple(found)
+
+
 def _point_doubts(engine: Engine, name: str, path: Path) -> Iterator[Fault]:
     """The doubts of one operating point, or that it has no cycle."""
     try:
@@ -99,9 +123,12 @@ def value_doubts(
     if ratio is not None and values["ignition"] == "spark" and ratio > GREATEST_SPARK_RATIO:
         bound = {"value": ratio, "bound": GREATEST_SPARK_RATIO}
         yield Fault((*path, "compression_ratio"), "doubt.spark-ratio", bound)
-    if ratio is not None and values["ignition"] == "compression" and ratio < LEAST_DIESEL_RATIO:
+    elif ratio is not None and values["ignition"] == "compression" and ratio < LEAST_DIESEL_RATIO:
         bound = {"value": ratio, "bound": LEAST_DIESEL_RATIO}
         yield Fault((*path, "compression_ratio"), "doubt.diesel-ratio", bound)
+    elif ratio is not None and not RATIOS[0] <= ratio <= RATIOS[1]:
+        bounds = {"value": ratio, "least": RATIOS[0], "greatest": RATIOS[1]}
+        yield Fault((*path, "compression_ratio"), "doubt.ratio", bounds)
     gamma = given.get("gamma")
     if gamma is not None and not GAMMAS[0] <= gamma <= GAMMAS[1]:
         yield Fault((*path, "gamma"), "doubt.gamma", {"value": gamma})

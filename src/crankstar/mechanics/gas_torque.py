@@ -184,3 +184,9 @@ def added(one: Spectrum, other: Spectrum) -> Spectrum:
         spectra.real_signal(orders, placed(one) + placed(other)),
         complete=one.complete and other.complete,
     )
+
+
+def friction_torque(cycle: Cycle) -> float:
+    """The mean torque that friction takes, N m."""
+    places = cycle.volumes
+    return cycle.friction * float(places.swept[[*places.kind]].sum()) / places.cycle

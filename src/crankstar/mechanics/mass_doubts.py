@@ -84,7 +84,7 @@ def body_doubts(engine: Engine) -> Iterator[Fault]:
     through its centre is m_h h^2 at least, m_h the part of its mass out there.
     """
     block, below = engine.block, engine.foundation
-    if block is not None and block.inertia is not None and engine.mounts:
+    if block is not None and block.mass and block.inertia is not None and engine.mounts:
         middle = default_reference(engine).z if block.z is None else block.z
         places = [(mount.up, mount.right, mount.z) for mount in engine.mounts]
         centre = (block.up, block.right, middle)

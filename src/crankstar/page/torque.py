@@ -24,7 +24,7 @@ from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.excitation import Totals
 from crankstar.mechanics.gas import Cycle, cycle
-from crankstar.mechanics.gas_torque import added, chamber_torque, gas_torque
+from crankstar.mechanics.gas_torque import added, chamber_torque, friction_torque, gas_torque
 from crankstar.mechanics.operating_points import GasError, default_point
 from crankstar.page.cycle_records import Chamber, Exhaust, Load, Pipe, Torque, Wave
 from crankstar.page.printed import printed
@@ -33,7 +33,7 @@ from crankstar.spectra import Complex, Real, Spectrum
 from crankstar.tables.large_engines import large_engine_table
 from crankstar.tables.meshes import mesh_table
 from crankstar.tables.table import Table
-from crankstar.tables.torque import assumed_notes, friction_torque, notes
+from crankstar.tables.torque import assumed_notes, notes
 from crankstar.tables.torque_parts import side_thrust_table
 
 MOST_LOADS = 12

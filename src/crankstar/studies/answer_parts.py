@@ -34,7 +34,7 @@ def in_own_unit(answer: Answer) -> Answer:
 def at_rest(answer: Answer) -> Answer:
     """The answer as far as no gas is in it, as natural modes have none."""
     uses = [each for each in answer.uses if each != "gas"]
-    return replace(answer, uses=uses, gas=None, gasless=False, tunings=())
+    return replace(answer, uses=uses, gas=None, gasless="", tunings=())
 
 
 def narrowed(
@@ -88,7 +88,7 @@ def joined(parts: Sequence[Answer]) -> Answer:
         without_gas=first.without_gas,
         least=least,
         given=set.intersection(*({*part.given} for part in parts)),
-        gasless=any(part.gasless for part in parts),
+        gasless=next((part.gasless for part in parts if part.gasless), ""),
         why_gasless=next((part.why_gasless for part in parts if part.why_gasless), ""),
         tunings=[each for part in parts for each in part.tunings],
     )

@@ -29,7 +29,7 @@ from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
-from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.mechanics.gas_torque import friction_torque, gas_torque
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Real, Spectrum
@@ -39,12 +39,17 @@ from crankstar.studies.assumptions import LOAD_OF, Answer, Assumption, moved
 from crankstar.studies.tried_values import Figure, Figures, Tuning
 
 if TYPE_CHECKING:
+    from crankstar.dynamics.mount_analysis import MountAnalysis
     from crankstar.studies.diagnosis import Diagnosis
     from crankstar.studies.single_faults import Fault
 
 MakeCycle = Callable[[Engine], Cycle | None]
 GAS_OPTION = N_("--gas adds it")
 """Why loads of a file with gas are without it."""
+IN_ROLL = N_("Not in the rolling moment: {paths}.")
+IN_LOADS = N_("Not in the loads: {paths}.")
+IN_VIBRATION = N_("Not in the forced vibration: {paths}.")
+"""What gas that is not known is missing in, by what an answer is about."""
 
 
 def rests_on(engine: Engine, answer: Answer) -> tuple[Assumption, ...]:
@@ -89,8 +94,8 @@ def amplitudes(
         uses=("inertia", "gas") if both else ("inertia",),
         gas=without if both else None,
         least=lambda each: _pushed(each, speed, reference),
-        without_gas=without,
-        gasless=not gas,
+        without_gas=None if both else without,
+        gasless="" if gas or (both and without is not None) else IN_ROLL,
         why_gasless=why,
     )
 
@@ -198,7 +203,7 @@ def outlook(
 
 
 def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool = False) -> Answer:
-    """The rolling moment of gas and inertia by order, the mean torque, and the peak pressure.
+    """The rolling moment of gas and inertia by order, mean and brake torque, the peak pressure.
 
     With `sums` force, couple and roll alone, as several engines have them; without gas too.
     """
@@ -214,7 +219,10 @@ def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool
         if sums:
             return _inertia_sizes(each, again.speed) | rolls
         mean = float(gas_torque(again).mean.sum())
-        return {**rolls, ("mean torque", None): mean, ("peak pressure", None): again.peak / 1e5}
+        plain = {("mean torque", None): mean, ("peak pressure", None): again.peak / 1e5}
+        if again.speed is not None:
+            plain["brake torque", None] = mean - friction_torque(again)
+        return {**rolls, **plain}
 
     units = {"peak pressure": "bar"}
     return Answer(
@@ -254,7 +262,7 @@ def bearing_peaks(
         unit=lambda _quantity, each: found(each, make(each)).unit,
         uses=("inertia", "bearings", *(("gas",) if first is not None else ())),
         gas=first,
-        gasless=True,
+        gasless=IN_LOADS,
         why_gasless="" if engine.gas is None else _gas_of(engine, speed=speed)[1] or GAS_OPTION,
     )
 
@@ -300,10 +308,28 @@ def twist(
         unit=lambda quantity, _engine: units[quantity],
         uses=("inertia", "torsion", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
-        gasless=True,
+        gasless=IN_VIBRATION,
         why_gasless="" if engine.gas is None else whole.without_gas,
         tunings=tunings,
     )
+
+
+ON_MOUNTS = {
+    "mount load": "N",
+    "mount force": "N",
+    "mount moment": "N*m",
+    "one mount": "N",
+    "velocity at the point": "mm/s",
+    "displacement at the point": "um",
+    "acceleration at the point": "m/s^2",
+    "weighted acceleration": "m/s^2",
+    "transmissibility": "",
+}
+"""The units of the figures of an engine on its mounts, beside those of its modes, Hz."""
+
+
+def _unit_on_mounts(quantity: str) -> str:
+    return "N" if quantity.startswith(LOAD_OF) else ON_MOUNTS.get(quantity, "Hz")
 
 
 def on_mounts(
@@ -312,18 +338,25 @@ def on_mounts(
     point: str = "",
     speed: float | None = None,
     speeds: Sequence[float] | Real = (),
+    at: Sequence[float] | None = None,
 ) -> Answer:
-    """The natural frequencies of the block, and the greatest force into the ground over speeds.
+    """The natural frequencies of the block, and what its mounts transmit and a point of it does.
 
-    Also what each mount bears upward at rest, measured by the greatest of them.
+    The maximum of each over the speeds, where it is of the engine as given, and at both ends; `at`
+    is the point of the block (up, right, z; m), as of `mount_analysis.mounts`. Also what each mount
+    bears upward at rest, measured by the greatest of them.
     """
-    from crankstar.dynamics.mount_analysis import greatest_ground_force, mounts
+    from crankstar.dynamics.mount_analysis import mounts
     from crankstar.dynamics.mount_modes import mount_modes
     from crankstar.dynamics.mounted_block import borne, mounted_block, settled
 
-    whole = mounts(engine, point=point, speed=speed, speeds=speeds)
+    whole = mounts(engine, point=point, speed=speed, speeds=speeds, at=at)
     over = whole.over
     ends = None if over is None else (float(over.speeds[0]), float(over.speeds[-1]))
+    places: list[float] = []
+    if over is not None:
+        tops = [int(np.nanargmax(curve)) for curve in _forced(whole).values()]
+        places = over.speeds[sorted({0, len(over.speeds) - 1, *tops})].tolist()
 
     def figures(each: Engine) -> Figures:
         each = _gas_as_in(engine, each)
@@ -338,9 +371,9 @@ def on_mounts(
             (f"{LOAD_OF}{mount.name}", None): load
             for mount, load in zip(block.mounts, borne(block, loads).tolist(), strict=True)
         }
-        if ends is not None:
-            force = greatest_ground_force(each, block, speeds=ends, point=point)
-            out["mount force", None] = force
+        if places:
+            found = mounts(each, point=point, speed=speed, speeds=places, at=at)
+            out |= {(name, None): float(np.nanmax(own)) for name, own in _forced(found).items()}
         return out
 
     def least(each: Engine) -> Mapping[str, float]:
@@ -351,10 +384,10 @@ def on_mounts(
     gas, why = _gas_of(engine, point=point, speed=speed)
     return Answer(
         figures=figures,
-        unit=lambda quantity, _engine: "Hz" if quantity.startswith("mode ") else "N",
+        unit=lambda quantity, _engine: _unit_on_mounts(quantity),
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
-        gasless=True,
+        gasless=IN_VIBRATION,
         why_gasless=why,
         least=least,
         tunings=[] if over is None else [_on_mounts_tuned(over.orders.tolist(), *(ends or (0, 0)))],
@@ -375,6 +408,28 @@ def _on_mounts_tuned(orders: Sequence[float], low: float, high: float) -> Tuning
         return [mode.speed for mode in mount_modes(mounted_block(each))]
 
     return Tuning(natural, orders, (low, high))
+
+
+def _forced(found: MountAnalysis) -> dict[str, Real]:
+    """What the mounts transmit and what the point does, rms, against speed; nothing without one."""
+    from crankstar.dynamics.mount_response import rms
+
+    over, at = found.over, found.point
+    if over is None:
+        return {}
+    each = [rms(over.mount_force[:, :, place]) for place in range(len(over.block.mounts))]
+    curves = {
+        "mount force": rms(over.ground_force[..., :3]),
+        "mount moment": rms(over.ground_force[..., 3:]),
+        "one mount": np.max(each, axis=0),
+        "velocity at the point": 1e3 * rms(over.velocity(at)),
+        "displacement at the point": 1e6 * rms(over.displacement(at)),
+        "acceleration at the point": rms(over.acceleration(at)),
+        "weighted acceleration": rms(over.hand_arm(at)),
+    }
+    if np.isfinite(over.transmissibility).any():
+        curves["transmissibility"] = np.nanmax(over.transmissibility, axis=1)
+    return curves
 
 
 def felt(
@@ -413,7 +468,7 @@ def felt(
         unit=lambda quantity, _engine: units[quantity],
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
-        gasless=True,
+        gasless=IN_VIBRATION,
         why_gasless=why,
         tunings=tunings,
     )

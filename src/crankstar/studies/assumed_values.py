@@ -21,12 +21,13 @@ from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.proportions import Look, Proportion, inferred, look_of, proportion
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL
 from crankstar.engine.weighed import EngineType
+from crankstar.language.faults import where
 from crankstar.language.messages import N_
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.charge_air import STOICHIOMETRIC
+from crankstar.mechanics.doubts import doubts_of
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
-from crankstar.mechanics.mass_doubts import rod_doubts
 from crankstar.mechanics.remains import summed
 from crankstar.remedy.fitting import quiet_cranks
 from crankstar.studies.assumptions import Answer, Assumption, Moved
@@ -38,6 +39,7 @@ from crankstar.studies.changed_values import (
     with_block_inertia,
     with_block_mass,
     with_block_value,
+    with_gas_choice,
     with_gas_value,
     with_mount_loss,
     with_rods_of,
@@ -73,6 +75,11 @@ Those of wiebe_a are 5 and 6.9 of one another; the others are wide enough for en
 Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9, for the order of
 size; the ends themselves are our judgement.
 """
+CHOICES: Mapping[str, tuple[str, str]] = {
+    "ignition": ("spark", "compression"),
+    "friction": ("spark-ignition", "diesel"),
+}
+"""What is assumed of a cycle without a number: one of two."""
 LEANEST = 1.5
 """Air-fuel ratio over the stoichiometric one from which a homogeneous mixture does not burn.
 
@@ -114,13 +121,18 @@ SHIFT = 10.0
 
 def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     """All that is lacking or doubtful of what an answer uses, in no order."""
+    for fault in doubts_of(engine, answer.uses, answer.gas):
+        yield Assumption("doubtful", where(fault.path), fault.sentence)
     if "inertia" in answer.uses:
         yield from _inertia(engine)
     if answer.without_gas is not None:
         yield _without_gas(engine, answer.without_gas)
     elif answer.gas is None and answer.gasless:
         reason = answer.why_gasless or N_("there is no gas in it")
-        yield Assumption("left out", "gas", reason, explained=bool(answer.why_gasless))
+        yield Assumption(
+            "left out", "gas", reason,
+            explained=bool(answer.why_gasless), sentence=answer.gasless,
+        )  # fmt: skip
     if "gas" in answer.uses and answer.gas is not None:
         yield from _gas(engine, answer.gas)
     if "running" in answer.uses and (engine.drive is None or engine.drive.inertia is None):
@@ -215,17 +227,17 @@ def _mounts(engine: Engine) -> Iterator[Assumption]:
 
     block = engine.block
     own = body(engine)
-    if block is None:
+    if block is None or block.mass is None:
         low, high = (share * own.mass for share in BLOCK_ENDS)
         yield Assumption(
             "assumed", "block.mass", N_("usual for its reciprocating masses"),
             own.mass, "kg", low, high, vary=with_block_mass,
         )  # fmt: skip
     yield from _centre_of_mass(engine, own)
-    if own.assumed:
+    if block is None or block.inertia is None:
         low, high = BAR_ENDS
         if block is not None and block.sides is not None:
-            box = inertia_in_box(block.mass, sides=block.sides)
+            box = inertia_in_box(own.mass, sides=block.sides)
             low = min(end / mid for end, mid in zip(box.low, box.typical, strict=True))
             high = max(end / mid for end, mid in zip(box.high, box.typical, strict=True))
         yield Assumption(
@@ -281,8 +293,6 @@ def _inertia(engine: Engine) -> Iterator[Assumption]:
     """What is missing or assumed of the masses and lengths that forces come from."""
     look = look_of(engine)
     kind = None if look is None else inferred(look)[0]
-    for fault in rod_doubts(engine):
-        yield Assumption("doubtful", "cylinder.rod_ratio", fault.sentence)
     yield from _rods(engine, kind)
     yield from _turning(engine, kind, look)
     if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
@@ -425,8 +435,15 @@ def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
                 "assumed", path, reason, value / factor, unit,
                 low / factor, high / factor, vary=with_gas_value(name, factor),
             )  # fmt: skip
-        elif name == "ignition":
-            yield Assumption("assumed", path, N_("as compression ratio or bore say"), str(value))
+        elif name in CHOICES and value in CHOICES[name]:
+            other = next(each for each in CHOICES[name] if each != value)
+            reason = N_("usual for such engines")
+            if name == "ignition":
+                reason = N_("as compression ratio or bore say")
+            yield Assumption(
+                "assumed", path, reason, str(value), "", 1.0, 1.0,
+                named=True, vary=with_gas_choice(name, other),
+            )  # fmt: skip
         else:
             yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
 

@@ -67,7 +67,9 @@ class Assumption:
 
     `value`, `low`, `high` are in the unit `unit`, None where there is no number; `reason` is a
     sentence of the catalog of messages, to be translated where it is shown, with `values` in it;
-    `explained` says that it stands also where no figure does, as it says what to do.
+    `explained` says that it stands also where no figure does, as it says what to do; `named` that
+    it is one of two choices, which is named where it moves a figure, without a range; `sentence` is
+    one on all of its kind, with their {paths}, instead of that of their status.
     """
 
     status: Status
@@ -79,6 +81,8 @@ class Assumption:
     high: float | None = None
     values: tuple[tuple[str, Any], ...] = ()
     explained: bool = False
+    named: bool = False
+    sentence: str = ""
     moved: Moved | None = None
     vary: Vary | None = None
 
@@ -99,9 +103,10 @@ class Answer:
     `figures` gives the maximum of each quantity and order of an engine. `unit` is that of a
     quantity, `least` what each quantity is measured by at least; `given` are the key paths of
     values that a question has of its own, as a sweep does. `gas` is the cycle that is part of the
-    answer; `without_gas` the one that its rolling moment leaves out; `gasless` says that gas
-    belongs to it where it is known, `why_gasless` why it is not in it though the file has some.
-    `tunings` are the natural frequencies of an answer that resonates.
+    answer; `without_gas` the one that its rolling moment leaves out; `gasless` is the sentence on
+    what gas is missing in where it is not known, empty where gas does not belong to the answer;
+    `why_gasless` says why it is not in it though the file has some. `tunings` are the natural
+    frequencies of an answer that resonates.
     """
 
     figures: Callable[[Engine], Figures]
@@ -111,7 +116,7 @@ class Answer:
     without_gas: Cycle | None = None
     least: Callable[[Engine], Mapping[str, float]] = _nothing
     given: Collection[str] = ()
-    gasless: bool = False
+    gasless: str = ""
     why_gasless: str = ""
     tunings: Sequence[Tuning] = ()
 
@@ -128,7 +133,7 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
         most = each.moved if each.vary is None else _moved(engine, each, (now, least), answer)
         if most is not None and most.effect < SIGNIFICANT and not most.lifting:
             continue
-        out.append(replace(each, moved=most))
+        out.append(each if each.named else replace(each, moved=most))
     return tuple(sorted(out, key=lambda each: (each.status != "doubtful", -each.effect)))
 
 

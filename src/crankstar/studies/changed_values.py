@@ -115,6 +115,15 @@ def with_gas_value(name: str, factor: float) -> Vary:
     return vary
 
 
+def with_gas_choice(name: str, choice: str) -> Vary:
+    """The change of what the table [gas] names by a word, whatever the value."""
+
+    def vary(engine: Engine, _value: float) -> Engine:
+        return with_values(engine, gas=with_values(engine.gas or Gas(), **{name: choice}))
+
+    return vary
+
+
 def with_bearings_moved(engine: Engine, share: float) -> Engine:
     """The engine with its assumed main bearings further forward by `share` (%) of the least gap."""
 
@@ -150,7 +159,7 @@ def with_torsion_value(path: str, factor: float = 1.0) -> Vary:
 
 def with_block_mass(engine: Engine, mass: float) -> Engine:
     """The engine with a block of this mass (kg), where its file gives none."""
-    return with_values(engine, block=Block(mass=mass))
+    return with_values(engine, block=with_values(engine.block or Block(), mass=mass))
 
 
 def with_block_value(name: str, *, mass: float, factor: float) -> Vary:

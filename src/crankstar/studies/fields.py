@@ -177,7 +177,7 @@ def _changes(form: dict[str, Any], varied: Varied, number: float) -> dict[str, A
     angle = number if varied.unit is None else _angle(f"{number!r} {varied.unit}")
     half = angle / 2 if first > second else -angle / 2
     ends = ((first + second) / 2 + half, (first + second) / 2 - half)
-    return {f"layout.banks[{n}].bearing": end for n, end in enumerate(ends, 1)}
+    return {f"layout.banks[{n}].bearing": f"{end!r} rad" for n, end in enumerate(ends, 1)}
 
 
 def _angle(value: Any) -> float:

@@ -25,19 +25,27 @@ FIGURES = {
     "vectors": N_("sum of the vector lengths of order {order}"),
     "H moment": N_("H moment of order {order}"),
     "X moment": N_("X moment of order {order}"),
-    "end bending": N_("greatest bending moment in the end bearings"),
-    "main bending": N_("greatest bending moment in all main bearings"),
+    "end bending": N_("maximum bending moment in the end bearings"),
+    "main bending": N_("maximum bending moment in all main bearings"),
     "mean torque": N_("mean torque"),
+    "brake torque": N_("brake torque"),
     "peak pressure": N_("peak pressure"),
     "torque": N_("torque of order {order}"),
     "irregularity": N_("degree of irregularity"),
-    "main bearing": N_("greatest load of a main bearing"),
-    "crank pin": N_("greatest load of a crank pin"),
-    "cylinder wall": N_("greatest side thrust"),
+    "main bearing": N_("maximum load of a main bearing"),
+    "crank pin": N_("maximum load of a crank pin"),
+    "cylinder wall": N_("maximum side thrust"),
     "natural frequency": N_("first natural frequency"),
     "torsional amplitude": N_("torsional amplitude"),
-    "mount force": N_("greatest force on the ground"),
-    "mount load": N_("greatest load of a mount at rest"),
+    "mount force": N_("maximum force on the ground"),
+    "mount moment": N_("maximum moment on the ground"),
+    "one mount": N_("maximum force in a mount"),
+    "velocity at the point": N_("maximum velocity of the point"),
+    "displacement at the point": N_("maximum displacement of the point"),
+    "acceleration at the point": N_("maximum acceleration of the point"),
+    "weighted acceleration": N_("maximum weighted acceleration of the point"),
+    "transmissibility": N_("maximum transmissibility"),
+    "mount load": N_("maximum load of a mount at rest"),
     LOAD_OF: N_("vertical load of mount {name} at rest"),
     "bobweight": N_("bobweight"),
     **{f"mode {number}": N_("frequency of mode {number}") for number in range(1, 13)},
@@ -82,9 +90,12 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
 
 
 def _together(found: Sequence[Assumption], status: str) -> list[tuple[str, list[Assumption]]]:
-    """One sentence on all of a status of which it is not known how much they move; none of none."""
+    """A sentence on all of a status of which it is not known how much they move, by their kinds."""
     own = [each for each in found if each.moved is None and each.status == status]
-    return [(_(OTHERS[status], paths=_paths(own)), own)] if own else []
+    kinds: dict[str, list[Assumption]] = {}
+    for each in own:
+        kinds.setdefault(each.sentence or OTHERS[status], []).append(each)
+    return [(_(kind, paths=_paths(alike)), alike) for kind, alike in kinds.items()]
 
 
 def _lifts(each: Assumption) -> bool:
@@ -262,10 +273,19 @@ def _object(each: Assumption) -> Mapping[str, Any]:
 
 
 def assumption_remarks(found: Sequence[Assumption], *, of: str = "") -> tuple[Remarks, ...]:
-    """The sentences as a part of a Document, of one engine by name; none where nothing is."""
+    """The sentences as a part of a Document, of one engine by name; none where nothing is.
+
+    Where nothing but what is left out is among them, nothing rests on it, and they have no head.
+    """
     lines = assumption_lines(found)
-    head = _("{name} rests on:", name=of) if of else _("This rests on:")
-    return (Remarks((passage([head]), *lines), kind="doubt"),) if lines else ()
+    if not lines:
+        return ()
+    if of:
+        head = [_("{name} rests on:", name=of)]
+    else:
+        bare = all(each.status == "left out" for each in found)
+        head = [] if bare else [_("This rests on:")]
+    return (Remarks((*head, *lines), kind="doubt"),)
 
 
 def side_by_side(
@@ -278,9 +298,9 @@ def side_by_side(
         lines = assumption_lines(own)
         leading, others = lines[:most], lines[most:]
         if leading:
-            head = passage([_("{name} rests on:", name=name)])
+            head = _("{name} rests on:", name=name)
             first.append(Remarks((head, *leading), kind="doubt"))
         if others:
-            head = passage([_("{name} also rests on:", name=name)])
+            head = _("{name} also rests on:", name=name)
             rest.append(Remarks((head, *others), kind="doubt"))
     return tuple(first), tuple(rest)

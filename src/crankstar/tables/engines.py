@@ -213,7 +213,7 @@ def _block(engine: Engine, block: Block) -> str:
     words = _(
         "The whole engine as a rigid body: mass {mass}, centre of mass {up} up, {right} "
         "right, {place}.",
-        mass=mass.text(block.mass),
+        mass=_("not given") if block.mass is None else mass.text(block.mass),
         up=across.text(block.up),
         right=across.text(block.right),
         place=_("in the middle") if block.z is None else _("at z = {z}", z=along.text(block.z)),

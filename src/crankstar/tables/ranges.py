@@ -20,7 +20,7 @@ amplitudes it comes from (`language.kept.Size`) is bounded by theirs.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -92,7 +92,8 @@ def ranged(
 def resting(document: Document, rests: Callable[[], Sequence[Assumption]] | None) -> Document:
     """The document with what it rests on after its first part, and for machines.
 
-    What it said itself of what is assumed, part for part, gives way to that record.
+    What it said itself of what is assumed, part for part, gives way to that record; a doubt that
+    both have stands there alone.
     """
     if rests is None:
         return document
@@ -100,15 +101,22 @@ def resting(document: Document, rests: Callable[[], Sequence[Assumption]] | None
 
     found = rests()
     said = assumption_remarks(found)
+    doubtful = {each.reason for each in found if each.status == "doubtful"}
     parts = [
-        part
+        _without(part, doubtful) if isinstance(part, Remarks) else part
         for part in document.parts
         if not (isinstance(part, Remarks) and part.kind == "assumed")
     ]
+    parts = [part for part in parts if not (isinstance(part, Remarks) and not part.lines)]
     first = 1 if parts and isinstance(parts[0], Remarks) else 0
     parts[first:first] = said
     facts = {**document.facts, **assumption_facts(found)}
     return replace(document, parts=tuple(parts), facts=facts)
+
+
+def _without(part: Remarks, sentences: Collection[str]) -> Remarks:
+    """Remarks without some of their lines."""
+    return replace(part, lines=tuple(line for line in part.lines if line not in sentences))
 
 
 def ranged_side_by_side(

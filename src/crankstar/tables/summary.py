@@ -87,12 +87,13 @@ def _peaks_sentence(engine: Engine, result: Balance, sums: Sums, *, beside_gas: 
     ]
     text = _("Peaks: {sizes}.", sizes=", ".join(sizes)) if sizes else ""
     force = bounds.peak(sums.force).value
-    if result.speed is None or engine.block is None or not force:
+    mass = None if engine.block is None else engine.block.mass
+    if result.speed is None or mass is None or not force:
         return text
     share = _(
         "The peak force is {share} times the weight of the block of the file, {mass}.",
-        mass=quantity_text(engine.block.mass, "kg"),
-        share=number(force * (1 / (engine.block.mass * GRAVITY)), digits=3),
+        mass=quantity_text(mass, "kg"),
+        share=number(force * (1 / (mass * GRAVITY)), digits=3),
     )
     return passage((text, share))
 

@@ -20,7 +20,7 @@ from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
-from crankstar.mechanics.gas_torque import GasTorque, gas_torque
+from crankstar.mechanics.gas_torque import GasTorque, friction_torque, gas_torque
 from crankstar.spectra import Real
 from crankstar.tables.conditions import unverified_gas
 from crankstar.tables.gas_words import (
@@ -171,12 +171,6 @@ def charge_sentences(cycle: Cycle) -> list[str]:
             temperature=number(cycle.values["intake_temperature"]),
         )
     ]
-
-
-def friction_torque(cycle: Cycle) -> float:
-    """The mean torque that friction takes, N m."""
-    places = cycle.volumes
-    return cycle.friction * float(places.swept[[*places.kind]].sum()) / places.cycle
 
 
 class Wheel(NamedTuple):

@@ -1,0 +1,82 @@
+"""Doubts of an engine file: every command that computes with its gas prints them."""
+
+from pathlib import Path
+
+import pytest
+from tests.commands import Run
+
+from crankstar.files.catalog import path_of
+
+TWISTING = """
+[torsion]
+inertia = "0.03 kg*m^2"
+stiffness = "1.2 MN*m/rad"
+[[torsion.disc]]
+name = "flywheel"
+inertia = "0.3 kg*m^2"
+to = "rear"
+"""
+MOUNTED = """
+[block]
+mass = "150 kg"
+[[mounts]]
+name = "left"
+right = "-0.4 m"
+z = "0.1 m"
+stiffness = "200 N/mm"
+[[mounts]]
+name = "right"
+right = "0.4 m"
+z = "0.1 m"
+stiffness = "200 N/mm"
+[[mounts]]
+name = "rear"
+z = "-0.4 m"
+stiffness = "200 N/mm"
+"""
+COMMANDS = [
+    ("check",),
+    ("verdict",),
+    ("analyze",),
+    ("torque",),
+    ("bearings", "--gas"),
+    ("genset",),
+    ("marine",),
+    ("torsion",),
+    ("mounts",),
+    ("fault", "--cut", "3"),
+    ("compare", "i4"),
+    ("sweep", "--over", "cylinder.rod_length=140..144 mm/2", "--quantity", "mean_torque"),
+    ("isolate", "--stiffness", "100..400 N/mm"),
+]
+
+
+@pytest.fixture(params=["1.2", "60"])
+def doubted(request: pytest.FixtureRequest, tmp_path: Path) -> str:
+    """An engine with everything, of a compression ratio that no engine has."""
+    text = (path_of("audi-25-tfsi") or Path()).read_text(encoding="utf-8")
+    head, above, provenance = text.partition("[provenance]")
+    path = tmp_path / "doubted.toml"
+    text = f"{head}{TWISTING}{MOUNTED}{above}{provenance}"
+    path.write_text(
+        text.replace("compression_ratio = 10.0", f"compression_ratio = {request.param}"),
+        encoding="utf-8",
+    )
+    return str(path)
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command[0])
+def test_an_impossible_compression_ratio_is_doubted_once_by_every_command_with_gas(
+    command: tuple[str, ...], doubted: str, run: Run
+) -> None:
+    verb, *options = command
+    made = run(verb, doubted, *options)
+    assert made.code == 0, made.err
+    assert " ".join(made.out.split()).count("compression_ratio is") == 1
+
+
+def test_a_report_and_a_chart_doubt_it_too(doubted: str, run: Run, tmp_path: Path) -> None:
+    for number, words in enumerate((["report", doubted], ["plot", doubted, "torque"])):
+        path = tmp_path / f"{number}.html"
+        assert run(*words, "-o", str(path)).code == 0
+        assert "compression_ratio is" in " ".join(path.read_text(encoding="utf-8").split())

@@ -1,0 +1,65 @@
+"""Ctrl-C while the program is being loaded: exit code 130, and no traceback.
+
+Each program is held at a named point: a module on PYTHONPATH has the name of one that is loaded
+there, opens a named pipe to say so, and stays until the interrupt comes.
+"""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from tests.holding import PATIENCE, reached
+
+ANALYZE = ["analyze", "i4"]
+PLOT = ["plot", "i4", "spectrum", "-o", "chart.svg"]
+POINTS = [
+    (ANALYZE, "__future__"),
+    (ANALYZE, "contextlib"),
+    (ANALYZE, "cyclopts"),
+    (ANALYZE, "tomllib"),
+    (ANALYZE, "pydantic"),
+    (ANALYZE, "pydantic_core"),
+    (ANALYZE, "numpy"),
+    (ANALYZE, "rich"),
+    (PLOT, "threading"),
+    (PLOT, "numpy"),
+]
+STAY = "while True: time.sleep(0.01)\n"
+"""Not in one call, into which an interrupt that comes just before it would not break."""
+START = "from crankstar.__main__ import main; main()"
+"""What the script of the package does."""
+
+
+@pytest.mark.parametrize(("words", "module"), POINTS)
+def test_an_interrupt_at_any_import_ends_the_program_quietly(
+    words: list[str], module: str, tmp_path: Path
+) -> None:
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    held = f"import time\nopen({str(pipe)!r})\n{STAY}"
+    (tmp_path / f"{module}.py").write_text(held, encoding="utf-8")
+    with (
+        subprocess.Popen(
+            [sys.executable, "-c", START, *words],
+            cwd=tmp_path,
+            env={**os.environ, "PYTHONPATH": str(tmp_path)},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as process,
+        reached(pipe),
+    ):
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=PATIENCE)
+    assert (process.returncode, out, err) == (130, "", "")
+
+
+def test_nothing_is_loaded_before_the_program_can_be_interrupted() -> None:
+    """What Python itself loads apart: the package, and what runs its command line."""
+    bare = "import sys; before = {*sys.modules}; from crankstar.__main__ import main; "
+    shown = bare + "print(sorted({*sys.modules} - before))"
+    made = subprocess.run([sys.executable, "-c", shown], capture_output=True, text=True, check=True)
+    assert made.stdout.strip() == "['crankstar', 'crankstar.__main__', 'gc']"
