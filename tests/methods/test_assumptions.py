@@ -20,9 +20,10 @@ from crankstar.engine.main_bearings import main_bearings
 from crankstar.files import engine_of, toml
 from crankstar.files.catalog import load, names
 from crankstar.mechanics.gas import cycle
-from crankstar.studies.answers import amplitudes, bearing_peaks, on_mounts, rests_on, torques, twist
+from crankstar.studies.answers import amplitudes, bearing_peaks, rests_on, torques
 from crankstar.studies.assumptions import Assumption
 from crankstar.studies.changed_values import with_bearings_moved
+from crankstar.studies.response_answers import on_mounts, twist
 
 __all__ = ["run"]
 

@@ -14,9 +14,10 @@ from crankstar.dynamics.whirl import body
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load
-from crankstar.studies.answers import amplitudes, felt, on_mounts, rests_on, summary
+from crankstar.studies.answers import amplitudes, rests_on, summary
 from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.changed_values import with_turning_masses
+from crankstar.studies.response_answers import felt, on_mounts
 from crankstar.studies.single_faults import Fault, shaken
 from crankstar.studies.tried_values import Tried, Tuning
 from crankstar.tables.assumptions import assumption_facts, assumption_lines

@@ -69,7 +69,7 @@ FIGURES = {
     "force": "mount force",
     "mounts": "one mount",
 }
-"""What each view shows, as `studies.answers.on_mounts` names it."""
+"""What each view shows, as `studies.response_answers.on_mounts` names it."""
 FACTORS = {"velocity": 1e3, "displacement": 1e6}
 """Of what is not drawn in SI."""
 THROUGH = N_("Transmissibility of the mounts over the speed")

@@ -22,7 +22,7 @@ from crankstar.engine.torsion import Chain
 from crankstar.language.messages import _
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle
-from crankstar.studies import answers
+from crankstar.studies import answers, response_answers
 from crankstar.studies.answer_parts import TURNING, at_rest, in_own_unit, narrowed, without_speed
 from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.chart_answers import vectors
@@ -233,12 +233,12 @@ def of_loads(
 def of_twist(
     source: Engine | Chain, *, quantities: Sequence[str] = TWISTING[:1], **options: Any
 ) -> Rests | None:
-    """Of a figure of torsion; `options` are those of `answers.twist`. None of a drive line."""
+    """Of a figure of torsion, none of a drive line; `options` as of `response_answers.twist`."""
     if not isinstance(source, Engine):
         return None
 
     def answer(each: Engine) -> Answer:
-        made = answers.twist(each, **options)
+        made = response_answers.twist(each, **options)
         made = made if len(quantities) > 1 else at_rest(made)
         return narrowed(made, quantities)
 
@@ -250,7 +250,7 @@ def on_mounts(engine: Engine, quantity: str = "", **options: Any) -> Rests:
     modes = [f"mode {number}" for number in range(1, 13)]
 
     def answer(each: Engine) -> Answer:
-        made = answers.on_mounts(each, **options)
+        made = response_answers.on_mounts(each, **options)
         return narrowed(made, [quantity]) if quantity else narrowed(at_rest(made), modes)
 
     return Rests([engine], answer, "mounts")

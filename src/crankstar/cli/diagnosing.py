@@ -65,7 +65,7 @@ def fault(
     output: Output = None,
 ) -> None:
     """Tell what would be felt of a fault."""
-    from crankstar.studies.answers import felt
+    from crankstar.studies.response_answers import felt
     from crankstar.studies.single_faults import check_faults, known, shaken
     from crankstar.tables.diagnoses import faults_document, shown_orders
     from crankstar.tables.ranges import resting

@@ -59,7 +59,7 @@ def isolate(
     from crankstar.dynamics.mount_analysis import mounts as analysis
     from crankstar.remedy.isolation import STARTS, MountLimits, isolated
     from crankstar.search.interrupts import ended_once
-    from crankstar.studies.answers import on_mounts
+    from crankstar.studies.response_answers import on_mounts
     from crankstar.tables import machine
     from crankstar.tables.isolation import isolation_document
     from crankstar.tables.ranges import resting

@@ -45,7 +45,7 @@ def mounts(
 ) -> None:
     """Compute how an engine shakes on its mounts: modes, motion of a point, forces passed on."""
     from crankstar.dynamics.mount_analysis import mounts as analysis
-    from crankstar.studies.answers import on_mounts
+    from crankstar.studies.response_answers import on_mounts
     from crankstar.tables.mounts import mounts_document
     from crankstar.tables.ranges import resting
 

@@ -58,7 +58,7 @@ def torsion(
 ) -> None:
     """Compute torsional vibration: modes, critical speeds, response and stress of a crankshaft."""
     from crankstar.dynamics.torsion_analysis import torsion as analysis
-    from crankstar.studies.answers import twist
+    from crankstar.studies.response_answers import twist
     from crankstar.tables.ranges import ranged
     from crankstar.tables.table import with_tables
     from crankstar.tables.torsion import torsion_document

@@ -14,8 +14,10 @@
 | `changed_values` | an engine with one of its values changed |
 | `tried_values` | the values of a range at which an answer is tried: ends, resonances, extremes |
 | `assumptions` | what an answer rests on that a file does not give, and how much it matters |
+| `assumed_masses` | what a file leaves out of the masses that inertia forces come from |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |
 | `answer_parts` | answers about fewer quantities, and several as one |
+| `response_answers` | the figures of answers that resonate: torsion, mounts, what a fault does |
 | `answers` | the figures of each analysis, of which the record says how far they may move |
 | `chart_answers` | the figures of what charts alone show |
 | `marine` | external and guide-force moments of an engine with weights and compensators |

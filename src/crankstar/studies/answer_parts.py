@@ -7,11 +7,15 @@ from dataclasses import replace
 
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_
+from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.studies.assumptions import Answer
 from crankstar.studies.tried_values import Figure, Figures
 
 TURNING = ("cylinder.rotating_mass", "cylinder.throw_mass", "crankshaft.weight")
 """What turns evenly: no pressure, torque or side thrust depends on it."""
+IN_VIBRATION = N_("Not in the forced vibration: {paths}.")
+"""What gas that is not known is missing in, by what an answer is about."""
 
 
 def without_speed(engine: Engine) -> Engine:
@@ -92,3 +96,10 @@ def joined(parts: Sequence[Answer]) -> Answer:
         why_gasless=next((part.why_gasless for part in parts if part.why_gasless), ""),
         tunings=[each for part in parts for each in part.tunings],
     )
+
+
+def gas_of(engine: Engine, *, speed: float | None, point: str = "") -> tuple[Cycle | None, str]:
+    """The cycle of an engine, or why there is none though its file has gas."""
+    if engine.gas is None:
+        return None, ""
+    return cycle_or_reason(engine, speed=speed, point=point)

@@ -18,9 +18,7 @@ from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.block import inertia_in_box
 from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
-from crankstar.engine.proportions import Look, Proportion, inferred, look_of, proportion
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL
-from crankstar.engine.weighed import EngineType
 from crankstar.language.faults import where
 from crankstar.language.messages import N_
 from crankstar.mechanics.balance import balance, total
@@ -29,7 +27,7 @@ from crankstar.mechanics.doubts import doubts_of
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
 from crankstar.mechanics.remains import summed
-from crankstar.remedy.fitting import quiet_cranks
+from crankstar.studies.assumed_masses import masses
 from crankstar.studies.assumptions import Answer, Assumption, Moved
 from crankstar.studies.changed_values import (
     SCALED,
@@ -42,9 +40,7 @@ from crankstar.studies.changed_values import (
     with_gas_choice,
     with_gas_value,
     with_mount_loss,
-    with_rods_of,
     with_torsion_value,
-    with_turning_masses,
 )
 
 if TYPE_CHECKING:
@@ -124,7 +120,7 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     for fault in doubts_of(engine, answer.uses, answer.gas):
         yield Assumption("doubtful", where(fault.path), fault.sentence)
     if "inertia" in answer.uses:
-        yield from _inertia(engine)
+        yield from masses(engine)
     if answer.without_gas is not None:
         yield _without_gas(engine, answer.without_gas)
     elif answer.gas is None and answer.gasless:
@@ -279,129 +275,6 @@ def _centre_of_mass(engine: Engine, own: Body) -> Iterator[Assumption]:
                 "assumed", f"block.{name}", N_("its principal axes along those of the engine"),
                 0.0, "kg*m^2", -end, end, vary=with_block_value(name, mass=own.mass, factor=1.0),
             )  # fmt: skip
-
-
-def _usual(part: str, kind: EngineType) -> Proportion | None:
-    """A coefficient of a type, None where there is none."""
-    try:
-        return proportion(part, kind)
-    except KeyError:
-        return None
-
-
-def _inertia(engine: Engine) -> Iterator[Assumption]:
-    """What is missing or assumed of the masses and lengths that forces come from."""
-    look = look_of(engine)
-    kind = None if look is None else inferred(look)[0]
-    yield from _rods(engine, kind)
-    yield from _turning(engine, kind, look)
-    if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
-        yield _weights(engine)
-
-
-def _weights(engine: Engine) -> Assumption:
-    """The counterweights that a file leaves out: usual ones remove what turns with its cranks."""
-    usual, factor = quiet_cranks(engine)
-
-    def vary(each: Engine, _share: float) -> Engine:
-        return usual if each is engine else quiet_cranks(each)[0]
-
-    return Assumption(
-        "missing", "crankshaft.weight", N_("no counterweights in the file"), 0.0, "",
-        1.0, 1.0, values=(("factor", factor),), vary=vary,
-    )  # fmt: skip
-
-
-def _turning(engine: Engine, kind: EngineType | None, look: Look | None) -> Iterator[Assumption]:
-    """The big ends and the crankpins that a file leaves out, of one cylinder.
-
-    On the crankpin m = (1 - c) m_rod, of the crank's own m_pin: the coefficients of the type times
-    bore^3; where the file gives no masses or no bore, by its reciprocating mass, over
-    m_piston + c m_rod. Crankpins count as missing where the crankshaft has no weights: weights may
-    have been cut for bobweights, which leave them nothing. Counterweights stay as the file gives
-    them, but those of a `balance_factor` go along.
-    """
-    throws = [throw for shaft in engine.shafts for throw in shaft.throws]
-    rigid = any(cylinder.rod is not None for cylinder in engine.cylinders)
-    weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
-    no_ends = not rigid and not any(throw.rotating_mass for throw in throws)
-    bare = not any(throw.throw_mass for throw in throws)
-    no_pins = bare and (no_ends or not weighted)
-    if not no_ends and not no_pins:
-        return
-    first = engine.first
-    relative = "mass" in engine.relative
-    unit = "m" if relative else "kg"
-    path = "cylinder.rotating_mass" if no_ends else "cylinder.throw_mass"
-    reason = _turning_reason(engine, ends=no_ends, pins=no_pins, weighted=weighted)
-    names = ("rod", "small end", "crank pin", "piston group")
-    found = [_usual(name, kind or "petrol") for name in names]
-    if not all(found):
-        yield Assumption("missing", path, reason, value=0.0, unit=unit)
-        return
-    rod, small, pin, piston = (each for each in found if each is not None)
-    if relative or look is None or first.bore is None:
-        scale = first.reciprocating / (piston.typical + small.typical * rod.typical)
-    else:
-        scale = first.bore**3
-    ends = [
-        (1 - share) * own * scale
-        for share, own in zip(reversed(small.sizes), rod.sizes, strict=True)
-    ]
-    pins = [own * scale for own in pin.sizes]
-    if not no_ends:
-        yield Assumption(
-            "missing", path, reason, 0.0, unit, pins[0], pins[-1],
-            vary=lambda each, mass: with_turning_masses(each, None, mass),
-        )  # fmt: skip
-        return
-
-    def vary(each: Engine, mass: float) -> Engine:
-        pin = float(np.interp(mass, ends[:: len(ends) - 1], pins[:: len(pins) - 1]))
-        return with_turning_masses(each, mass, pin if no_pins else None)
-
-    yield Assumption(
-        "missing", path, reason, 0.0, unit, ends[0], ends[-1],
-        values=(("pins", (pins[0], pins[-1])),) if no_pins else (),
-        vary=vary,
-    )  # fmt: skip
-
-
-def _turning_reason(engine: Engine, *, ends: bool, pins: bool, weighted: bool) -> str:
-    """What is said of big ends and crankpins that are missing."""
-    if not ends:
-        return N_("no mass of the crankpins in the file, counted as zero")
-    if by_factor(engine):
-        return N_("no rotating mass in the file: balance_factor balances the pistons alone")
-    if not pins:
-        return N_("no rotating mass in the file (big ends), counted as zero")
-    if weighted:
-        return N_(
-            "no rotating mass in the file (big ends, crankpins), counted as zero beside its "
-            "counterweights"
-        )
-    return N_("no rotating mass in the file (big ends, crankpins), counted as zero")
-
-
-def _rods(engine: Engine, kind: EngineType | None) -> Iterator[Assumption]:
-    """Rod lengths that are assumed, l = 4 r, with the range of the type."""
-    for path, origin in engine.provenance.items():
-        if origin.status != "placeholder" or not origin.source.endswith(ROD_SOURCE):
-            continue
-        radius = engine.throw(engine.first).radius
-        usual = None if kind is None else _usual("rod length", kind)
-        ends = (3.2, 4.8) if usual is None else (usual.low, usual.high)
-        yield Assumption(
-            "assumed",
-            path,
-            N_("neither rod length nor l/r in the file"),
-            value=engine.first.rod_length / radius,
-            unit="r",
-            low=min(ends[0], engine.first.rod_length / radius),
-            high=max(ends[1], engine.first.rod_length / radius),
-            vary=with_rods_of,
-        )
-        return
 
 
 def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:

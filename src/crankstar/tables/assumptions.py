@@ -167,7 +167,12 @@ def _moving(each: Assumption) -> str:
             **words,
             share=number(100 * factor),
         )
-    words |= {"low": _value(each, each.low), "high": _value(each, each.high)}
+    return _between(each, own, words)
+
+
+def _between(each: Assumption, own: Moved, words: Mapping[str, str]) -> str:
+    """One assumption with what it moves most between the ends of its range."""
+    words = {**words, "low": _value(each, each.low), "high": _value(each, each.high)}
     pins = dict(each.values).get("pins")
     if pins is not None:
         return _(

@@ -1,0 +1,227 @@
+"""What engine, crankshaft and mounts do, by figures: answers that resonate."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import degrees
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.spectra import Real
+from crankstar.studies.answer_parts import IN_VIBRATION, gas_of
+from crankstar.studies.assumptions import LOAD_OF, Answer
+from crankstar.studies.tried_values import Figure, Figures, Tuning
+
+if TYPE_CHECKING:
+    from crankstar.dynamics.mount_analysis import MountAnalysis
+    from crankstar.studies.single_faults import Fault
+
+
+def twist(
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    speeds: Sequence[float] | Real = (),
+) -> Answer:
+    """The first natural frequency of torsion, and the greatest turn of the free end."""
+    from crankstar.dynamics.torsion_analysis import peaked, torsion_on_grid
+    from crankstar.dynamics.torsion_chain import torsion_chain
+    from crankstar.dynamics.torsion_modes import torsion_modes
+
+    fixed: dict[str, Any] = {"point": point, "speed": speed, "single": False}
+    whole = torsion_on_grid(engine, speeds=speeds, **fixed)
+    ends = [float(whole.speeds[0]), float(whole.speeds[-1])] if len(whole.speeds) else []
+
+    def figures(each: Engine) -> Figures:
+        each = _gas_as_in(engine, each)
+        rough = torsion_on_grid(each, speeds=ends, **fixed)
+        found = peaked(each, rough, curves=lambda own: own.peak_turn(rough.free_end)[:, None])
+        out: dict[Figure, float] = {}
+        if found.modes:
+            out["natural frequency", None] = found.modes[0].frequency
+        if found.response is not None:
+            turn = found.response.peak_turn(found.free_end)
+            out["torsional amplitude", None] = degrees(float(turn.max()))
+        return out
+
+    def natural(each: Engine) -> list[float]:
+        return [mode.speed for mode in torsion_modes(torsion_chain(each))]
+
+    tunings = []
+    if ends and whole.response is not None:
+        orders = whole.response.orders.tolist()
+        tunings = [Tuning(natural, orders, (ends[0], ends[-1]))]
+    units = {"natural frequency": "Hz", "torsional amplitude": "deg"}
+    return Answer(
+        figures=figures,
+        unit=lambda quantity, _engine: units[quantity],
+        uses=("inertia", "torsion", *(("gas",) if whole.cycle is not None else ())),
+        gas=whole.cycle,
+        gasless=IN_VIBRATION,
+        why_gasless="" if engine.gas is None else whole.without_gas,
+        tunings=tunings,
+    )
+
+
+ON_MOUNTS = {
+    "mount load": "N",
+    "mount force": "N",
+    "mount moment": "N*m",
+    "one mount": "N",
+    "velocity at the point": "mm/s",
+    "displacement at the point": "um",
+    "acceleration at the point": "m/s^2",
+    "weighted acceleration": "m/s^2",
+    "transmissibility": "",
+}
+"""The units of the figures of an engine on its mounts, beside those of its modes, Hz."""
+
+
+def _unit_on_mounts(quantity: str) -> str:
+    return "N" if quantity.startswith(LOAD_OF) else ON_MOUNTS.get(quantity, "Hz")
+
+
+def on_mounts(
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    speeds: Sequence[float] | Real = (),
+    at: Sequence[float] | None = None,
+) -> Answer:
+    """The natural frequencies of the block, and what its mounts transmit and a point of it does.
+
+    The maximum of each over the speeds, where it is of the engine as given, and at both ends; `at`
+    is the point of the block (up, right, z; m), as of `mount_analysis.mounts`. Also what each mount
+    bears upward at rest, measured by the greatest of them.
+    """
+    from crankstar.dynamics.mount_analysis import mounts
+    from crankstar.dynamics.mount_modes import mount_modes
+    from crankstar.dynamics.mounted_block import borne, mounted_block, settled
+
+    whole = mounts(engine, point=point, speed=speed, speeds=speeds, at=at)
+    over = whole.over
+    ends = None if over is None else (float(over.speeds[0]), float(over.speeds[-1]))
+    places: list[float] = []
+    if over is not None:
+        tops = [int(np.nanargmax(curve)) for curve in _forced(whole).values()]
+        places = over.speeds[sorted({0, len(over.speeds) - 1, *tops})].tolist()
+
+    def figures(each: Engine) -> Figures:
+        each = _gas_as_in(engine, each)
+        block = mounted_block(each)
+        loads = settled(block)[1]
+        modes = mount_modes(block)
+        out: dict[Figure, float] = {
+            ("mount load", None): float(np.linalg.norm(loads, axis=-1).max())
+        }
+        out |= {(f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)}
+        out |= {
+            (f"{LOAD_OF}{mount.name}", None): load
+            for mount, load in zip(block.mounts, borne(block, loads).tolist(), strict=True)
+        }
+        if places:
+            found = mounts(each, point=point, speed=speed, speeds=places, at=at)
+            out |= {(name, None): float(np.nanmax(own)) for name, own in _forced(found).items()}
+        return out
+
+    def least(each: Engine) -> Mapping[str, float]:
+        block = mounted_block(each)
+        loads = borne(block, settled(block)[1])
+        return {f"{LOAD_OF}{own.name}": float(np.abs(loads).max()) for own in block.mounts}
+
+    gas, why = gas_of(engine, point=point, speed=speed)
+    return Answer(
+        figures=figures,
+        unit=lambda quantity, _engine: _unit_on_mounts(quantity),
+        uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
+        gas=gas,
+        gasless=IN_VIBRATION,
+        why_gasless=why,
+        least=least,
+        tunings=[] if over is None else [_on_mounts_tuned(over.orders.tolist(), *(ends or (0, 0)))],
+    )
+
+
+def _gas_as_in(engine: Engine, changed: Engine) -> Engine:
+    """A changed engine, without gas where the file has none: a usual cycle may have been varied."""
+    return with_values(changed, gas=None) if engine.gas is None else changed
+
+
+def _on_mounts_tuned(orders: Sequence[float], low: float, high: float) -> Tuning:
+    """The natural frequencies of an engine on its mounts and the orders of some speeds, rad/s."""
+    from crankstar.dynamics.mount_modes import mount_modes
+    from crankstar.dynamics.mounted_block import mounted_block
+
+    def natural(each: Engine) -> list[float]:
+        return [mode.speed for mode in mount_modes(mounted_block(each))]
+
+    return Tuning(natural, orders, (low, high))
+
+
+def _forced(found: MountAnalysis) -> dict[str, Real]:
+    """What the mounts transmit and what the point does, rms, against speed; nothing without one."""
+    from crankstar.dynamics.mount_response import rms
+
+    over, at = found.over, found.point
+    if over is None:
+        return {}
+    each = [rms(over.mount_force[:, :, place]) for place in range(len(over.block.mounts))]
+    curves = {
+        "mount force": rms(over.ground_force[..., :3]),
+        "mount moment": rms(over.ground_force[..., 3:]),
+        "one mount": np.max(each, axis=0),
+        "velocity at the point": 1e3 * rms(over.velocity(at)),
+        "displacement at the point": 1e6 * rms(over.displacement(at)),
+        "acceleration at the point": rms(over.acceleration(at)),
+        "weighted acceleration": rms(over.hand_arm(at)),
+    }
+    if np.isfinite(over.transmissibility).any():
+        curves["transmissibility"] = np.nanmax(over.transmissibility, axis=1)
+    return curves
+
+
+def felt(
+    engine: Engine,
+    faults: Sequence[Fault],
+    *,
+    point: str = "",
+    speed: float | None = None,
+    orders: Sequence[float] = (),
+    at: Sequence[float] | None = None,
+) -> Answer:
+    """What shakes the block and the velocity of a point of it, of an engine with faults, by order.
+
+    Of the `orders` that are named, at the point `at` (up, right, z; m) or the centre of mass: the
+    numbers of `Shaken.sizes`.
+    """
+    from crankstar.studies.single_faults import shaken
+
+    units = {"force": "N", "couple": "N*m", "roll": "N*m", "torque": "N*m", "velocity": "mm/s"}
+
+    def figures(each: Engine) -> Figures:
+        found = shaken(each, faults, point=point, speed=speed, orders=orders)
+        return {
+            (name, order): size
+            for order, row in zip(found.orders.tolist(), found.sizes(at).tolist(), strict=True)
+            for name, size in zip(units, row, strict=True)
+        }
+
+    gas, why = gas_of(engine, point=point, speed=speed)
+    tunings = []
+    if engine.mounts:
+        now = shaken(engine, faults, point=point, speed=speed, orders=orders)
+        tunings = [_on_mounts_tuned(now.orders.tolist(), now.speed, now.speed)]
+    return Answer(
+        figures=figures,
+        unit=lambda quantity, _engine: units[quantity],
+        uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
+        gas=gas,
+        gasless=IN_VIBRATION,
+        why_gasless=why,
+        tunings=tunings,
+    )
