@@ -231,7 +231,8 @@ def test_a_mount_is_dragged_on_the_stage(laying: Page) -> None:
 def test_an_engine_in_its_own_units_says_what_it_lacks(laying: Page) -> None:
     page = laying
     dropped(page, toml(load("v12-60")))
-    waiting(page, "file.mounts === undefined")
+    waiting(page, "file.name === 'V12, 60 deg'")
+    expect(page.locator('[id="edit:name"]')).to_have_value("V12, 60 deg")
     page.locator("summary", has_text="Block and mounts").first.click()
     expect(page.get_by_text("Mounts need masses and lengths in units")).to_be_visible()
 

@@ -79,6 +79,7 @@ def test_a_site_opens_from_disk_and_its_engines_turn(site: Path, page: Page) -> 
     page.wait_for_selector("svg.marks")
     page.get_by_role("link", name="All engines").click()
     page.wait_for_url("**/index.html")
+    page.wait_for_function("() => [...document.images].every(one => one.currentSrc)")
     shown = page.locator("img").evaluate_all("all => all.map(one => one.currentSrc)")
     assert shown == [(site / f"pictures/{name}-light.webp").as_uri() for name in ENGINES]
 
