@@ -141,7 +141,7 @@ def test_manifolds_of_a_file_are_named_in_the_verdict() -> None:
 
 def test_the_chart_has_a_bar_for_every_order_that_is_there() -> None:
     chart = charts.exhaust_order_chart(crankstar.load(CROSS)).to_dict()
-    panels = chart["vconcat"]
+    panels = [panel for panel in chart["vconcat"] if "title" in panel]
     assert [panel["title"]["text"] for panel in panels] == [
         ["bank odd"],
         ["bank even"],
