@@ -60,7 +60,7 @@ def gas_state_facts(names: Sequence[str], cycles: Sequence[Cycle]) -> list[dict[
 
 def rpm_of(own: Cycle) -> float | None:
     """The speed of a cycle, rpm."""
-    return None if own.speed is None else own.speed * 30 / pi
+    return None if own.speed is None else float(f"{own.speed * 30 / pi:.12g}")
 
 
 def gas_comparison(
