@@ -14,7 +14,7 @@ from tests.strategies import engines
 
 from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import Basis, Sizes
-from crankstar.engine.dead_centres import DeadCentre, _dead_centres, _kept, _searched, dead_centres
+from crankstar.engine.dead_centres import DeadCentre, _dead_centres, _kept, dead_centres
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import _evenest
 from crankstar.engine.layouts import Row, inline, opposed, radial, tandem, vee
@@ -61,7 +61,7 @@ def test_crank_and_rod_are_in_line_where_a_search_finds_the_piston_farthest(engi
         known = _dead_centres(engine, outward=outward)
         _kept.cache_clear()
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr("crankstar.engine.dead_centres._dead_centre", _searched)
+            patch.setattr("crankstar.engine.dead_centres._is_in_line", lambda *_: False)
             searched = _dead_centres(engine, outward=outward)
         _kept.cache_clear()
         for number, found in searched.items():
