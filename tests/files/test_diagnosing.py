@@ -302,6 +302,20 @@ def test_csv_has_the_unit_of_each_size(run: Run) -> None:
     assert units == {"piston": "kg", "big_end": "kg", "weight": "share", "combustion": "share"}
 
 
+def test_a_point_of_the_block_is_named_and_the_first_one_is_told(run: Run) -> None:
+    points = '\n\n[[block.points]]\nname = "{}"\nup = "{} mm"\nright = "20 mm"\nz = "{} mm"\n'
+    text = Path("four.toml").read_text(encoding="utf-8")
+    Path("seat.toml").write_text(
+        text + points.format("seat", 300, -40) + points.format("tip", 120, 90), encoding="utf-8"
+    )
+    line = ("fault", "seat.toml", "--cut", "3", "--json")
+    first, tip = (json.loads(run(*line, *at).out) for at in ((), ("--at", "tip")))
+    assert (first["point_mm"], tip["point_mm"]) == ([300, 20, -40], [120, 20, 90])
+    plain = json.loads(run(*line, "--at", "90 mm, 120 mm, 20 mm").out)
+    assert tip["orders"] == plain["orders"]
+    assert run(*line, "--at", "chair").code == 2
+
+
 def test_the_point_whose_velocity_is_told_is_named(run: Run) -> None:
     line = ("fault", "four.toml", "--cut", "3")
     said = " ".join(run(*line, "--at", "0 mm, 300 mm, 20 mm").out.split())

@@ -16,6 +16,7 @@ from tests.commands import Run
 from tests.files.test_estimate import tree_for
 
 from crankstar import bearing_loads, bending_moment, spectra
+from crankstar.charts.resting import FOOT
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.files.box import ranges, scaled, spread
@@ -172,9 +173,11 @@ def drawn(run: Run, *words: str) -> dict[str, Any]:
 
 
 def panels(spec: Any) -> list[Any]:
-    """The panels of a chart, in order."""
+    """The panels of a chart, in order, without what it rests on."""
     if isinstance(spec, list):
         return [panel for item in spec for panel in panels(item)]
+    if spec.get("name") == FOOT:
+        return []
     if "layer" in spec:
         return [spec]
     return panels(spec.get("vconcat") or spec.get("hconcat") or [])

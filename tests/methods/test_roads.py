@@ -368,7 +368,10 @@ def test_of_equal_peaks_in_a_batch_each_vector_has_its_first(
     batch = spectra.real_signal(np.array([float(order)]), wave)
     *found, nothing = spectra.tops(batch)
     first = np.array(delays) / order % (np.pi / order)
-    assert [top.theta for top in found] == pytest.approx(first.tolist(), abs=1e-7)
+    half = np.pi / order  # a crest at the end of it is the first one or the next
+    off = (np.array([top.theta for top in found]) - first + half / 2) % half - half / 2
+    assert off == pytest.approx(0.0, abs=1e-7)
+    assert all(-1e-7 <= top.theta <= half + 1e-7 for top in found)
     assert [top.value for top in found] == pytest.approx([1.0] * len(delays), rel=1e-12)
     assert nothing == spectra.Peak(0.0, 0.0, 0j)
 

@@ -87,8 +87,9 @@ def fault(
         )
     check_faults(known(loaded), faults)
     check_orders(loaded, wanted or (), gas=loaded.gas is not None or point is not None)
-    place = request.reference(at, loaded, option="--at")
-    where = None if place is None else (place.up, place.right, place.z)
+    where = request.block_point(at, loaded)
+    if where is None and loaded.block is not None and loaded.block.points:
+        where = loaded.block.points[0].place
     rest: dict[str, Any] = {"point": point or "", "speed": turning, "orders": wanted or ()}
     with working(_("Computing what changes ...")), words_for(form):
         before, after = (shaken(loaded, some, **rest) for some in ((), faults))

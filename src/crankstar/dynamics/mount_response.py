@@ -192,7 +192,14 @@ def peak(amplitudes: Complex, *, orders: Real) -> Real:
     parts = np.concatenate([np.real(amplitudes), np.imag(amplitudes)], axis=1)
     flat = np.moveaxis(parts, 1, 0).reshape(turns.shape[1], -1)
     course = (turns @ flat).reshape(count, *amplitudes.shape[::2])
-    return np.sqrt(np.einsum("tsa,tsa->ts", course, course).max(axis=0))
+    squared = np.einsum("tsa,tsa->ts", course, course)
+    most = squared.argmax(axis=0)
+    before, top, after = (
+        np.take_along_axis(squared, (most + step)[None] % count, axis=0)[0] for step in (-1, 0, 1)
+    )
+    bend = before - 2 * top + after  # the top of the parabola through the three samples
+    rise = np.divide((after - before) ** 2, -8 * bend, out=np.zeros_like(top), where=bend < 0)
+    return np.sqrt(top + rise)
 
 
 def _padded(block: MountedBlock, push: Complex) -> Complex:
