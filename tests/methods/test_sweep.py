@@ -173,7 +173,7 @@ FIELDS = [
     ("kr250-racer", "layout.cranks[1].banks[1].bearing", "deg", -90, 90, True),
     ("napier-deltic", "balance_factor", "", 0, 1.5, True),
     ("napier-deltic", "shaft[2].throw[1].angle", "deg", 0, 360, True),
-    ("napier-deltic", "shaft[2].up", "", -2, 2, True),
+    ("napier-deltic", "shaft[2].up", None, -2, 2, True),
     ("jumo-205", "layout.lag", "deg", -20, 20, True),
     ("jumo-205", "layout.bearing", "deg", -60, 60, False),
     ("radial-9", "layout.knuckle_radius", "", 0.3, 0.6, False),
@@ -386,7 +386,11 @@ def test_a_slave_rod_that_cannot_reach_in_the_middle_of_the_range_is_found() -> 
 
     def make(angle: float) -> Engine:
         return files.engine_of(
-            tree, changes={"cylinders[2].articulated.angle": angle, "cylinders[2].rod_length": 1.8}
+            tree,
+            changes={
+                "cylinders[2].articulated.angle": f"{angle} rad",
+                "cylinders[2].rod_length": 1.8,
+            },
         )
 
     around = link.angle + np.arange(28) * (2 * pi / 40)

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 import crankstar
+import crankstar.cli
 from crankstar import load
 from crankstar.charts.crank_angle import angle_ticks
 from crankstar.charts.pair_sweeps import contours

@@ -132,15 +132,19 @@ def subject(source: Source, over: Sequence[Varied]) -> Subject:
         for varied, form in zip(over, stages, strict=True)
     )
 
+    written = tuple(
+        _written(varied, quantity, base) for varied, quantity in zip(over, quantities, strict=True)
+    )
+
     def make(*numbers: float) -> Engine:
         given = list(zip(over, numbers, strict=True))
         title = f"{shown} with {', '.join(_value_text(varied, number) for varied, number in given)}"
         engine = base
         for place, form in enumerate(forms):
             changed: dict[str, Any] = {}
-            for (varied, number), own in zip(given, stages, strict=True):
+            for number, own, one in zip(numbers, stages, written, strict=True):
                 if own is form:
-                    changed |= _changes(form, varied, number)
+                    changed |= _changes(form, one, number)
             if changed:
                 under = _explicit(engine) if place and engine is not base and engine else form
                 engine = files.engine_of(under, name=title, changes=changed)
@@ -167,6 +171,15 @@ def _without_others(tree: dict[str, Any], over: Sequence[Varied]) -> dict[str, A
         if isinstance(table, dict):
             table.pop(INSTEAD.get(str(last)), None)
     return out
+
+
+def _written(varied: Varied, quantity: Quantity | None, base: Engine | None) -> Varied:
+    """A number as it is written into a file: with its unit, that of SI where none was named."""
+    if varied.unit is not None or quantity is None or base is None:
+        return varied
+    if quantity.relative_to & set(base.relative):
+        return varied
+    return Varied(varied.path, units.si_unit(quantity))
 
 
 def _changes(form: dict[str, Any], varied: Varied, number: float) -> dict[str, Any]:
