@@ -173,4 +173,5 @@ def test_a_file_that_is_written_is_named_on_standard_error(
     ):
         with pytest.raises(SystemExit):
             crankstar.cli.main(words)
-        assert capsys.readouterr() == ("", f"Wrote {words[-1]}\n")
+        out, told = capsys.readouterr()
+        assert (out, told.splitlines()[0]) == ("", f"Wrote {words[-1]}")
