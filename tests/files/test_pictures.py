@@ -173,7 +173,7 @@ def test_a_sweep_as_csv_and_as_a_chart(run: Run, tmp_path: Path) -> None:
     expected = [[float(row[1]), pytest.approx(float(row[5]))] for row in rows[1:]]
     assert values == expected
     assert [[p["x"], p["y"]] for p in points] == expected
-    assert len(drawn["vconcat"]) == 2  # forces and rolls have different units
+    assert len(rows_drawn(drawn)) == 2  # forces and rolls have different units
 
 
 @pytest.mark.parametrize(
