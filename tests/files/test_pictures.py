@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.charted import rows_drawn
 
 from crankstar.charts import CHARTS
 from crankstar.charts.sweeps import swept as chart
