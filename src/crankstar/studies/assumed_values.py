@@ -109,8 +109,6 @@ PRODUCTS = {
 
 A gearbox that hangs behind an engine has most of up and z. Our judgement.
 """
-BLOCK_ENDS = (0.6, 1.6)
-"""Ends of the mass of a block that its file does not give, as multiples."""
 SHIFT = 10.0
 """By how many per cent of the least distance between two a main bearing may lie elsewhere."""
 
@@ -219,14 +217,17 @@ def _valves(engine: Engine) -> Iterator[Assumption]:
 
 def _mounts(engine: Engine) -> Iterator[Assumption]:
     """What is assumed of the block and of the rubber on which it stands."""
-    from crankstar.dynamics.whirl import body
+    from crankstar.dynamics.whirl import MASS_ENDS, body, estimated_mass
 
     block = engine.block
     own = body(engine)
     if block is None or block.mass is None:
-        low, high = (share * own.mass for share in BLOCK_ENDS)
+        low, high = (share * own.mass for share in MASS_ENDS)
+        reason = N_("usual for its reciprocating masses, without a gearbox")
+        if estimated_mass(engine)[1]:
+            reason = N_("usual for its displacement, without a gearbox")
         yield Assumption(
-            "assumed", "block.mass", N_("usual for its reciprocating masses"),
+            "assumed", "block.mass", reason,
             own.mass, "kg", low, high, vary=with_block_mass,
         )  # fmt: skip
     yield from _centre_of_mass(engine, own)
