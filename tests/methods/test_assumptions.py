@@ -24,6 +24,7 @@ from crankstar.studies.answers import amplitudes, bearing_peaks, rests_on, torqu
 from crankstar.studies.assumptions import Assumption
 from crankstar.studies.changed_values import with_bearings_moved
 from crankstar.studies.response_answers import on_mounts, twist
+from crankstar.tables.assumptions import assumption_lines
 
 __all__ = ["run"]
 
@@ -209,6 +210,12 @@ def test_a_block_without_moments_of_inertia_has_estimated_frequencies() -> None:
     assert (own.status, own.low, own.high) == ("estimated", 0.5, 2.0)
     assert own.effect > 0.1
     assert "mounts.loss_factor" in {each.path for each in found}
+
+
+def test_a_doubt_that_asks_ends_with_its_question_mark() -> None:
+    question = Assumption("doubtful", "torsion.stiffness", "torsion.stiffness is x: is it right?")
+    plain = Assumption("doubtful", "torsion.stiffness", "torsion.stiffness is low")
+    assert assumption_lines([question, plain]) == [question.reason, f"{plain.reason}."]
 
 
 SAYING = [

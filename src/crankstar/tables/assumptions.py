@@ -76,7 +76,7 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     """The sentences, each with the assumptions that it is about."""
     told = [each for each in found if each.effect >= TOLD or _lifts(each)][:MOST_TOLD]
     doubtful = [each for each in found if each.status == "doubtful"]
-    lines = [(f"{each.reason}.", [each]) for each in doubtful]
+    lines = [(_ended(each.reason), [each]) for each in doubtful]
     rest = [each for each in found if each not in (*told, *doubtful)]
     whole = [line for status in FIRST for line in _together(rest, status)]
     lines += [(_line(each), [each]) for each in told[:1]]
@@ -87,6 +87,15 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
         lines.append((_("Of less effect: {paths}.", paths=_paths(small)), small))
     lines += [line for status in OTHERS if status not in FIRST for line in _together(rest, status)]
     return lines
+
+
+def _ended(reason: str) -> str:
+    """A reason as a sentence; of a question the mark is its end."""
+    return (
+        reason
+        if reason.endswith(("?", "\N{FULLWIDTH QUESTION MARK}", ".", "。"))
+        else _("{reason}.", reason=reason)
+    )
 
 
 def _together(found: Sequence[Assumption], status: str) -> list[tuple[str, list[Assumption]]]:
