@@ -42,7 +42,9 @@ LAYOUT = ("layout", "cylinder.stroke", "cylinders", "rotation", "shaft", "cranks
 """Key paths from which the shape of a crankshaft comes."""
 FIRING = ("layout", "firing_order", "cylinders", "shaft", "rotation")
 """Key paths from which the crank angles come at which cylinders fire."""
-TWISTING = ("natural frequency", "torsional amplitude")
+TWISTING = ("natural frequency", "torsional amplitude", "resonant amplitude")
+TWISTED = ("torsional stress", "torsional torque")
+"""Of these an engine has the one that can be computed."""
 OF_COMPONENT = {
     "vertical": "force", "horizontal": "force", "pitch": "couple", "yaw": "couple"
 }  # fmt: skip

@@ -21,7 +21,7 @@ from crankstar.charts.drawing import (
 )
 from crankstar.charts.gas_curves import ROOM
 from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, own, span
-from crankstar.charts.resting import TWISTING, of_twist
+from crankstar.charts.resting import TWISTED, TWISTING, of_twist
 from crankstar.charts.sums import checked_quantity
 from crankstar.charts.torsion_words import NO_SPEED, RPM, load_lines, named_lines, refused, rpm_text
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
@@ -109,7 +109,8 @@ def torsion_response_chart(
         return refused(engine, title=title, reason=reason)
     panel = _panel(found, own_response, courses, asked)
     subtitle = [*named_lines(engine), courses.where, *_words(found, courses)]
-    rests = of_twist(engine, quantities=TWISTING, point=point or "", speeds=[*(speeds or ())])
+    drawn = TWISTING if wanted == "amplitude" else TWISTED
+    rests = of_twist(engine, quantities=drawn, point=point or "", speeds=[*(speeds or ())])
     lines = [*subtitle, *load_lines(engine, found)]
     return figure([[panel]], title=title, subtitle=lines, rests=rests)
 
