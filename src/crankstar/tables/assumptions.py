@@ -69,10 +69,19 @@ not 418 N m.
     return [line for line, _of in _told(found)]
 
 
-def leading_line(found: Sequence[Assumption]) -> tuple[str, int]:
-    """The first of these sentences, and how many assumptions it is not about; empty of none."""
-    told = _told(found)
-    return (told[0][0], len(found) - len(told[0][1])) if told else ("", 0)
+def leading_lines(found: Sequence[Assumption]) -> tuple[list[str], int]:
+    """The first of these sentences and those on what is not there at all, as on a first screen.
+
+    With them how many assumptions they are not about; nothing of none.
+    """
+    first, *others = _told(found) or [("", [])]
+    kept = [first, *(each for each in others if _is_absent(each[1]))] if found else []
+    return [line for line, _of in kept], len(found) - sum(len(of) for _line, of in kept)
+
+
+def _is_absent(found: Sequence[Assumption]) -> bool:
+    """Whether these are what is missing or left out, and nobody knows how much it matters."""
+    return all(each.status in FIRST and each.moved is None for each in found)
 
 
 def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
