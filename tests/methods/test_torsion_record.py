@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees, pi
+from math import degrees, pi, sin
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import pytest
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
+from crankstar.mechanics.doubts import torsion_doubts
 from crankstar.studies.answers import rests_on
 from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.assumptions import Assumption
@@ -127,3 +128,54 @@ def test_a_damping_of_the_file_is_not_missing(given: str) -> None:
     paths = {each.path for each in assumed_values(engine, twist(engine))}
     assert "torsion.damping" not in paths
     assert "torsion.loss_factor" in paths
+
+
+def chain_frequency(stiffness: float) -> float:
+    """Of six equal masses in a row, both ends free: 2 sqrt(k/J) sin(pi/12), over 2 pi."""
+    inertia = BARE + (0.8 + 0.45) * 0.055**2
+    return 2 * (stiffness / inertia) ** 0.5 * sin(pi / 12) / (2 * pi)
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize(
+    ("stiffness", "code"),
+    [
+        ("1.2 N*m/rad", "doubt.soft-crank"),
+        ("1.2 kN*m/rad", "doubt.soft-crank"),
+        ("0.13 MN*m/rad", ""),  # of a light six of 1928
+        ("1.2 MN*m/rad", ""),
+        ("1200 MN*m/rad", "doubt.stiff-crank"),
+    ],
+)
+def test_a_stiffness_with_which_no_crankshaft_vibrates_is_doubted(
+    stiffness: str, code: str
+) -> None:
+    found = [*torsion_doubts(engine_with(stiffness=stiffness))]
+    assert [fault.code for fault in found] == ([code] if code else [])
+    if not code:
+        return
+    [fault] = found
+    assert fault.path == ("torsion", "stiffness")
+    size = fault.values["value"]
+    assert fault.values["frequency"] == pytest.approx(chain_frequency(size), rel=6e-3)
+    bound = 20 / (2 * pi * 0.055) if "soft" in code else 3200 / (2 * 5 * 0.102)
+    assert fault.values["bound"] == pytest.approx(bound, rel=6e-3)
+
+
+@pytest.mark.quick
+def test_a_bare_stiffness_without_any_size_is_doubted_by_its_frequency() -> None:
+    own = {"name": "six", "firing_order": [1, 5, 3, 6, 2, 4], "layout": {"type": "inline"}}
+    engine = engine_of({**own, "torsion": {"inertia": 0.035, "stiffness": 1.2}})
+    [fault] = torsion_doubts(engine)
+    assert (fault.code, fault.values["bound"]) == ("doubt.soft-crank", 2.0)
+    wanted = 2 * (1.2 / 0.035) ** 0.5 * sin(pi / 12) / (2 * pi)
+    assert fault.values["frequency"] == pytest.approx(wanted, rel=6e-3)
+
+
+@pytest.mark.quick
+def test_a_disc_on_a_shaft_softer_than_any_drive_line_is_doubted() -> None:
+    disc = {**SIX["torsion"]["disc"][0], "stiffness": "1.6 N*m/rad"}
+    [fault] = torsion_doubts(engine_with(disc=[disc]))
+    assert (fault.code, fault.path) == ("doubt.soft-disc", ("torsion", "disc", 0, "stiffness"))
+    assert fault.values["frequency"] == pytest.approx((1.6 / 0.45) ** 0.5 / (2 * pi), rel=6e-3)
+    assert "torsion.disc[1].stiffness" in fault.sentence
