@@ -17,6 +17,8 @@ from crankstar.studies.tried_values import Figure, Figures, Tuning
 
 if TYPE_CHECKING:
     from crankstar.dynamics.mount_analysis import MountAnalysis
+    from crankstar.dynamics.torsion_analysis import TorsionAnalysis
+    from crankstar.dynamics.torsion_criticals import Critical
     from crankstar.dynamics.torsion_response import Response
     from crankstar.studies.single_faults import Fault
 
@@ -34,17 +36,13 @@ def twist(
     shear stress of a shaft over the speeds (its torque where none has a diameter); of the order
     that resonates most, the turn of the free end at that resonance.
     """
-    from crankstar.dynamics.torsion_analysis import peaked, torsion_on_grid
+    from crankstar.dynamics.torsion_analysis import torsion_on_grid
     from crankstar.dynamics.torsion_chain import torsion_chain
     from crankstar.dynamics.torsion_modes import torsion_modes
-    from crankstar.studies.torsion_results import PeakOfSections
 
     fixed: dict[str, Any] = {"point": point, "speed": speed, "single": False}
     whole = torsion_on_grid(engine, speeds=speeds, **fixed)
     ends = [float(whole.speeds[0]), float(whole.speeds[-1])] if len(whole.speeds) else []
-    strongest = whole.strongest
-    modulus = np.array([each.modulus or np.nan for each in whole.chain.sections])
-    stressed = bool(np.isfinite(modulus).any())
 
     def figures(each: Engine) -> Figures:
         each = _gas_as_in(engine, each)
@@ -52,27 +50,7 @@ def twist(
         out: dict[Figure, float] = {}
         if rough.modes:
             out["natural frequency", None] = rough.modes[0].frequency
-        if rough.response is None:
-            return out
-        most = PeakOfSections(modulus if stressed else np.ones_like(modulus))
-
-        def curves(own: Response) -> Real:
-            return np.column_stack([own.peak_turn(rough.free_end), most(own)])
-
-        curves(rough.response)  # where there is nothing to refine it is all
-        found = peaked(each, rough, curves=curves).response or rough.response
-        turn = found.peak_turn(rough.free_end)
-        out["torsional amplitude", None] = degrees(float(turn.max()))
-        if modulus.size:
-            name, unit = ("torsional stress", 1e-6) if stressed else ("torsional torque", 1.0)
-            out[name, None] = unit * most.greatest
-        if strongest is not None and rough.chain.damped:
-            there = rough.modes[strongest.mode - 1].speed / strongest.order
-            place = int(np.argmin(np.abs(found.speeds - there)))
-            order = int(np.argmin(np.abs(found.orders - strongest.order)))
-            size = abs(found.turns[place, order, rough.free_end])
-            out["resonant amplitude", strongest.order] = degrees(float(size))
-        return out
+        return out | _forced_twist(each, rough, whole.strongest)
 
     def least(_engine: Engine) -> Mapping[str, float]:
         if whole.response is None:
@@ -97,6 +75,41 @@ def twist(
         least=least,
         tunings=tunings,
     )
+
+
+def _forced_twist(
+    engine: Engine, rough: TorsionAnalysis, strongest: Critical | None
+) -> dict[Figure, float]:
+    """The figures of a forced response, from the one at critical speeds; none without one.
+
+    `strongest` is the order, with its mode, of which the resonance is wanted.
+    """
+    from crankstar.dynamics.torsion_analysis import peaked
+    from crankstar.studies.torsion_results import PeakOfSections
+
+    if rough.response is None:
+        return {}
+    modulus = np.array([each.modulus or np.nan for each in rough.chain.sections])
+    stressed = bool(np.isfinite(modulus).any())
+    most = PeakOfSections(modulus if stressed else np.ones_like(modulus))
+
+    def curves(own: Response) -> Real:
+        return np.column_stack([own.peak_turn(rough.free_end), most(own)])
+
+    curves(rough.response)  # where there is nothing to refine it is all
+    found = peaked(engine, rough, curves=curves).response or rough.response
+    turn = found.peak_turn(rough.free_end)
+    out: dict[Figure, float] = {("torsional amplitude", None): degrees(float(turn.max()))}
+    if modulus.size:
+        name, unit = ("torsional stress", 1e-6) if stressed else ("torsional torque", 1.0)
+        out[name, None] = unit * most.greatest
+    if strongest is not None and rough.chain.damped:
+        there = rough.modes[strongest.mode - 1].speed / strongest.order
+        place = int(np.argmin(np.abs(found.speeds - there)))
+        order = int(np.argmin(np.abs(found.orders - strongest.order)))
+        size = abs(found.turns[place, order, rough.free_end])
+        out["resonant amplitude", strongest.order] = degrees(float(size))
+    return out
 
 
 OF_TORSION = {
