@@ -2,6 +2,7 @@
 
 import json
 import re
+from math import pi
 from pathlib import Path
 from typing import Any
 
@@ -334,14 +335,14 @@ def drawn_top(spec: Any) -> float:
 def test_a_block_without_a_mass_has_the_estimated_one_in_the_record(
     block: str, mounted: str, run: Run
 ) -> None:
-    """By statics the mounts carry m g; m is 40 reciprocating masses, here 5 of 492 g."""
+    """By statics the mounts carry m g; m is 70 kg per litre, here of 5 cylinders of 82.5 x 92.8."""
     text = Path(mounted).read_text(encoding="utf-8")
     Path(mounted).write_text(text.replace('[block]\nmass = "150 kg"\n', block), encoding="utf-8")
     answer = json.loads(run("mounts", mounted, "--json").out)
     row = rows_by_path(answer)["block.mass"]
     assert (row["status"], row["unit"]) == ("assumed", "kg")
-    assert row["value"] == pytest.approx(40 * 5 * 0.492)
-    assert (row["low"], row["high"]) == pytest.approx((0.6 * row["value"], 1.6 * row["value"]))
+    assert row["value"] == pytest.approx(70e3 * 5 * pi / 4 * 0.0825**2 * 0.0928)
+    assert (row["low"], row["high"]) == pytest.approx((0.5 * row["value"], 1.9 * row["value"]))
     engine = crankstar.load(mounted)
     up = settled(mounted_block(engine))[1][:, 0].sum()
     assert abs(up) == pytest.approx(row["value"] * 9.80665, rel=1e-9)

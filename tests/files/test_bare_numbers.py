@@ -66,8 +66,8 @@ def test_no_key_takes_a_bare_number_in_silence_beside_a_unit_of_its_own_kind(key
         with pytest.raises(ValueFaultError) as caught:
             units.reader(frozenset(), written=given)(value, bare)
         refused = caught.value.code
-        assert refused in ("unit.bare-beside-unit", "unit.missing")
-        if refused == "unit.bare-beside-unit":
+        assert refused in ("unit.bare-beside-unit", "unit.bare-beside-one", "unit.missing")
+        if refused != "unit.missing":
             unit = units.unit_of(quantity.example)
             assert caught.value.values["like"] == f"0.9 {unit}"
             assert caught.value.values["absolute"] == f"0.9 {units.si_unit(quantity)}"
@@ -88,7 +88,7 @@ STIFF = {"inertia": "0.03 kg*m^2", "stiffness": "1.2 MN*m/rad", "damping": "2 N*
         (
             {"stiffness": ["1.2 MN*m/rad", 0.9, "1.2 MN*m/rad"]},
             ("torsion", "stiffness", 1),
-            "unit.bare-beside-unit",
+            "unit.bare-beside-one",
         ),
     ],
 )
@@ -107,6 +107,27 @@ def test_a_drive_line_counts_all_its_discs_in_units_or_none() -> None:
     with pytest.raises(EngineFileError) as caught:
         chain_of({"name": "fan drive", "disc": discs})
     (fault,) = caught.value.faults
-    assert (fault.path, fault.code) == (("disc", 1, "inertia"), "unit.bare-beside-unit")
+    assert (fault.path, fault.code) == (("disc", 1, "inertia"), "unit.bare-beside-one")
     bare = [{"name": "motor", "inertia": 2}, {**discs[1], "stiffness": 6}]
     assert chain_of({"name": "fan drive", "disc": bare}).discs[1].stiffness == 6.0
+
+
+@pytest.mark.parametrize(
+    ("value", "beside", "reading"),
+    [
+        (0.45, "0.009 kg*m^2", "0.45 kg*m^2"),  # both readings are one
+        (0.091, "82 mm", "0.091 m"),  # a pitch of 91 um is none
+        (0.9, "1.2 MN*m/rad", "0.9 MN*m/rad"),
+    ],
+)
+def test_of_two_readings_only_the_one_that_can_be_meant_is_advised(
+    value: float, beside: str, reading: str
+) -> None:
+    keys = {"kg": "Disc.inertia", "mm": "Cylinder.bore", "rad": "Torsion.stiffness"}
+    quantity = next(KEYS[key] for unit, key in keys.items() if unit in beside)
+    bare = replace(quantity, relative_to=frozenset())
+    given = units.written([("elsewhere", beside, quantity)])
+    with pytest.raises(ValueFaultError) as caught:
+        units.reader(frozenset(), written=given)(value, bare)
+    assert caught.value.code == "unit.bare-beside-one"
+    assert caught.value.values["reading"] == reading

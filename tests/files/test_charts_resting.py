@@ -19,6 +19,7 @@ from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import SMALL, text_width
 from crankstar.dynamics.whirl import body
 from crankstar.engine.engine import Engine
+from crankstar.files import engine_of
 from crankstar.language.messages import spoken
 from crankstar.page.figures import chart as page_chart
 from crankstar.studies import answers
@@ -195,6 +196,67 @@ def test_the_foot_keeps_within_the_width_of_its_figure(
     assert panel["width"] <= made.size[0]
     assert rows[-1]["y"] + SMALL / 2 <= panel["height"]
     assert len(rows) <= resting.MOST_LINES + 2
+
+
+@pytest.mark.parametrize("width", [120.0, 200.0, 330.0, 600.0])
+def test_the_foot_ends_with_a_sentence_or_a_whole_word(width: float) -> None:
+    """Beside 8 lines at most; of a single long sentence whole words, of several whole sentences."""
+    told = "With 374 g to 1050 g the sum of order 1 is 2560 to 4800.5 N m, not 1160 N m."
+    several = " ".join(f"{number}: {told}" for number in range(1, 9))
+    single = told.rstrip(".") + (" and so it goes on from 1000 rpm to 12345.6 rpm" * 30)
+    for text in (told, several, single):
+        [panel] = [resting.foot_panel([text, "And 1 more"], width=width)]
+        *lines, last = [row["text"] for row in panel["layer"][0]["data"]["values"]]
+        assert last == "And 1 more"
+        kept = " ".join(lines)
+        assert len(lines) <= resting.MOST_LINES
+        assert all(text_width(line, SMALL) <= width for line in lines)
+        if kept.endswith("…"):
+            *whole, end = kept[:-1].split()
+            assert text.split()[: len(whole)] == whole
+            assert text.split()[len(whole)].rstrip(".,") == end
+        else:
+            assert text == kept or text.startswith(f"{kept} ")
+            assert kept.endswith((".", "rpm"))
+    assert " ".join(lines).endswith("…")
+
+
+FIVE: dict[str, Any] = {
+    "name": "five",
+    "firing_order": [1, 2, 4, 5, 3],
+    "speed": "3000 rpm",
+    "cylinder": {
+        "bore": "82 mm",
+        "stroke": "90 mm",
+        "rod_length": "145 mm",
+        "reciprocating_mass": "480 g",
+    },
+    "layout": {"type": "inline", "bore_pitch": "91 mm"},
+}
+
+
+@pytest.mark.parametrize("name", ["bearing-loads", "bending"])
+def test_what_is_left_out_is_named_in_the_picture(name: str) -> None:
+    chart = charts.CHARTS[name].draw(engine_of(FIVE))
+    lines = foot(chart.spec)
+    assert lines[0].startswith("cylinder.rotating_mass")
+    assert "Not in the loads: gas." in lines
+    assert lines[-1].endswith("crankstar bearings")
+    assert rests(chart)["gas"]["status"] == "left out"
+
+
+def test_a_polygon_rests_on_its_resultant_and_a_closed_one_on_its_vectors() -> None:
+    """The primary couple of an in-line five, by own phasors: m r w^2 |sum of z e^(i phi)|."""
+    chart = charts.polygon(engine_of(FIVE), quantity="couple", order=1.0, speed=100.0)
+    moves = rests(chart)["cylinder.rotating_mass"]["moves"]
+    phases = {1: 0, 2: 144, 4: 288, 5: 432, 3: 576}  # crank angle of firing, 720/5 apart
+    arms = sum(0.091 * (3 - own) * np.exp(-1j * np.radians(at)) for own, at in phases.items())
+    assert (moves["quantity"], moves["order"]) == ("couple", 1.0)
+    assert moves["now"] == pytest.approx(0.480 * 0.045 * 100.0**2 * abs(arms), rel=1e-9)
+    closed = charts.polygon(engine_of(FIVE), quantity="force", order=1.0, speed=100.0)
+    lengths = rests(closed)["cylinder.rotating_mass"]["moves"]
+    assert lengths["quantity"] == "vectors"
+    assert lengths["now"] == pytest.approx(5 * 0.480 * 0.045 * 100.0**2, rel=1e-9)
 
 
 def test_a_figure_for_a_paper_is_worked_out_once(monkeypatch: pytest.MonkeyPatch) -> None:

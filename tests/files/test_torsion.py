@@ -366,7 +366,7 @@ def test_estimated_stiffness_is_said_to_be(run: Run, tmp_path: Path) -> None:
     place.write_text(json.dumps(tree), encoding="utf-8")
     text = " ".join(run("torsion", str(place)).out.split())
     assert "torsion.stiffness: stiffness of the throws from their dimensions" in text
-    assert "torsion.dimensions.shear_modulus: 80 GPa assumed" in text
+    assert "torsion.dimensions.shear_modulus (80 GPa)" in text
     assert "torsion.loss_factor: 0.02 assumed" in text
 
 

@@ -121,8 +121,8 @@ def test_a_cross_plane_v8_whirls_as_far_as_its_couple_says() -> None:
     body = whirl.body(engine)
     pistons = 8.0
     length, radius = 3.2 + 2.0, 0.5 * (1 + engine.first.rod_length)
-    assert body.mass == pytest.approx(40 * pistons)
-    assert body.inertia[1] == pytest.approx(40 * pistons * (3 * radius**2 + length**2) / 12)
+    assert body.mass == pytest.approx(55 * pistons)
+    assert body.inertia[1] == pytest.approx(55 * pistons * (3 * radius**2 + length**2) / 12)
     long, _ = axes(whirl.response(engine, of=body), 1.0)
     assert long * body.inertia[1] == pytest.approx(10**0.5, rel=1e-9)
 
@@ -196,8 +196,39 @@ def test_a_third_of_a_rod_counts_as_reciprocating_in_the_mass_of_the_bar() -> No
     share = float((samples**2).mean())
     rod = Rod(mass=mass, centre=length / 2, inertia=mass * length**2 / 12)
     engine = crankstar.load("audi-25-tfsi")
-    cylinders = [with_values(c, rod=rod, reciprocating_mass=0.4) for c in engine.cylinders]
+    cylinders = [
+        with_values(c, rod=rod, reciprocating_mass=0.4, bore=None) for c in engine.cylinders
+    ]
     with_rods = whirl.body(with_values(engine, cylinders=tuple(cylinders)))
     assert with_rods.mass == pytest.approx(
         whirl.MASS_TO_PISTONS * len(cylinders) * (0.4 + share * mass), rel=1e-6
     )
+
+
+KNOWN = [
+    (2.0, 138.0, 4 * 0.48),  # in-line four, weighed
+    (2.97, 225.0, 6 * 0.52),  # V6 with its gearbox
+    (5.0, 210.0, 8 * 0.65),
+    (2.48, 183.0, 5 * (0.492 + 0.18)),  # Audi 2.5 TFSI
+]
+"""Displacement (l), mass of the engine and of its reciprocating parts (kg)."""
+
+
+@pytest.mark.parametrize(("litres", "mass", "pistons"), KNOWN)
+def test_known_engines_are_within_both_estimates_of_the_mass(
+    litres: float, mass: float, pistons: float
+) -> None:
+    """By volume and by reciprocating mass, pi/4 D^2 s being the displacement of a cylinder."""
+    engine = crankstar.load("audi-25-tfsi")
+    count = len(engine.cylinders)
+    bore = (4 * litres / 1e3 / count / (np.pi * 2 * engine.shafts[0].throws[0].radius)) ** 0.5
+    low, high = whirl.MASS_ENDS
+    for own in (float(bore), None):
+        cylinders = [
+            with_values(c, bore=own, rod=None, reciprocating_mass=pistons / count)
+            for c in engine.cylinders
+        ]
+        usual, by_volume = whirl.estimated_mass(with_values(engine, cylinders=tuple(cylinders)))
+        assert by_volume == (own is not None)
+        assert usual == pytest.approx(70 * litres if by_volume else 55 * pistons)
+        assert low * usual < mass < high * usual

@@ -20,10 +20,12 @@ from crankstar.engine.main_bearings import main_bearings
 from crankstar.files import engine_of, toml
 from crankstar.files.catalog import load, names
 from crankstar.mechanics.gas import cycle
+from crankstar.studies.answer_parts import narrowed
 from crankstar.studies.answers import amplitudes, bearing_peaks, rests_on, torques
 from crankstar.studies.assumptions import Assumption
 from crankstar.studies.changed_values import with_bearings_moved
 from crankstar.studies.response_answers import on_mounts, twist
+from crankstar.tables.assumptions import assumption_lines
 
 __all__ = ["run"]
 
@@ -188,7 +190,8 @@ def test_bearings_that_are_placed_in_the_file_are_not_assumed() -> None:
 @pytest.mark.release
 def test_the_amplitude_at_a_resonance_goes_with_the_assumed_loss_factor() -> None:
     engine = load("cadillac-ld8")
-    own = of(rests_on(engine, twist(engine)), "torsion.loss_factor")
+    answer = narrowed(twist(engine), ["torsional amplitude"])
+    own = of(rests_on(engine, answer), "torsion.loss_factor")
     assert own.moved is not None
     for loss, size in ((own.low, own.moved.high), (own.high, own.moved.low)):
         found = torsion(load("cadillac-ld8", changes={"torsion.loss_factor": loss}))
@@ -209,6 +212,12 @@ def test_a_block_without_moments_of_inertia_has_estimated_frequencies() -> None:
     assert (own.status, own.low, own.high) == ("estimated", 0.5, 2.0)
     assert own.effect > 0.1
     assert "mounts.loss_factor" in {each.path for each in found}
+
+
+def test_a_doubt_that_asks_ends_with_its_question_mark() -> None:
+    question = Assumption("doubtful", "torsion.stiffness", "torsion.stiffness is x: is it right?")
+    plain = Assumption("doubtful", "torsion.stiffness", "torsion.stiffness is low")
+    assert assumption_lines([question, plain]) == [question.reason, f"{plain.reason}."]
 
 
 SAYING = [

@@ -199,6 +199,24 @@ def test_the_thick_line_is_the_peak_over_the_cycle(six: Any, quantity: Any) -> N
     assert np.all(added >= y * (1 - 1e-6))
 
 
+def test_the_sum_of_amplitudes_is_dashed_in_the_legend_too(six: Any) -> None:
+    """Vega-Lite makes one legend of two channels with the same field and the same legend."""
+    drawn = charts.torsion_response_chart(six, speeds=[400.0, 585.0])
+    [encoding] = [
+        layer["encoding"]
+        for row in drawn.to_dict()["vconcat"]
+        for panel in row.get("hconcat", [row])
+        for layer in panel["layer"]
+        if "strokeDash" in layer["encoding"]
+    ]
+    dash, colour = encoding["strokeDash"], encoding["color"]
+    assert (dash["field"], dash["legend"]) == (colour["field"], colour["legend"])
+    assert dash["scale"]["domain"] == colour["scale"]["domain"]
+    dashes = dict(zip(dash["scale"]["domain"], dash["scale"]["range"], strict=True))
+    assert dashes["sum of amplitudes (dashed)"] == [4, 3]
+    assert dashes["all orders"] == [1, 0]
+
+
 def test_an_order_that_is_asked_for_is_drawn_and_no_other(six: Any) -> None:
     drawn = charts.torsion_response_chart(six, orders=[4.5], speeds=[400.0, 585.0])
     names = {row["what"] for row in rows_of(drawn.to_dict()) if "what" in row}

@@ -9,7 +9,7 @@ from math import degrees, isfinite, pi
 from typing import TYPE_CHECKING, Any
 
 from crankstar.charts.canvas import BETWEEN, curve_height, names_engine, panel_width
-from crankstar.charts.grammar import Chart, Layer
+from crankstar.charts.grammar import Channel, Chart, Layer, field
 from crankstar.charts.letters import TEXT, folded
 from crankstar.charts.resting import Rests, foot_panel, told
 from crankstar.language.messages import MessageError, _
@@ -64,6 +64,27 @@ LINES = {
     "symbolStrokeWidth": 3,
 }
 """A legend of lines above a panel."""
+
+
+def named_in_legend(
+    lines: Sequence[tuple[str, str, Sequence[float]]], *, columns: int
+) -> dict[str, Channel]:
+    """The channels of colour and dashes of lines by their names, `what`, and one legend of both.
+
+    `lines` are name, colour and dashes; a solid line has the dashes (1, 0).
+    """
+    legend = {**LINES, "columns": columns}
+    names = [name for name, _colour, _dash in lines]
+    ranges = {
+        "color": [colour for _name, colour, _dash in lines],
+        "strokeDash": [[*dash] for _name, _colour, dash in lines],
+    }
+    return {
+        channel: field("what:N", scale={"domain": names, "range": values}, legend=legend)
+        for channel, values in ranges.items()
+    }
+
+
 STYLE = {
     "font": "sans-serif",
     "view": {"stroke": None},

@@ -65,7 +65,7 @@ def folded(text: str, *, width: float, size: float = TEXT) -> list[str]:
     ['force in', 'm r ω²']
     """
     lines = [""]
-    for word in _words(text):
+    for word in words(text):
         if lines[-1] and text_width((lines[-1] + word).rstrip(), size) > width:
             lines.append("")
         for letter in word if lines[-1] or word.strip() else "":
@@ -75,7 +75,7 @@ def folded(text: str, *, width: float, size: float = TEXT) -> list[str]:
     return [line.strip().replace(NO_BREAK, " ") for line in lines if line.strip()] or [""]
 
 
-def _words(text: str) -> list[str]:
+def words(text: str) -> list[str]:
     """The pieces after which a line may end; a space belongs to the word before it."""
     pieces = [""]
     for letter in text:

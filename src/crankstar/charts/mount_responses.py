@@ -11,13 +11,13 @@ import numpy as np
 from crankstar.charts.canvas import curve_height, panel_width, relative_width
 from crankstar.charts.drawing import (
     GREY,
-    LINES,
     PALETTE,
     ChartError,
     Panel,
     checked_order,
     figure,
     layered,
+    named_in_legend,
 )
 from crankstar.charts.gas_curves import ROOM, without
 from crankstar.charts.grammar import Chart, field, of_rows, own, span
@@ -227,13 +227,7 @@ def _coloured(names: Sequence[str], values: Real) -> list[_Line]:
 def _panel(over: MountResponse, lines: Sequence[_Line], axis: str) -> Panel:
     speeds = (over.speeds * RPM).tolist()
     rows = [
-        {
-            "x": x,
-            "y": float(f"{y:.6g}"),
-            "what": line.name,
-            "width": line.width,
-            "dash": list(line.dash),
-        }
+        {"x": x, "y": float(f"{y:.6g}"), "what": line.name, "width": line.width}
         for line in lines
         for x, y in zip(speeds, line.values.tolist(), strict=True)
         if np.isfinite(y)
@@ -249,7 +243,6 @@ def _panel(over: MountResponse, lines: Sequence[_Line], axis: str) -> Panel:
     )
     top = ROOM * max(float(np.nanmax(line.values)) for line in lines) or 1.0
     y = field("y:Q", scale=span(0, top), title=axis, axis={"tickCount": 4, "minExtent": 34})
-    domain = {"domain": [line.name for line in lines], "range": [line.colour for line in lines]}
     widest = max(text_width(line.name) for line in lines)
     columns = 2 if widest < panel_width() / 2 - BESIDE_NAME else 1
     single = {"point": True} if len(speeds) == 1 else {}
@@ -257,8 +250,7 @@ def _panel(over: MountResponse, lines: Sequence[_Line], axis: str) -> Panel:
     layer = drawn.encode(
         x=x,
         y=y,
-        color=field("what:N", scale=domain, legend={**LINES, "columns": columns}),
+        **named_in_legend([(line.name, line.colour, line.dash) for line in lines], columns=columns),
         strokeWidth=own("width:Q"),
-        strokeDash=field("dash", type="nominal", scale=None),
     )
     return layered([layer], width=panel_width(), height=curve_height(HEIGHT))

@@ -7,6 +7,7 @@ it is beside the figures anyway, the canvas leaves it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -16,25 +17,26 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from crankstar.charts.canvas import shows_rests, speed_of
 from crankstar.charts.grammar import Layer, constant, field, of_rows
-from crankstar.charts.letters import SMALL, folded, text_width
+from crankstar.charts.letters import SMALL, folded, text_width, words
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
-from crankstar.language.messages import _
+from crankstar.language.messages import _, passage
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle
 from crankstar.studies import answers, response_answers
 from crankstar.studies.answer_parts import TURNING, at_rest, in_own_unit, narrowed, without_speed
 from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.chart_answers import vectors
-from crankstar.tables.assumptions import assumption_facts, assumption_remarks, leading_line
+from crankstar.tables.assumptions import assumption_facts, assumption_remarks, leading_lines
 
 if TYPE_CHECKING:
     from crankstar.studies.diagnosis import Diagnosis
 
 FOOT = "rests"
 """The name of the panel below the others."""
-MOST_LINES = 4
-"""Lines of the sentence on what matters most; of a longer one the rest is cut off."""
+MOST_LINES = 8
+"""Lines of what matters most; of more the last sentences, or words, are left out."""
+SENTENCE_END = re.compile(r"(?<=[.?])\s+|(?<=。)")
 LEADING = 1.25
 """From line to line, in the size of the letters."""
 OF_INERTIA = ("force", "couple", "roll")
@@ -42,7 +44,9 @@ LAYOUT = ("layout", "cylinder.stroke", "cylinders", "rotation", "shaft", "cranks
 """Key paths from which the shape of a crankshaft comes."""
 FIRING = ("layout", "firing_order", "cylinders", "shaft", "rotation")
 """Key paths from which the crank angles come at which cylinders fire."""
-TWISTING = ("natural frequency", "torsional amplitude")
+TWISTING = ("natural frequency", "torsional amplitude", "resonant amplitude")
+TWISTED = ("torsional stress", "torsional torque")
+"""Of these an engine has the one that can be computed."""
 OF_COMPONENT = {
     "vertical": "force", "horizontal": "force", "pitch": "couple", "yaw": "couple"
 }  # fmt: skip
@@ -108,20 +112,18 @@ def _told(found: Sequence[tuple[Engine, tuple[Assumption, ...]]], command: str) 
     if not rows:
         return NOTHING
     engine, gravest = max(found, key=lambda each: each[1][0].effect if each[1] else -1.0)
-    line, others = leading_line(gravest)
+    foot, others = leading_lines(gravest)
     others += len(rows) - len(gravest)
-    foot = [f"{engine.name}: {line}" if several else line]
+    foot[0] = f"{engine.name}: {foot[0]}" if several else foot[0]
     if others:
         foot.append(_("And {count} more: crankstar {command}", count=others, command=command))
     return Told(foot, tuple(sentences), {"rests_on": rows})
 
 
 def foot_panel(lines: Sequence[str], *, width: float) -> dict[str, Any]:
-    """Lines at the foot of a figure, in its width (px); the last is kept whole."""
+    """Lines at the foot of a figure, in its width (px); all but the first are kept whole."""
     first, *others = lines
-    written = folded(first, width=width, size=SMALL)
-    if len(written) > MOST_LINES:
-        written = [*written[: MOST_LINES - 1], _cut(written[MOST_LINES - 1], width)]
+    written = _kept(first, width)
     written += [line for other in others for line in folded(other, width=width, size=SMALL)]
     height = len(written) * LEADING * SMALL
     rows = [{"y": (at + 0.5) * LEADING * SMALL, "text": line} for at, line in enumerate(written)]
@@ -133,11 +135,19 @@ def foot_panel(lines: Sequence[str], *, width: float) -> dict[str, Any]:
     return {"name": FOOT, "layer": [drawn.spec], **sides}
 
 
-def _cut(line: str, width: float) -> str:
-    """A line that ends in an ellipsis, within a width."""
-    while text_width(f"{line}…", SMALL) > width:
-        line = line[:-1]
-    return f"{line.rstrip(' .,。、')}…"
+def _kept(text: str, width: float) -> list[str]:
+    """A text in at most MOST_LINES lines of a width: whole sentences of it, else whole words."""
+    sentences = SENTENCE_END.split(text)
+    lines = folded(text, width=width, size=SMALL)
+    while len(lines) > MOST_LINES and len(sentences) > 1:
+        sentences.pop()
+        lines = folded(passage(sentences), width=width, size=SMALL)
+    if len(lines) <= MOST_LINES:
+        return lines
+    last = words(lines[MOST_LINES - 1])
+    while text_width("".join(last).rstrip() + "…", SMALL) > width and len(last) > 1:
+        last.pop()
+    return [*lines[: MOST_LINES - 1], "".join(last).rstrip(" .,。、") + "…"]
 
 
 def of_inertia(
@@ -180,6 +190,21 @@ def of_vectors(
         return _at(make, engine, speed_of(engine, speed), ("vectors",), orders)
 
     return Rests(engines, answer, "analyze")
+
+
+def of_resultants(
+    engines: Sequence[Engine],
+    quantity: str,
+    *,
+    drawn: bool,
+    speed: float | None,
+    orders: Sequence[float],
+    reference: Reference | None,
+) -> Rests:
+    """Of a figure of vectors with their resultant; where none is `drawn`, of the vectors alone."""
+    if not drawn:
+        return of_vectors(engines, quantity, speed=speed, orders=orders, reference=reference)
+    return of_inertia(engines, [quantity], speed=speed, orders=orders, reference=reference)
 
 
 def _at(

@@ -11,17 +11,17 @@ import numpy as np
 from crankstar.charts.canvas import curve_height, panel_width, relative_width
 from crankstar.charts.drawing import (
     GREY,
-    LINES,
     PALETTE,
     VERMILION,
     Panel,
     checked_order,
     figure,
     layered,
+    named_in_legend,
 )
 from crankstar.charts.gas_curves import ROOM
 from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, own, span
-from crankstar.charts.resting import TWISTING, of_twist
+from crankstar.charts.resting import TWISTED, TWISTING, of_twist
 from crankstar.charts.sums import checked_quantity
 from crankstar.charts.torsion_words import NO_SPEED, RPM, load_lines, named_lines, refused, rpm_text
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
@@ -109,7 +109,8 @@ def torsion_response_chart(
         return refused(engine, title=title, reason=reason)
     panel = _panel(found, own_response, courses, asked)
     subtitle = [*named_lines(engine), courses.where, *_words(found, courses)]
-    rests = of_twist(engine, quantities=TWISTING, point=point or "", speeds=[*(speeds or ())])
+    drawn = TWISTING if wanted == "amplitude" else TWISTED
+    rests = of_twist(engine, quantities=drawn, point=point or "", speeds=[*(speeds or ())])
     lines = [*subtitle, *load_lines(engine, found)]
     return figure([[panel]], title=title, subtitle=lines, rests=rests)
 
@@ -199,8 +200,8 @@ def _panel(
         name = _("order {order}", order=order_text(response.orders[place]))
         series.append((name, colour, 1.8, [1, 0], courses.of_order[:, place]))
     rows = [
-        {"x": x, "y": float(f"{y * said.factor:.6g}"), "what": name, "width": width, "dash": dash}
-        for name, _colour, width, dash, values in series
+        {"x": x, "y": float(f"{y * said.factor:.6g}"), "what": name, "width": width}
+        for name, _colour, width, _dash, values in series
         for x, y in zip(speeds, values.tolist(), strict=True)
     ]
     x = field(
@@ -217,14 +218,12 @@ def _panel(
         axis={"tickCount": 4, "minExtent": 34},
     )
     order = [series[1], *series[2:], series[0]]
-    domain = {"domain": [s[0] for s in order], "range": [s[1] for s in order]}
     lines = of_rows(rows).mark("line", strokeJoin="round")
     drawn = lines.encode(
         x=x,
         y=y,
-        color=field("what:N", scale=domain, legend={**LINES, "columns": 2}),
+        **named_in_legend([(s[0], s[1], s[3]) for s in order], columns=2),
         strokeWidth=own("width:Q"),
-        strokeDash=field("dash", type="nominal", scale=None),
     )
     return layered(
         [*_shades(found, x), *_limit(limit, said.factor, y), drawn],

@@ -32,7 +32,7 @@ from crankstar.charts.plane import (
     round_frame,
     scale_bar,
 )
-from crankstar.charts.resting import of_vectors
+from crankstar.charts.resting import of_resultants
 from crankstar.charts.sums import Engines, Quantity, several
 from crankstar.charts.vectors import COLOURS, Star, Stars, Vector, angle_text, in_one_unit, stars
 from crankstar.engine.engine import Engine
@@ -97,7 +97,15 @@ def vector_star(
         below=BAR,
     )
     return _figure(
-        engines, systems, _star_panel, frame, STARS, theta=theta, speed=speed, reference=reference
+        engines,
+        systems,
+        _star_panel,
+        frame,
+        STARS,
+        resultant=False,
+        theta=theta,
+        speed=speed,
+        reference=reference,
     )
 
 
@@ -131,6 +139,7 @@ def polygon(
         _polygon_panel,
         frame,
         POLYGONS,
+        resultant=not all(is_closed(star) for shown in systems for star in shown.stars),
         theta=theta,
         speed=speed,
         reference=reference,
@@ -177,11 +186,12 @@ def _figure(
     frame: Frame,
     titles: dict[str, str],
     *,
+    resultant: bool,
     theta: float,
     speed: float | None,
     reference: Reference | None,
 ) -> Chart:
-    """A panel for every star."""
+    """A panel for every star; `resultant` says that one is drawn."""
     rows = [[panel(shown, star, frame, theta) for star in shown.stars] for shown in systems]
     below = frame.width > half_width() + 1
     blocks = [[[one] for one in row] if below else [row] for row in rows]
@@ -194,8 +204,13 @@ def _figure(
         theta=theta,
         turns=Fraction(order).limit_denominator(10_000).denominator,
         ranges=_(RESULTANTS),
-        rests=of_vectors(
-            engines, systems[0].quantity, speed=speed, orders=[order], reference=reference
+        rests=of_resultants(
+            engines,
+            systems[0].quantity,
+            drawn=resultant,
+            speed=speed,
+            orders=[order],
+            reference=reference,
         ),
     )
 

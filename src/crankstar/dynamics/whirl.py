@@ -22,6 +22,7 @@ the crankshaft are left out. Crankshaft and flywheel take the torque and run on 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import pi
 
 import numpy as np
 
@@ -34,12 +35,22 @@ from crankstar.mechanics.excitation import Reference, part_spectra, rolling_mome
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Complex, Spectrum
 
-MASS_TO_PISTONS = 40.0
-"""Mass of an engine over that of its reciprocating parts.
+MASS_TO_VOLUME = 70e3
+"""Mass of an engine over its displacement, kg/m^3: dry, with flywheel, without a gearbox.
 
-A V8 of 5 l: 210 kg over 8 times 0.65 kg. It sets the size of the whirl only, which is shown
-magnified, not the shape of its path.
+Engines of cars have 40 to 100 kg per litre (aluminium eights of 5 l 40 to 50, fives and sixes of
+2.5 to 3 l 60 to 80, iron fours, Diesel engines and small twins up to 100), with a gearbox 70 to
+130; large two-stroke engines of ships about 90. Our judgement, from weights that makers publish.
+Aircraft engines are lighter than the range.
 """
+MASS_TO_PISTONS = 55.0
+"""The same over the mass of the reciprocating parts, where the displacement is not known.
+
+A V8 of 5 l has 40 (210 kg over 8 times 0.65 kg), an in-line four that has been weighed (138 kg over
+4 times 0.48 kg) and a V6 with its gearbox (225 kg over 6 times 0.52 kg) 72.
+"""
+MASS_ENDS = (0.5, 1.9)
+"""Ends of an estimated mass, as multiples; the upper is that of an engine with its gearbox."""
 RADIUS_TO_REACH = 0.5
 """Radius of the estimated round bar over the greatest distance of a piston pin from its shaft."""
 
@@ -69,20 +80,25 @@ def body(engine: Engine, *, along: float = 1.0) -> Body:
 
     Where `[block]` has an outer size, it is a homogeneous box. The bar is homogeneous too, and lies
     along the crankshaft about the centre of mass. A mass that the file does not give is
-    `MASS_TO_PISTONS` reciprocating masses (a third of a rigid rod included). The bar has as its
-    length the span of the cylinders plus a stroke, as its radius `RADIUS_TO_REACH` of the reach of
-    the pistons. A couple that turns in a circle makes it whirl in a circle. `along` is the unit
-    along the crankshaft in units across it (1 unless bore pitch or stroke is unknown); the body is
-    in units across.
+    `estimated_mass`. The bar has as its length the span of the cylinders plus a stroke, as its
+    radius `RADIUS_TO_REACH` of the reach of the pistons. A couple that turns in a circle makes it
+    whirl in a circle. `along` is the unit along the crankshaft in units across it (1 unless bore
+    pitch or stroke is unknown); the body is in units across.
     """
     block, middle = engine.block, default_reference(engine).z
-    pistons = sum(
-        c.reciprocating_mass + (c.rod.mass / 3 if c.rod else 0.0) for c in engine.cylinders
-    )
     given = None if block is None else block.mass
-    mass = MASS_TO_PISTONS * pistons if given is None else given
+    usual, by_volume = estimated_mass(engine)
+    mass = usual if given is None else given
     heavy: tuple[str, ...] = ()
-    if block is not None and given is None:
+    if given is None and by_volume:
+        heavy = (
+            _(
+                "The engine file gives no mass in [block]; {factor} kg per litre of displacement "
+                "is assumed, the engine without a gearbox.",
+                factor=f"{MASS_TO_VOLUME / 1e3:g}",
+            ),
+        )
+    elif given is None:
         heavy = (
             _(
                 "The engine file gives no mass in [block]; {factor} times that of the "
@@ -107,10 +123,29 @@ def body(engine: Engine, *, along: float = 1.0) -> Body:
     if block is None:
         assumed = _(
             "The engine file has no [block]; a homogeneous round bar about the crankshaft is "
-            "assumed, {factor} times as heavy as the reciprocating parts.",
-            factor=f"{MASS_TO_PISTONS:g}",
+            "assumed."
         )
-    return Body(mass, centre, _bar(engine, mass, along), (*heavy, assumed))
+    return Body(mass, centre, _bar(engine, mass, along), (assumed, *heavy))
+
+
+def estimated_mass(engine: Engine) -> tuple[float, bool]:
+    """The usual mass of such an engine, and whether it follows from the displacement.
+
+    `MASS_TO_VOLUME` times pi/4 D^2 2r of all pistons; where bore, stroke or mass have no unit,
+    `MASS_TO_PISTONS` reciprocating masses (a third of a rigid rod included).
+    """
+    volume = 0.0
+    for cylinder in engine.cylinders:
+        if cylinder.bore is None:
+            break
+        volume += pi / 4 * cylinder.bore**2 * 2 * engine.throw(cylinder).radius
+    else:
+        if not {"mass", "radius"} & {*engine.relative}:
+            return MASS_TO_VOLUME * volume, True
+    pistons = sum(
+        c.reciprocating_mass + (c.rod.mass / 3 if c.rod else 0.0) for c in engine.cylinders
+    )
+    return MASS_TO_PISTONS * pistons, False
 
 
 def _boxed(own: BodyEstimate) -> str:

@@ -174,12 +174,15 @@ NOTHING_MEASURED: Mapping[str, tuple[str, float]] = MappingProxyType({})
 
 
 class Written(NamedTuple):
-    """The first value of a dimension that a file gives with a unit: its key path, its unit."""
+    """The first value of a dimension that a file gives with a unit: key path, unit, SI size."""
 
     key: str
     unit: str
+    size: float
 
 
+SAME_SIZE = 100.0
+"""Factor within which two sizes of one dimension in an engine are mostly alike."""
 NOTHING_WRITTEN: Mapping[str, Written] = MappingProxyType({})
 """No value with a unit."""
 
@@ -257,12 +260,22 @@ def _refuse_alone(value: Any, quantity: Quantity, written: Mapping[str, Written]
             return
         raise _fault("unit.missing", value, quantity)
     own = f"{number:.15g}"
+    like, absolute = (f"{own} {unit}" for unit in (beside.unit, _KINDS[quantity.dimension].short))
+    alike = [
+        each
+        for each in dict.fromkeys((like, absolute))
+        if 1 / SAME_SIZE <= abs(_read(each, quantity)[0] / beside.size) <= SAME_SIZE
+    ]
+    one = (
+        {"reading": alike[0]} if len(alike) == 1 else {"reading": like} if like == absolute else {}
+    )
     raise ValueFaultError(
-        "unit.bare-beside-unit",
+        "unit.bare-beside-one" if one else "unit.bare-beside-unit",
         value=seen(value),
         key=beside.key,
-        like=f"{own} {beside.unit}",
-        absolute=f"{own} {_KINDS[quantity.dimension].short}",
+        like=like,
+        absolute=absolute,
+        **one,
     )
 
 
@@ -272,13 +285,15 @@ def written(pairs: Iterable[tuple[str, Any, Quantity]]) -> dict[str, Written]:
     Where a number needs a unit in any case, as a speed does, that it has one says nothing.
 
     >>> written([("torsion.stiffness", "1.2 MN*m/rad", Quantity("torsional stiffness", "1 N*m"))])
-    {'torsional stiffness': Written(key='torsion.stiffness', unit='MN*m/rad')}
+    {'torsional stiffness': Written(key='torsion.stiffness', unit='MN*m/rad', size=1200000.0)}
     """
     out: dict[str, Written] = {}
     for key, value, quantity in pairs:
         unit = unit_of(nominal(value)) if isinstance(value, str) else ""
         if unit and is_of(f"1 {unit}", quantity) and _KINDS[quantity.dimension].greatest_bare:
-            out.setdefault(_ALIKE.get(quantity.dimension, quantity.dimension), Written(key, unit))
+            dimension = _ALIKE.get(quantity.dimension, quantity.dimension)
+            if dimension not in out and (size := _read(nominal(value), quantity)[0]):
+                out[dimension] = Written(key, unit, size)
     return out
 
 

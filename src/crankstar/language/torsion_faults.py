@@ -61,6 +61,18 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} kg m², less than rods and pistons alone have there, {moving} kg m²: is "
         "it the bare_inertia of the crankshaft?"
     ),
+    "doubt.soft-crank": N_(
+        "{where} is {value} N m/rad, with which the throws alone vibrate at {frequency} Hz; those "
+        "of crankshafts of that size have more than {bound} Hz: is the unit right?"
+    ),
+    "doubt.stiff-crank": N_(
+        "{where} is {value} N m/rad, with which the throws alone vibrate at {frequency} Hz; a "
+        "steel shaft of that length has less than {bound} Hz: is the unit right?"
+    ),
+    "doubt.soft-disc": N_(
+        "{where} is {value} N m/rad, on which {inertia} kg m² vibrate at {frequency} Hz; drive "
+        "lines have more than {bound} Hz: is the unit right?"
+    ),
     "doubt.throw-length": N_(
         "{where}: a journal, a pin and two webs are {value} mm long together, and the throws are "
         "{pitch} mm apart"

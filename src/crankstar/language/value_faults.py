@@ -44,6 +44,9 @@ SENTENCES: dict[str, str | Plural] = {
     "unit.bare-beside-unit": N_(
         "{where} is {value} without a unit, and {key} has one; give {like}, or {absolute}"
     ),
+    "unit.bare-beside-one": N_(
+        "{where} is {value} without a unit, and {key} has one; give {reading}"
+    ),
     "unit.bare-beside-pitch": N_(
         "{where} is {value} without a unit, and {key} has one; give {relative} where it counts "
         "bore pitches, or {absolute}"

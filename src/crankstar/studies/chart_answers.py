@@ -13,7 +13,7 @@ from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import pushed
 from crankstar.studies.answer_parts import TURNING
-from crankstar.studies.answers import MakeCycle
+from crankstar.studies.answers import IN_LOADS, MakeCycle
 from crankstar.studies.assumptions import Answer
 from crankstar.studies.tried_values import Figure, Figures
 
@@ -108,4 +108,5 @@ def bent(*, speed: float | None = None, models: Sequence[Any] = (None,)) -> Answ
         figures=figures,
         unit=lambda _quantity, each: bendings(each, None)[0].unit,
         uses=("inertia", "bearings"),
+        gasless=IN_LOADS,
     )

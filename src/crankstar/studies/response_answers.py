@@ -17,6 +17,9 @@ from crankstar.studies.tried_values import Figure, Figures, Tuning
 
 if TYPE_CHECKING:
     from crankstar.dynamics.mount_analysis import MountAnalysis
+    from crankstar.dynamics.torsion_analysis import TorsionAnalysis
+    from crankstar.dynamics.torsion_criticals import Critical
+    from crankstar.dynamics.torsion_response import Response
     from crankstar.studies.single_faults import Fault
 
 
@@ -27,8 +30,13 @@ def twist(
     speed: float | None = None,
     speeds: Sequence[float] | Real = (),
 ) -> Answer:
-    """The first natural frequency of torsion, and the greatest turn of the free end."""
-    from crankstar.dynamics.torsion_analysis import peaked, torsion_on_grid
+    """The first natural frequency of torsion, and how far and how hard the crankshaft is twisted.
+
+    The greatest turn of the free end, in which the uneven running of the whole is, and the greatest
+    shear stress of a shaft over the speeds (its torque where none has a diameter); of the order
+    that resonates most, the turn of the free end at that resonance.
+    """
+    from crankstar.dynamics.torsion_analysis import torsion_on_grid
     from crankstar.dynamics.torsion_chain import torsion_chain
     from crankstar.dynamics.torsion_modes import torsion_modes
 
@@ -39,14 +47,16 @@ def twist(
     def figures(each: Engine) -> Figures:
         each = _gas_as_in(engine, each)
         rough = torsion_on_grid(each, speeds=ends, **fixed)
-        found = peaked(each, rough, curves=lambda own: own.peak_turn(rough.free_end)[:, None])
         out: dict[Figure, float] = {}
-        if found.modes:
-            out["natural frequency", None] = found.modes[0].frequency
-        if found.response is not None:
-            turn = found.response.peak_turn(found.free_end)
-            out["torsional amplitude", None] = degrees(float(turn.max()))
-        return out
+        if rough.modes:
+            out["natural frequency", None] = rough.modes[0].frequency
+        return out | _forced_twist(each, rough, whole.strongest)
+
+    def least(_engine: Engine) -> Mapping[str, float]:
+        if whole.response is None:
+            return {}
+        turn = degrees(float(whole.response.peak_turn(whole.free_end).max()))
+        return {"resonant amplitude": MINOR * turn}
 
     def natural(each: Engine) -> list[float]:
         return [mode.speed for mode in torsion_modes(torsion_chain(each))]
@@ -55,18 +65,63 @@ def twist(
     if ends and whole.response is not None:
         orders = whole.response.orders.tolist()
         tunings = [Tuning(natural, orders, (ends[0], ends[-1]))]
-    units = {"natural frequency": "Hz", "torsional amplitude": "deg"}
     return Answer(
         figures=figures,
-        unit=lambda quantity, _engine: units[quantity],
+        unit=lambda quantity, _engine: OF_TORSION[quantity],
         uses=("inertia", "torsion", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
         gasless=IN_VIBRATION,
         why_gasless="" if engine.gas is None else whole.without_gas,
+        least=least,
         tunings=tunings,
     )
 
 
+def _forced_twist(
+    engine: Engine, rough: TorsionAnalysis, strongest: Critical | None
+) -> dict[Figure, float]:
+    """The figures of a forced response, from the one at critical speeds; none without one.
+
+    `strongest` is the order, with its mode, of which the resonance is wanted.
+    """
+    from crankstar.dynamics.torsion_analysis import peaked
+    from crankstar.studies.torsion_results import PeakOfSections
+
+    if rough.response is None:
+        return {}
+    modulus = np.array([each.modulus or np.nan for each in rough.chain.sections])
+    stressed = bool(np.isfinite(modulus).any())
+    most = PeakOfSections(modulus if stressed else np.ones_like(modulus))
+
+    def curves(own: Response) -> Real:
+        return np.column_stack([own.peak_turn(rough.free_end), most(own)])
+
+    curves(rough.response)  # where there is nothing to refine it is all
+    found = peaked(engine, rough, curves=curves).response or rough.response
+    turn = found.peak_turn(rough.free_end)
+    out: dict[Figure, float] = {("torsional amplitude", None): degrees(float(turn.max()))}
+    if modulus.size:
+        name, unit = ("torsional stress", 1e-6) if stressed else ("torsional torque", 1.0)
+        out[name, None] = unit * most.greatest
+    if strongest is not None and rough.chain.damped:
+        there = rough.modes[strongest.mode - 1].speed / strongest.order
+        place = int(np.argmin(np.abs(found.speeds - there)))
+        order = int(np.argmin(np.abs(found.orders - strongest.order)))
+        size = abs(found.turns[place, order, rough.free_end])
+        out["resonant amplitude", strongest.order] = degrees(float(size))
+    return out
+
+
+OF_TORSION = {
+    "natural frequency": "Hz",
+    "torsional amplitude": "deg",
+    "resonant amplitude": "deg",
+    "torsional stress": "MPa",
+    "torsional torque": "N*m",
+}
+"""The units of the figures of a crankshaft that twists."""
+MINOR = 0.05
+"""Share of the whole amplitude that a resonance is measured by at least."""
 ON_MOUNTS = {
     "mount load": "N",
     "mount force": "N",

@@ -80,7 +80,7 @@ def torsion_peak(engine: Engine, *, point: str = "") -> float:
     found = torsion_on_grid(engine, point=point)
     if found.response is None:
         raise SweepError("the stress needs a speed, and gas or masses: give speed and [gas]")
-    stress = _Stress(_moduli(found))
+    stress = PeakOfSections(_moduli(found))
     stress(found.response)  # where there is nothing to refine it is all
     peaked(engine, found, curves=stress)
     return stress.greatest
@@ -114,13 +114,15 @@ def greatest_stress(own: Response, modulus: Real) -> float:
 
     `modulus` [section]: torque over stress, m^3.
     """
-    stress = _Stress(modulus)
+    stress = PeakOfSections(modulus)
     stress(own)
     return stress.greatest
 
 
-class _Stress:
+class PeakOfSections:
     """The greatest stress of any section [speed, 1], zero where it is plainly not the greatest.
+
+    `modulus` [section] is torque over stress, m^3; 1 for the greatest torque, nan for no section.
 
     No peak over the cycle is above the sum of the amplitudes: sections and speeds with the greatest
     sums come first, and those are left out that cannot come near the greatest found so far.

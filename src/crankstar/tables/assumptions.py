@@ -37,6 +37,9 @@ FIGURES = {
     "cylinder wall": N_("maximum side thrust"),
     "natural frequency": N_("first natural frequency"),
     "torsional amplitude": N_("torsional amplitude"),
+    "resonant amplitude": N_("torsional amplitude at the resonance of order {order}"),
+    "torsional stress": N_("maximum torsional stress"),
+    "torsional torque": N_("maximum torque between two masses"),
     "mount force": N_("maximum force on the ground"),
     "mount moment": N_("maximum moment on the ground"),
     "one mount": N_("maximum force in a mount"),
@@ -66,17 +69,26 @@ not 418 N m.
     return [line for line, _of in _told(found)]
 
 
-def leading_line(found: Sequence[Assumption]) -> tuple[str, int]:
-    """The first of these sentences, and how many assumptions it is not about; empty of none."""
-    told = _told(found)
-    return (told[0][0], len(found) - len(told[0][1])) if told else ("", 0)
+def leading_lines(found: Sequence[Assumption]) -> tuple[list[str], int]:
+    """The first of these sentences and those on what is not there at all, as on a first screen.
+
+    With them how many assumptions they are not about; nothing of none.
+    """
+    first, *others = _told(found) or [("", [])]
+    kept = [first, *(each for each in others if _is_absent(each[1]))] if found else []
+    return [line for line, _of in kept], len(found) - sum(len(of) for _line, of in kept)
+
+
+def _is_absent(found: Sequence[Assumption]) -> bool:
+    """Whether these are what is missing or left out, and nobody knows how much it matters."""
+    return all(each.status in FIRST and each.moved is None for each in found)
 
 
 def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     """The sentences, each with the assumptions that it is about."""
     told = [each for each in found if each.effect >= TOLD or _lifts(each)][:MOST_TOLD]
     doubtful = [each for each in found if each.status == "doubtful"]
-    lines = [(f"{each.reason}.", [each]) for each in doubtful]
+    lines = [(_ended(each.reason), [each]) for each in doubtful]
     rest = [each for each in found if each not in (*told, *doubtful)]
     whole = [line for status in FIRST for line in _together(rest, status)]
     lines += [(_line(each), [each]) for each in told[:1]]
@@ -87,6 +99,15 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
         lines.append((_("Of less effect: {paths}.", paths=_paths(small)), small))
     lines += [line for status in OTHERS if status not in FIRST for line in _together(rest, status)]
     return lines
+
+
+def _ended(reason: str) -> str:
+    """A reason as a sentence; of a question the mark is its end."""
+    return (
+        reason
+        if reason.endswith(("?", "\N{FULLWIDTH QUESTION MARK}", ".", "。"))
+        else _("{reason}.", reason=reason)
+    )
 
 
 def _together(found: Sequence[Assumption], status: str) -> list[tuple[str, list[Assumption]]]:
