@@ -227,7 +227,7 @@ def torques(
     def figures(each: Engine) -> Figures:
         again = make(each)
         if again is None:  # an engine whose gas cannot be computed is no end of a range
-            raise GasError("without gas")
+            raise GasError("the engine file has no table [gas]")
         rolls = _rolls("roll", each, again)
         if running:
             rolls |= _evenness(each, again, flywheel, irregularity)
