@@ -158,21 +158,8 @@ def _moving(each: Assumption) -> str:
             share=number(100 * share, digits=2),
         )
     words |= {"sizes": _span(own), "now": quantity_text(_rounded(own.now), own.unit)}
-    if each.path == "gas.friction":
-        return _(
-            "{path}: {value} assumed, {reason}. With {other} and the same ignition the {figure} is "
-            "{sizes}, not {now}.",
-            **words,
-            value=each.value,
-            other=dict(each.values)["other"],
-        )
     if each.named:
-        return _(
-            "{path}: {value} assumed, {reason}. With {other} the {figure} is {sizes}, not {now}.",
-            **words,
-            value=each.value,
-            other=dict(each.values)["other"],
-        )
+        return _with_other(each, words)
     if each.status == "left out" and each.low is not None:
         return _(
             "{path}: {reason}. With a usual cycle (imep {low} to {high}) the {figure} is {sizes}, "
@@ -197,6 +184,21 @@ def _moving(each: Assumption) -> str:
             share=number(100 * factor),
         )
     return _between(each, own, words)
+
+
+def _with_other(each: Assumption, words: Mapping[str, str]) -> str:
+    """One of two choices with what the other one moves most."""
+    words = {**words, "value": str(each.value), "other": dict(each.values)["other"]}
+    if each.path == "gas.friction":
+        return _(
+            "{path}: {value} assumed, {reason}. With {other} and the same ignition the {figure} is "
+            "{sizes}, not {now}.",
+            **words,
+        )
+    return _(
+        "{path}: {value} assumed, {reason}. With {other} the {figure} is {sizes}, not {now}.",
+        **words,
+    )
 
 
 def _between(each: Assumption, own: Moved, words: Mapping[str, str]) -> str:
