@@ -106,6 +106,6 @@ def genset(
         return cycle_or_reason(each, point=point or "", speed=turning, **load)[0]
 
     with working(_("Computing the cycle ...")), words_for(form):
-        answered = partial(torques, loaded, burnt, running=wheel is None, sums=True)
+        answered = partial(torques, loaded, burnt, flywheel=wheel, irregularity=even, sums=True)
         document = ranged(sheet, spread, loaded, rests=resting_on(form, loaded, answered))
     give(document, output, form=form)

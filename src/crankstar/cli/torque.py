@@ -124,7 +124,9 @@ def torque(
         )
 
     with working(_("Computing the cycle ...")), words_for(form):
-        rests = resting_on(form, loaded, partial(torques, loaded, burnt))
+        rests = resting_on(
+            form, loaded, partial(torques, loaded, burnt, flywheel=inertia, irregularity=even)
+        )
         document = ranged(sheet, spread, loaded, rests=rests)
     give(document, output, form=form)
 

@@ -26,9 +26,9 @@ class Drive(Record):
     inertia: Inertia | None = Field(
         default=None,
         description=(
-            "of crankshaft, flywheel and all that is rigidly coupled to them, about the crank "
-            "axis, without pistons, rods and what turns with the pins; of shafts at other speeds "
-            "times their speed ratios squared"
+            "of crankshaft with its crankpins, flywheel and all that is rigidly coupled to them, "
+            "about the crank axis, without pistons, rods and rotating_mass; of shafts at other "
+            "speeds times their speed ratios squared"
         ),
         examples=["2 kg*m^2"],
     )

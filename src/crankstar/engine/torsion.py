@@ -272,8 +272,8 @@ class Torsion(Record):
         default=(),
         examples=["0.012 kg*m^2"],
         description=(
-            "of the crankshaft alone at each throw, instead of `inertia`; rods and pistons are "
-            "added by their exact mean"
+            "of the crankshaft alone at each throw, with its crankpin, instead of `inertia`; "
+            "rods, pistons and rotating_mass are added by their exact mean"
         ),
     )
     stiffness: Stiffnesses = Field(

@@ -4,9 +4,10 @@ With T the kinetic energy of all moving parts at w = 1 rad/s,
 
     J(theta) = 2 T(theta) = sum ratio^2 (m |P'|^2 + I b'^2)      kg m^2
 
-over pistons, rods and big ends, and m r^2 of what turns with the throws. Its mean is taken over the
-motion of each part, its change from the torque that the parts ask for, J' = -2 torque at 1 rad/s:
-the two halves of one law on two roads.
+over pistons, rods and big ends, and m r^2 of what hangs on the pins. The crankshaft itself, its
+crankpins and webs (`throw_mass`) with it, is in none of this: its inertia is a value of the file.
+The mean is taken over the motion of each part, its change from the torque that the parts ask for,
+J' = -2 torque at 1 rad/s: the two halves of one law on two roads.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from crankstar.spectra import Real, Spectrum
 def mean_inertia(machine: Mechanism) -> float:
     """The mean of J over a turn of each shaft, kg m^2, without flywheel and bare crankshaft.
 
-    Without what turns with the throws as well (`throw_inertia`).
+    Without what hangs on the pins as well (`throw_inertia`).
 
     A light rod: half the reciprocating mass, and a little more, at the crank radius.
 
@@ -104,7 +105,7 @@ def _mean_inertias(machine: Mechanism) -> Real:
 
 
 def throw_inertia(engine: Engine) -> float:
-    """M r^2 of what hangs on the pins and is turned with the throws, kg m^2."""
+    """M r^2 of what hangs on the pins (`rotating_mass`), kg m^2; the crankshaft has its own."""
     return float(_throw_inertias(engine).sum())
 
 
@@ -113,7 +114,7 @@ def _throw_inertias(engine: Engine) -> Real:
     return np.array(
         [
             float(shaft.speed_ratio) ** 2
-            * sum(throw.turning_mass * throw.radius**2 for throw in shaft.throws)
+            * sum(throw.rotating_mass * throw.radius**2 for throw in shaft.throws)
             for shaft in engine.shafts
         ]
     )

@@ -15,6 +15,7 @@
 | `tried_values` | the values of a range at which an answer is tried: ends, resonances, extremes |
 | `assumptions` | what an answer rests on that a file does not give, and how much it matters |
 | `assumed_masses` | what a file leaves out of the masses that inertia forces come from |
+| `assumed_gas` | what is assumed of gas and valves, and what gas an answer leaves out |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |
 | `answer_parts` | answers about fewer quantities, and several as one |
 | `response_answers` | the figures of answers that resonate: torsion, mounts, what a fault does |

@@ -8,7 +8,8 @@ from dataclasses import replace
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_
-from crankstar.mechanics.gas import Cycle, cycle_or_reason
+from crankstar.mechanics.gas import Cycle, computable, cycle, cycle_or_reason
+from crankstar.mechanics.operating_points import GasError
 from crankstar.studies.assumptions import Answer
 from crankstar.studies.tried_values import Figure, Figures
 
@@ -103,3 +104,26 @@ def gas_of(engine: Engine, *, speed: float | None, point: str = "") -> tuple[Cyc
     if engine.gas is None:
         return None, ""
     return cycle_or_reason(engine, speed=speed, point=point)
+
+
+NO_BORE = N_("its size needs cylinder.bore")
+"""Why nothing is said of the gas of an engine whose file has none."""
+
+
+def usual_gas(engine: Engine, *, speed: float | None) -> tuple[Cycle | None, str]:
+    """The usual cycle of an engine whose file has no gas, or why there is none.
+
+    None and no reason where the file has gas, or the answer no unit that it could have.
+    """
+    if engine.gas is not None or {"mass", "radius"} & {*engine.relative}:
+        return None, ""
+    if speed is None and engine.speed is None:
+        return None, ""
+    if any(cylinder.bore is None for cylinder in engine.cylinders):
+        return None, NO_BORE
+    if not computable(engine):
+        return None, ""
+    try:
+        return cycle(engine, speed=speed), ""
+    except GasError:
+        return None, ""

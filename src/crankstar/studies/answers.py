@@ -26,12 +26,19 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
-from crankstar.mechanics.gas import Cycle, cycle_or_reason
+from crankstar.mechanics.gas import Cycle, computable, cycle_or_reason
 from crankstar.mechanics.gas_torque import friction_torque, gas_torque
-from crankstar.mechanics.operating_points import operating_state
+from crankstar.mechanics.operating_points import GasError, operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Spectrum
-from crankstar.studies.answer_parts import TURNING, gas_of, in_own_unit, joined, without_speed
+from crankstar.studies.answer_parts import (
+    TURNING,
+    gas_of,
+    in_own_unit,
+    joined,
+    usual_gas,
+    without_speed,
+)
 from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.assumptions import Answer, Assumption, moved
 from crankstar.studies.response_answers import felt, on_mounts, twist
@@ -42,7 +49,12 @@ if TYPE_CHECKING:
 
 MakeCycle = Callable[[Engine], Cycle | None]
 GAS_OPTION = N_("--gas adds it")
-"""Why loads of a file with gas are without it."""
+USUAL_OPTION = N_("--gas adds that of a usual cycle")
+"""Why loads are without gas, of a file with gas and of one without."""
+IN_OTHER_UNIT = N_(
+    "compared in m r ω², without a speed, as an engine beside it has no masses, sizes or speed"
+)
+"""Why rolling moments of a file with gas are without it where those of another have no unit."""
 IN_ROLL = N_("Not in the rolling moment: {paths}.")
 IN_LOADS = N_("Not in the loads: {paths}.")
 
@@ -70,6 +82,7 @@ def amplitudes(
     point that the engine has not.
     """
     without, why = (None, "") if gas else gas_of(engine, point=point, speed=speed)
+    usual, short = (None, "") if gas else usual_gas(engine, speed=speed)
     if point and speed is None:
         speed = operating_state(engine, point=point).speed
 
@@ -89,9 +102,9 @@ def amplitudes(
         uses=("inertia", "gas") if both else ("inertia",),
         gas=without if both else None,
         least=lambda each: _pushed(each, speed, reference),
-        without_gas=None if both else without,
+        without_gas=usual if both else without or usual,
         gasless="" if gas or (both and without is not None) else IN_ROLL,
-        why_gasless=why,
+        why_gasless=why or short,
     )
 
 
@@ -114,6 +127,8 @@ def compared(
     of_file = bool(torque) and bool({"mass", "radius"} & {*engine.relative})  # gas in another unit
     if own_unit:
         inertia = in_own_unit(amplitudes(without_speed(engine), gas=of_file))
+        if not of_file and gas_of(engine, speed=speed)[0] is not None:
+            inertia = replace(inertia, why_gasless=IN_OTHER_UNIT)
     else:
         inertia = amplitudes(engine, speed=speed, gas=of_file)
     return joined([inertia, *torque, *_driven(engine, speed)])
@@ -190,10 +205,20 @@ def outlook(
     )
 
 
-def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool = False) -> Answer:
+def torques(
+    engine: Engine,
+    make: MakeCycle,
+    *,
+    running: bool = True,
+    flywheel: float | None = None,
+    irregularity: float | None = None,
+    sums: bool = False,
+) -> Answer:
     """The rolling moment of gas and inertia by order, mean and brake torque, the peak pressure.
 
-    With `sums` force, couple and roll alone, as several engines have them; without gas too.
+    With `running` the degree of irregularity where the `flywheel` (kg m^2) is known, and the one
+    for a degree of `irregularity`. With `sums` force, couple and roll besides, as several engines
+    have them, not the torques; without gas too.
     """
     found = make(engine)
     if sums and found is None:
@@ -201,9 +226,11 @@ def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool
 
     def figures(each: Engine) -> Figures:
         again = make(each)
-        if again is None:
-            return {}
+        if again is None:  # an engine whose gas cannot be computed is no end of a range
+            raise GasError("the engine file has no table [gas]")
         rolls = _rolls("roll", each, again)
+        if running:
+            rolls |= _evenness(each, again, flywheel, irregularity)
         if sums:
             return _inertia_sizes(each, again.speed) | rolls
         mean = float(gas_torque(again).mean.sum())
@@ -212,7 +239,7 @@ def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool
             plain["brake torque", None] = mean - friction_torque(again)
         return {**rolls, **plain}
 
-    units = {"peak pressure": "bar"}
+    units = {"peak pressure": "bar", "irregularity": "", "flywheel": "kg*m^2"}
     return Answer(
         figures=figures,
         unit=lambda quantity, each: (
@@ -220,9 +247,24 @@ def torques(engine: Engine, make: MakeCycle, *, running: bool = True, sums: bool
             if quantity in ("force", "couple")
             else units.get(quantity, "N*m")
         ),
-        uses=("inertia", "gas", *(("running",) if running else ())),
+        uses=("inertia", "gas", *(("running",) if running and flywheel is None else ())),
         gas=found,
     )
+
+
+def _evenness(
+    engine: Engine, found: Cycle, flywheel: float | None, irregularity: float | None
+) -> dict[Figure, float]:
+    """The degree of irregularity, and the flywheel for one that was asked for."""
+    from crankstar.dynamics.uneven import driven, flywheel_for
+
+    out: dict[Figure, float] = {}
+    running = driven(engine, found, flywheel=flywheel)
+    if running is not None:
+        out["irregularity", None] = running.irregularity
+    if irregularity is not None and found.speed is not None:
+        out["flywheel", None] = flywheel_for(engine, found, irregularity=irregularity)
+    return out
 
 
 def bearing_peaks(
@@ -251,8 +293,16 @@ def bearing_peaks(
         uses=("inertia", "bearings", *(("gas",) if first is not None else ())),
         gas=first,
         gasless=IN_LOADS,
-        why_gasless="" if engine.gas is None else gas_of(engine, speed=speed)[1] or GAS_OPTION,
+        why_gasless=_why_gasless(engine, speed),
     )
+
+
+def _why_gasless(engine: Engine, speed: float | None) -> str:
+    """Why loads are without gas, or how they have it; nothing where there can be none."""
+    if engine.gas is not None:
+        return gas_of(engine, speed=speed)[1] or GAS_OPTION
+    known = computable(engine) and not {"mass", "radius"} & {*engine.relative}
+    return USUAL_OPTION if known else ""
 
 
 def external(engine: Engine, make: Callable[[Engine], Any]) -> Answer:
@@ -269,13 +319,18 @@ def external(engine: Engine, make: Callable[[Engine], Any]) -> Answer:
                 ("H moment", float(order)): float(abs(size))
                 for order, size in zip(found.guide.orders, found.guide.h, strict=True)
             }
+        if found.guide is not None and found.guide.pitch_known:
+            out |= {
+                ("X moment", float(order)): float(abs(size))
+                for order, size in zip(found.guide.orders, found.guide.x, strict=True)
+            }
         return out
 
     whole = make(engine)
     return Answer(
         figures=figures,
         unit=lambda quantity, each: (
-            "N*m" if quantity == "H moment" else make(each).after.units.couple
+            "N*m" if quantity.endswith("moment") else make(each).after.units.couple
         ),
         uses=("inertia", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,

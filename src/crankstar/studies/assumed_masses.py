@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -14,6 +14,12 @@ from crankstar.language.messages import N_
 from crankstar.remedy.fitting import quiet_cranks
 from crankstar.studies.assumptions import Assumption
 from crankstar.studies.changed_values import by_factor, with_rods_of, with_turning_masses
+
+CROSSHEAD = ((0.3, 0.65, 1.0), (0.3, 0.75, 1.2))
+"""Big end of the rod, and crank throw, of an engine with crossheads in its reciprocating mass.
+
+No masses of such parts are published engine by engine: our judgement, and so is said.
+"""
 
 
 def _usual(part: str, kind: EngineType) -> Proportion | None:
@@ -64,26 +70,10 @@ def _turning(engine: Engine, kind: EngineType | None, look: Look | None) -> Iter
     no_pins = bare and (no_ends or not weighted)
     if not no_ends and not no_pins:
         return
-    first = engine.first
-    relative = "mass" in engine.relative
-    unit = "m" if relative else "kg"
+    unit = "m" if "mass" in engine.relative else "kg"
     path = "cylinder.rotating_mass" if no_ends else "cylinder.throw_mass"
-    reason = _turning_reason(engine, ends=no_ends, pins=no_pins, weighted=weighted)
-    names = ("rod", "small end", "crank pin", "piston group")
-    found = [_usual(name, kind or "petrol") for name in names]
-    if not all(found):
-        yield Assumption("missing", path, reason, value=0.0, unit=unit)
-        return
-    rod, small, pin, piston = (each for each in found if each is not None)
-    if relative or look is None or first.bore is None:
-        scale = first.reciprocating / (piston.typical + small.typical * rod.typical)
-    else:
-        scale = first.bore**3
-    ends = [
-        (1 - share) * own * scale
-        for share, own in zip(reversed(small.sizes), rod.sizes, strict=True)
-    ]
-    pins = [own * scale for own in pin.sizes]
+    reason = _turning_reason(engine, kind, ends=no_ends, pins=no_pins, weighted=weighted)
+    ends, pins = _usual_turning(engine, kind, look)
     if not no_ends:
         yield Assumption(
             "missing", path, reason, 0.0, unit, pins[0], pins[-1],
@@ -102,8 +92,44 @@ def _turning(engine: Engine, kind: EngineType | None, look: Look | None) -> Iter
     )  # fmt: skip
 
 
-def _turning_reason(engine: Engine, *, ends: bool, pins: bool, weighted: bool) -> str:
+def _usual_turning(
+    engine: Engine, kind: EngineType | None, look: Look | None
+) -> tuple[Sequence[float], Sequence[float]]:
+    """The big ends and the crankpins of a cylinder as engines of a type have them, ascending.
+
+    In kg, or in the unit of masses of an engine that has none.
+    """
+    first = engine.first
+    if kind == "crosshead":
+        ends, pins = ([share * first.reciprocating for share in own] for own in CROSSHEAD)
+        return ends, pins
+    names = ("rod", "small end", "crank pin", "piston group")
+    rod, small, pin, piston = (proportion(name, kind or "petrol") for name in names)
+    if "mass" in engine.relative or look is None or first.bore is None:
+        scale = first.reciprocating / (piston.typical + small.typical * rod.typical)
+    else:
+        scale = first.bore**3
+    ends = [
+        (1 - share) * own * scale
+        for share, own in zip(reversed(small.sizes), rod.sizes, strict=True)
+    ]
+    return ends, [own * scale for own in pin.sizes]
+
+
+def _turning_reason(
+    engine: Engine, kind: EngineType | None, *, ends: bool, pins: bool, weighted: bool
+) -> str:
     """What is said of big ends and crankpins that are missing."""
+    if kind == "crosshead" and not ends:
+        return N_(
+            "no mass of the crankpins in the file, counted as zero; the range is a judgement by "
+            "the reciprocating mass"
+        )
+    if kind == "crosshead" and pins and not by_factor(engine):
+        return N_(
+            "no rotating mass in the file (big ends, crankpins), counted as zero; the range is a "
+            "judgement by the reciprocating mass"
+        )
     if not ends:
         return N_("no mass of the crankpins in the file, counted as zero")
     if by_factor(engine):

@@ -7,13 +7,11 @@ else what is wide enough for engines of one kind.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
-from math import degrees, pi, radians
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator
+from dataclasses import replace
+from math import pi
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from crankstar import spectra
 from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.block import inertia_in_box
 from crankstar.engine.engine import Engine
@@ -21,14 +19,11 @@ from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL
 from crankstar.language.faults import where
 from crankstar.language.messages import N_
-from crankstar.mechanics.balance import balance, total
-from crankstar.mechanics.charge_air import STOICHIOMETRIC
 from crankstar.mechanics.doubts import doubts_of
-from crankstar.mechanics.gas import Cycle, cycle
-from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
-from crankstar.mechanics.remains import summed
+from crankstar.mechanics.gas import Cycle
+from crankstar.studies.assumed_gas import gas_values, valves, without_gas
 from crankstar.studies.assumed_masses import masses
-from crankstar.studies.assumptions import Answer, Assumption, Moved
+from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.changed_values import (
     SCALED,
     by_factor,
@@ -37,8 +32,6 @@ from crankstar.studies.changed_values import (
     with_block_inertia,
     with_block_mass,
     with_block_value,
-    with_gas_choice,
-    with_gas_value,
     with_mount_loss,
     with_torsion_value,
 )
@@ -48,42 +41,8 @@ if TYPE_CHECKING:
 
 DOUBTFUL = ("unverified", "placeholder")
 """Statuses of values of a file that nobody has read in a source."""
-OF_COMBUSTION = ("combustion_start", "combustion_duration", "wiebe_a", "wiebe_m")
-"""What has no effect beside a measured pressure."""
 OF_GAS = ("gas", "drive", "valves")
 """Tables of a file that no inertia depends on."""
-GAS_ENDS: Mapping[str, tuple[float, float]] = {
-    "compression_ratio": (0.85, 1.15),
-    "gamma": (0.97, 1.03),
-    "imep": (0.7, 1.3),
-    "intake_pressure": (0.9, 1.2),
-    "exhaust_pressure": (0.95, 1.3),
-    "crankcase_pressure": (0.97, 1.03),
-    "intake_temperature": (0.9, 1.1),
-    "peak_pressure": (0.8, 1.25),
-    "combustion_duration": (0.75, 1.3),
-    "wiebe_a": (0.73, 1.38),
-    "wiebe_m": (0.5, 1.5),
-}
-"""Ends of what is assumed of a cycle, as multiples of the assumed value.
-
-Those of wiebe_a are 5 and 6.9 of one another; the others are wide enough for engines of one kind.
-Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9, for the order of
-size; the ends themselves are our judgement.
-"""
-CHOICES: Mapping[str, tuple[str, str]] = {
-    "ignition": ("spark", "compression"),
-    "friction": ("spark-ignition", "diesel"),
-}
-"""What is assumed of a cycle without a number: one of two."""
-LEANEST = 1.5
-"""Air-fuel ratio over the stoichiometric one from which a homogeneous mixture does not burn.
-
-Our judgement: petrol engines run up to 1.3 to 1.6 before they misfire.
-"""
-START_ENDS = radians(10.0)
-"""By how much the assumed start of combustion may be earlier or later, radians."""
-
 POINT = re.compile(r"gas\.point(?:\[(\d+)\])?\.(\w+)")
 """A key of an operating point: of all, or of one counted from one."""
 LOSS_ENDS = (0.5, 2.0)
@@ -127,7 +86,7 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     if "inertia" in answer.uses:
         yield from masses(engine)
     if answer.without_gas is not None:
-        yield _without_gas(engine, answer.without_gas)
+        yield without_gas(engine, answer.without_gas)
     elif answer.gas is None and answer.gasless:
         reason = answer.why_gasless or N_("there is no gas in it")
         yield Assumption(
@@ -135,7 +94,7 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
             explained=bool(answer.why_gasless), sentence=answer.gasless,
         )  # fmt: skip
     if "gas" in answer.uses and answer.gas is not None:
-        yield from _gas(engine, answer.gas)
+        yield from gas_values(engine, answer.gas)
     if "running" in answer.uses and (engine.drive is None or engine.drive.inertia is None):
         yield Assumption("left out", "drive.inertia", N_("no flywheel in the file"))
     if "bearings" in answer.uses:
@@ -144,31 +103,9 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
         yield from _torsion(engine)
     if "mounts" in answer.uses:
         yield from _mounts(engine)
-    if "valves" in answer.uses:
-        yield from _valves(engine)
+    if "valves" in answer.uses and engine.firing_order:
+        yield from (replace(each, vary=None) for each in valves(engine))  # they are the figure
     yield from _unverified(engine, answer)
-
-
-def _without_gas(engine: Engine, found: Cycle) -> Assumption:
-    """The gas torque that the rolling moment of an answer leaves out, and what it would change."""
-    reason = N_("the gas torque is not in the rolling moment")
-    result = balance(engine, speed=found.speed)
-    name = f"gas.point.{found.name}" if found.name and len(found.shares) == 1 else "gas"
-    if result.speed is None or {"mass", "radius"} & {*engine.relative}:
-        return Assumption("left out", name, reason)
-    alone = summed(result).roll
-    both = roll_with_gas(total(result), gas_torque(found).total)
-    wave = np.abs(spectra.amplitude(both))
-    before = dict(zip(alone.orders.tolist(), np.abs(spectra.amplitude(alone)), strict=True))
-    now = np.array([before.get(order, 0.0) for order in both.orders.tolist()])
-    most = int(np.argmax(np.abs(wave - now)))
-    top = max(float(wave.max()), float(now.max()))
-    effect = float(abs(wave[most] - now[most])) / top if top else 0.0
-    change = Moved(
-        "roll", float(both.orders[most]), "N*m", float(now[most]),
-        float(wave[most]), float(wave[most]), effect,
-    )  # fmt: skip
-    return Assumption("left out", name, reason, moved=change)
 
 
 def _bearings(engine: Engine) -> Iterator[Assumption]:
@@ -232,18 +169,6 @@ def _swept(engine: Engine) -> float:
     return sum(sizes) / throws
 
 
-def _valves(engine: Engine) -> Iterator[Assumption]:
-    """The timing of valves or ports that a file does not give."""
-    from crankstar.firing.strokes import working_cycle
-
-    if not engine.firing_order:
-        return
-    timing = working_cycle(engine).timing
-    for name in timing.assumed:
-        value = degrees(getattr(timing, name))
-        yield Assumption("assumed", f"valves.{name}", N_("usual for such engines"), value, "deg")
-
-
 def _mounts(engine: Engine) -> Iterator[Assumption]:
     """What is assumed of the block and of the rubber on which it stands."""
     from crankstar.dynamics.whirl import MASS_ENDS, body, estimated_mass
@@ -305,92 +230,6 @@ def _centre_of_mass(engine: Engine, own: Body) -> Iterator[Assumption]:
                 "assumed", f"block.{name}", N_("its principal axes along those of the engine"),
                 0.0, "kg*m^2", -end, end, vary=with_block_value(name, mass=own.mass, factor=1.0),
             )  # fmt: skip
-
-
-def _gas(engine: Engine, own: Cycle) -> Iterator[Assumption]:
-    """What is assumed of a cycle, and what one measured trace stands for."""
-    if engine.gas is not None and engine.gas.trace is not None:
-        yield Assumption(
-            "assumed", "gas.trace", N_("one measured trace is used at every speed and load")
-        )
-    values = _values_of_points(engine, own)
-    for name in own.assumed:
-        if name in OF_COMBUSTION and engine.gas is not None and engine.gas.trace is not None:
-            continue
-        path = f"gas.{name}"
-        value = values.get(name)
-        if name == "combustion_start" and isinstance(value, float):
-            yield Assumption(
-                "assumed", path, N_("usual for such engines"), degrees(value), "deg",
-                degrees(value - START_ENDS), degrees(value + START_ENDS),
-                vary=with_gas_value(name, radians(1.0)),
-            )  # fmt: skip
-        elif name in GAS_ENDS and isinstance(value, float):
-            low, high = (share * value for share in GAS_ENDS[name])
-            unit = UNITS_OF_GAS.get(name, "")
-            factor = FACTORS.get(unit, 1.0)
-            reason = N_("usual for such engines")
-            closed = _throttled(own) if name == "intake_pressure" else 1.0
-            if closed < 1.0:
-                low = min(low, closed * value)
-                reason = N_("as with the throttle open, which burns too lean for a spark")
-            yield Assumption(
-                "assumed", path, reason, value / factor, unit,
-                low / factor, high / factor, vary=with_gas_value(name, factor),
-            )  # fmt: skip
-        elif name in CHOICES and value in CHOICES[name]:
-            other = next(each for each in CHOICES[name] if each != value)
-            reason = N_("usual for such engines")
-            if name == "ignition":
-                reason = N_("as compression ratio or bore say")
-            yield Assumption(
-                "assumed", path, reason, str(value), "", 1.0, 1.0,
-                named=True, vary=with_gas_choice(name, other),
-            )  # fmt: skip
-        else:
-            yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
-
-
-def _throttled(own: Cycle) -> float:
-    """Share of the assumed charge with which a spark-ignited load burns without a rest of air.
-
-    1 where the mixture is no leaner than one that burns (LEANEST).
-    """
-    ratio = own.air_fuel_ratio
-    complete = STOICHIOMETRIC["spark"]
-    if ratio is None or own.values.get("ignition") != "spark" or ratio <= LEANEST * complete:
-        return 1.0
-    return complete / ratio
-
-
-def _values_of_points(engine: Engine, own: Cycle) -> Mapping[str, Any]:
-    """What is assumed of a cycle; between two points that of the nearer which lacks the value.
-
-    Between points the cycle itself has values in the midst of assumed and given ones.
-    """
-    if len(own.shares) < 2:
-        return own.values
-    out = dict(own.values)
-    for name, _share in sorted(own.shares, key=lambda each: each[1]):
-        point = cycle(engine, point=name)
-        out |= {key: point.values[key] for key in point.assumed if key in point.values}
-    return out
-
-
-def _plain(value: Any) -> float | str | None:
-    return value if isinstance(value, float | str) else None
-
-
-UNITS_OF_GAS = {
-    **dict.fromkeys(
-        ("imep", "intake_pressure", "exhaust_pressure", "crankcase_pressure", "peak_pressure"),
-        "bar",
-    ),
-    "intake_temperature": "K",
-    "combustion_duration": "deg",
-}
-FACTORS = {"bar": 1e5, "deg": radians(1.0)}
-"""From the unit that is shown to SI."""
 
 
 def _unverified(engine: Engine, answer: Answer) -> Iterator[Assumption]:

@@ -68,8 +68,8 @@ class Assumption:
     `value`, `low`, `high` are in the unit `unit`, None where there is no number; `reason` is a
     sentence of the catalog of messages, to be translated where it is shown, with `values` in it;
     `explained` says that it stands also where no figure does, as it says what to do; `named` that
-    it is one of two choices, which is named where it moves a figure, without a range; `sentence` is
-    one on all of its kind, with their {paths}, instead of that of their status.
+    it is one of two choices, tried at the `other` in `values`, without a range; `sentence` is one
+    on all of its kind, with their {paths}, instead of that of their status.
     """
 
     status: Status
@@ -133,7 +133,7 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
         most = each.moved if each.vary is None else _moved(engine, each, (now, least), answer)
         if most is not None and most.effect < SIGNIFICANT and not most.lifting:
             continue
-        out.append(each if each.named else replace(each, moved=most))
+        out.append(replace(each, moved=most))
     return tuple(sorted(out, key=lambda each: (each.status != "doubtful", -each.effect)))
 
 

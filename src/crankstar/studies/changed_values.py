@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
-from math import pi
+from math import pi, radians
 from typing import Any
 
 from crankstar.engine.basis import BALANCE_FACTOR
@@ -16,7 +16,7 @@ from crankstar.engine.copies import with_values, wrapped
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas, OperatingPoint
 from crankstar.engine.main_bearings import main_bearings
-from crankstar.engine.records import Shaft, Weight
+from crankstar.engine.records import Shaft, Valves, Weight
 from crankstar.mechanics.gas import Cycle
 
 Vary = Callable[[Engine, float], Engine]
@@ -115,11 +115,25 @@ def with_gas_value(name: str, factor: float) -> Vary:
     return vary
 
 
-def with_gas_choice(name: str, choice: str) -> Vary:
-    """The change of what the table [gas] names by a word, whatever the value."""
+def with_gas_choice(name: str, choice: str, *, ignition: str) -> Vary:
+    """The change of what the table [gas] names by a word, whatever the value.
+
+    The `ignition` stays what it is where it is not the choice: the friction may imply another.
+    """
 
     def vary(engine: Engine, _value: float) -> Engine:
-        return with_values(engine, gas=with_values(engine.gas or Gas(), **{name: choice}))
+        named = {"ignition": ignition, name: choice}
+        return with_values(engine, gas=with_values(engine.gas or Gas(), **named))
+
+    return vary
+
+
+def with_valve_angle(name: str) -> Vary:
+    """The change of one angle of the table [valves], degrees."""
+
+    def vary(engine: Engine, value: float) -> Engine:
+        changed = with_values(engine.valves or Valves(), **{name: radians(value)})
+        return with_values(engine, valves=changed)
 
     return vary
 

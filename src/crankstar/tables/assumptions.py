@@ -15,7 +15,7 @@ from crankstar.tables.table import Remarks
 PAIRED = 2
 """Sentences on each of two engines that find room on the first screen; on each of more, one."""
 MOST_TOLD = 5
-"""Sentences of their own, at most; the others are named."""
+"""Sentences of their own, at most, beside those on choices of two; the others are named."""
 FIGURES = {
     "force": N_("force of order {order}"),
     "couple": N_("couple of order {order}"),
@@ -32,6 +32,7 @@ FIGURES = {
     "peak pressure": N_("peak pressure"),
     "torque": N_("torque of order {order}"),
     "irregularity": N_("degree of irregularity"),
+    "flywheel": N_("inertia for the degree of irregularity"),
     "main bearing": N_("maximum load of a main bearing"),
     "crank pin": N_("maximum load of a crank pin"),
     "cylinder wall": N_("maximum side thrust"),
@@ -85,8 +86,13 @@ def _is_absent(found: Sequence[Assumption]) -> bool:
 
 
 def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
-    """The sentences, each with the assumptions that it is about."""
-    told = [each for each in found if each.effect >= TOLD or _lifts(each)][:MOST_TOLD]
+    """The sentences, each with the assumptions that it is about.
+
+    Choices of two follow what has a range: their other one is another kind of engine.
+    """
+    large = [each for each in found if each.effect >= TOLD or _lifts(each)]
+    told = [each for each in large if not each.named][:MOST_TOLD]
+    told += [each for each in large if each.named]
     doubtful = [each for each in found if each.status == "doubtful"]
     lines = [(_ended(each.reason), [each]) for each in doubtful]
     rest = [each for each in found if each not in (*told, *doubtful)]
@@ -173,6 +179,16 @@ def _moving(each: Assumption) -> str:
             share=number(100 * share, digits=2),
         )
     words |= {"sizes": _span(own), "now": quantity_text(_rounded(own.now), own.unit)}
+    if each.named:
+        return _with_other(each, words)
+    if each.status == "left out" and each.low is not None:
+        return _(
+            "{path}: {reason}. With a usual cycle (imep {low} to {high}) the {figure} is {sizes}, "
+            "not {now}.",
+            **words,
+            low=_value(each, each.low),
+            high=_value(each, each.high),
+        )
     if each.status == "left out":
         return _("{path}: {reason}. With it the {figure} is {sizes}, not {now}.", **words)
     if each.path == "crankshaft.weight":
@@ -189,6 +205,21 @@ def _moving(each: Assumption) -> str:
             share=number(100 * factor),
         )
     return _between(each, own, words)
+
+
+def _with_other(each: Assumption, words: Mapping[str, str]) -> str:
+    """One of two choices with what the other one moves most."""
+    words = {**words, "value": str(each.value), "other": dict(each.values)["other"]}
+    if each.path == "gas.friction":
+        return _(
+            "{path}: {value} assumed, {reason}. With {other} and the same ignition the {figure} is "
+            "{sizes}, not {now}.",
+            **words,
+        )
+    return _(
+        "{path}: {value} assumed, {reason}. With {other} the {figure} is {sizes}, not {now}.",
+        **words,
+    )
 
 
 def _between(each: Assumption, own: Moved, words: Mapping[str, str]) -> str:
@@ -291,8 +322,8 @@ def _object(each: Assumption) -> Mapping[str, Any]:
         "reason": each.reason,
         "value": each.value,
         "unit": each.unit,
-        "low": each.low,
-        "high": each.high,
+        **({"low": None, "high": None} if each.named else {"low": each.low, "high": each.high}),
+        **({"other": dict(each.values)["other"]} if each.named else {}),
         **({"throw_mass": list(pins)} if (pins := dict(each.values).get("pins")) else {}),
         "moves": moves,
     }

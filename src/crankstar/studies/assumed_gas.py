@@ -1,0 +1,222 @@
+"""What is assumed of the gas that an engine file does not give, and what gas an answer leaves out.
+
+Each value with its ends; a choice of two with the other one; the timing of valves and ports, as far
+as the pressure depends on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from math import degrees, radians
+from typing import Any
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import Cycle as Strokes
+from crankstar.engine.valves import timing
+from crankstar.language.messages import N_, MessageError
+from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.charge_air import STOICHIOMETRIC
+from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
+from crankstar.mechanics.remains import summed
+from crankstar.studies.assumptions import Assumption, Moved
+from crankstar.studies.changed_values import with_gas_choice, with_gas_value, with_valve_angle
+
+OF_COMBUSTION = ("combustion_start", "combustion_duration", "wiebe_a", "wiebe_m")
+"""What has no effect beside a measured pressure."""
+GAS_ENDS: Mapping[str, tuple[float, float]] = {
+    "compression_ratio": (0.85, 1.15),
+    "gamma": (0.97, 1.03),
+    "imep": (0.7, 1.3),
+    "intake_pressure": (0.9, 1.2),
+    "exhaust_pressure": (0.95, 1.3),
+    "crankcase_pressure": (0.97, 1.03),
+    "intake_temperature": (0.9, 1.1),
+    "peak_pressure": (0.8, 1.25),
+    "combustion_duration": (0.75, 1.3),
+    "wiebe_a": (0.73, 1.38),
+    "wiebe_m": (0.5, 1.5),
+}
+"""Ends of what is assumed of a cycle, as multiples of the assumed value.
+
+Those of wiebe_a are 5 and 6.9 of one another; the others are wide enough for engines of one kind.
+Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9, for the order of
+size; the ends themselves are our judgement.
+"""
+CHOICES: Mapping[str, tuple[str, str]] = {
+    "ignition": ("spark", "compression"),
+    "friction": ("spark-ignition", "diesel"),
+}
+"""What is assumed of a cycle without a number: one of two."""
+VALVE_ENDS: Mapping[Strokes, Mapping[str, tuple[float, float]]] = {
+    "four-stroke": {
+        "intake_opens": (0.0, 30.0),
+        "intake_closes": (40.0, 70.0),
+        "exhaust_opens": (35.0, 65.0),
+        "exhaust_closes": (0.0, 30.0),
+    },
+    "two-stroke": {
+        "intake_opens": (40.0, 70.0),
+        "intake_closes": (40.0, 70.0),
+        "exhaust_opens": (70.0, 100.0),
+        "exhaust_closes": (55.0, 100.0),
+    },
+}
+"""Ends of the assumed timing of valves and ports, degrees: our judgement.
+
+Of four-stroke engines those of road and industrial engines; of two-stroke ones from the ports and
+the exhaust valve of a ship's engine to the ports of a small one.
+"""
+LEANEST = 1.5
+"""Air-fuel ratio over the stoichiometric one from which a homogeneous mixture does not burn.
+
+Our judgement: petrol engines run up to 1.3 to 1.6 before they misfire.
+"""
+START_ENDS = radians(10.0)
+"""By how much the assumed start of combustion may be earlier or later, radians."""
+
+
+def without_gas(engine: Engine, found: Cycle) -> Assumption:
+    """The gas torque that the rolling moment of an answer leaves out, and what it would change.
+
+    Of a file without a table [gas] that of the usual cycle, over the ends of its load.
+    """
+    reason = N_("the gas torque is not in the rolling moment")
+    result = balance(engine, speed=found.speed)
+    name = f"gas.point.{found.name}" if found.name and len(found.shares) == 1 else "gas"
+    if result.speed is None or {"mass", "radius"} & {*engine.relative}:
+        return Assumption("left out", name, reason)
+    runs, ends = [found], (None, None)
+    if engine.gas is None:
+        reason = N_("no table [gas] in the file")
+        with suppress(MessageError):
+            low, high = (share * found.values["imep"] for share in GAS_ENDS["imep"])
+            runs += [cycle(engine, speed=found.speed, imep=load) for load in (low, high)]
+            ends = low / 1e5, high / 1e5
+    alone = summed(result).roll
+    both = roll_with_gas(total(result), gas_torque(found).total)
+    wave = np.abs(spectra.amplitude(both))
+    before = dict(zip(alone.orders.tolist(), np.abs(spectra.amplitude(alone)), strict=True))
+    now = np.array([before.get(order, 0.0) for order in both.orders.tolist()])
+    most = int(np.argmax(np.abs(wave - now)))
+    top = max(float(wave.max()), float(now.max()))
+    effect = float(abs(wave[most] - now[most])) / top if top else 0.0
+    rolls = [roll_with_gas(total(result), gas_torque(run).total) for run in runs]
+    sizes = [float(np.abs(spectra.amplitude(own))[most]) for own in rolls]
+    change = Moved(
+        "roll", float(both.orders[most]), "N*m", float(now[most]),
+        min(sizes), max(sizes), effect,
+    )  # fmt: skip
+    return Assumption(
+        "left out", name, reason, unit="" if ends[0] is None else "bar",
+        low=ends[0], high=ends[1], moved=change,
+    )  # fmt: skip
+
+
+def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
+    """What is assumed of a cycle, and what one measured trace stands for."""
+    if engine.gas is None:
+        yield Assumption(
+            "missing", "gas", N_("no table [gas] in the file: its whole cycle is assumed"),
+            sentence=N_("Not in the file, a usual cycle is assumed: {paths}."),
+        )  # fmt: skip
+    if engine.gas is not None and engine.gas.trace is not None:
+        yield Assumption(
+            "assumed", "gas.trace", N_("one measured trace is used at every speed and load")
+        )
+    values = _values_of_points(engine, own)
+    for name in own.assumed:
+        if name in OF_COMBUSTION and engine.gas is not None and engine.gas.trace is not None:
+            continue
+        path = f"gas.{name}"
+        value = values.get(name)
+        if name == "combustion_start" and isinstance(value, float):
+            yield Assumption(
+                "assumed", path, N_("usual for such engines"), degrees(value), "deg",
+                degrees(value - START_ENDS), degrees(value + START_ENDS),
+                vary=with_gas_value(name, radians(1.0)),
+            )  # fmt: skip
+        elif name in GAS_ENDS and isinstance(value, float):
+            low, high = (share * value for share in GAS_ENDS[name])
+            unit = UNITS_OF_GAS.get(name, "")
+            factor = FACTORS.get(unit, 1.0)
+            reason = N_("usual for such engines")
+            closed = _throttled(own) if name == "intake_pressure" else 1.0
+            if closed < 1.0:
+                low = min(low, closed * value)
+                reason = N_("as with the throttle open, which burns too lean for a spark")
+            yield Assumption(
+                "assumed", path, reason, value / factor, unit,
+                low / factor, high / factor, vary=with_gas_value(name, factor),
+            )  # fmt: skip
+        elif name in CHOICES and value in CHOICES[name]:
+            other = next(each for each in CHOICES[name] if each != value)
+            reason = N_("usual for such engines")
+            if name == "ignition":
+                reason = N_("as compression ratio or bore say")
+            yield Assumption(
+                "assumed", path, reason, str(value), "", 1.0, 1.0, values=(("other", other),),
+                named=True, vary=with_gas_choice(name, other, ignition=own.values["ignition"]),
+            )  # fmt: skip
+        else:
+            yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
+    measured = engine.gas is not None and engine.gas.trace is not None
+    if own.values.get("process") == "heat-release" and (own.values["charges"] or not measured):
+        yield from valves(engine)
+
+
+def valves(engine: Engine) -> Iterator[Assumption]:
+    """The timing of valves or ports that a file does not give."""
+    own = timing(engine.valves, cycle=engine.cycle)
+    for name in own.assumed:
+        yield Assumption(
+            "assumed", f"valves.{name}", N_("usual for such engines"),
+            degrees(getattr(own, name)), "deg", *VALVE_ENDS[engine.cycle][name],
+            vary=with_valve_angle(name),
+        )  # fmt: skip
+
+
+def _throttled(own: Cycle) -> float:
+    """Share of the assumed charge with which a spark-ignited load burns without a rest of air.
+
+    1 where the mixture is no leaner than one that burns (LEANEST).
+    """
+    ratio = own.air_fuel_ratio
+    complete = STOICHIOMETRIC["spark"]
+    if ratio is None or own.values.get("ignition") != "spark" or ratio <= LEANEST * complete:
+        return 1.0
+    return complete / ratio
+
+
+def _values_of_points(engine: Engine, own: Cycle) -> Mapping[str, Any]:
+    """What is assumed of a cycle; between two points that of the nearer which lacks the value.
+
+    Between points the cycle itself has values in the midst of assumed and given ones.
+    """
+    if len(own.shares) < 2:
+        return own.values
+    out = dict(own.values)
+    for name, _share in sorted(own.shares, key=lambda each: each[1]):
+        point = cycle(engine, point=name)
+        out |= {key: point.values[key] for key in point.assumed if key in point.values}
+    return out
+
+
+def _plain(value: Any) -> float | str | None:
+    return value if isinstance(value, float | str) else None
+
+
+UNITS_OF_GAS = {
+    **dict.fromkeys(
+        ("imep", "intake_pressure", "exhaust_pressure", "crankcase_pressure", "peak_pressure"),
+        "bar",
+    ),
+    "intake_temperature": "K",
+    "combustion_duration": "deg",
+}
+FACTORS = {"bar": 1e5, "deg": radians(1.0)}
+"""From the unit that is shown to SI."""

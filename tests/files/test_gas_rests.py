@@ -1,0 +1,231 @@
+"""What answers with gas rest on, and those without it: each size by the file that has the value."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.commands import Run
+from tests.marine import WEIGHTED, marine_engine
+
+from crankstar.files import engine_of, toml
+from crankstar.mechanics.gas import cycle
+from crankstar.studies.answer_parts import narrowed
+from crankstar.studies.answers import amplitudes, rests_on, torques
+
+FIVE: dict[str, Any] = {
+    "format": 1,
+    "name": "five",
+    "firing_order": [1, 2, 4, 5, 3],
+    "speed": "3000 rpm",
+    "cylinder": {
+        "bore": "82 mm",
+        "stroke": "90 mm",
+        "rod_length": "145 mm",
+        "reciprocating_mass": "480 g",
+    },
+    "layout": {"type": "inline", "bore_pitch": "91 mm"},
+}
+BURNING = {"gas": {"compression_ratio": 10.5}, "drive": {"inertia": "0.15 kg*m^2"}}
+GENSET = {
+    **FIVE,
+    "name": "genset six",
+    "firing_order": [1, 5, 3, 6, 2, 4],
+    "speed": "1500 rpm",
+    "cylinder": {
+        "bore": "130 mm",
+        "stroke": "150 mm",
+        "rod_length": "250 mm",
+        "reciprocating_mass": "4 kg",
+        "rotating_mass": "3.5 kg",
+    },
+    "layout": {"type": "inline", "bore_pitch": "160 mm"},
+    "gas": {"bmep": "18 bar", "compression_ratio": 16},
+    "drive": {"inertia": "6 kg*m^2"},
+}
+SHIP = {
+    **FIVE,
+    "name": "two-stroke six",
+    "cycle": "two-stroke",
+    "firing_order": [1, 5, 3, 4, 2, 6],
+    "speed": "120 rpm",
+    "cylinder": {
+        "bore": "500 mm",
+        "stroke": "2000 mm",
+        "rod_length": "2050 mm",
+        "reciprocating_mass": "2500 kg",
+        "rotating_mass": "3000 kg",
+    },
+    "layout": {"type": "inline", "bore_pitch": "850 mm"},
+    "gas": {"bmep": "19 bar"},
+    "drive": {"inertia": "20000 kg*m^2"},
+}
+
+
+def written(folder: Path, tree: dict[str, Any]) -> str:
+    path = folder / "engine.toml"
+    path.write_text(toml(engine_of(tree)), encoding="utf-8")
+    return str(path)
+
+
+def rows_of(run: Run, *words: str) -> dict[str, dict[str, Any]]:
+    return {row["path"]: row for row in json.loads(run(*words, "--json").out)["rests_on"]}
+
+
+def test_the_closing_of_the_intake_moves_what_is_compressed() -> None:
+    """Motored, by the adiabatic law from the charge pressure where the intake closes."""
+    engine = engine_of({**FIVE, **BURNING})
+    whole = torques(engine, lambda each: cycle(each, motored=True))
+    found = rests_on(engine, narrowed(whole, ["peak pressure"]))
+    [own] = [each for each in found if each.path == "valves.intake_closes"]
+    assert (own.status, own.value, own.low, own.high) == ("assumed", 50, 40, 70)
+    assert own.moved is not None
+    radius, rod, ratio, gamma = 0.045, 0.145, 10.5, 1.3
+
+    def peak(closes: float) -> float:
+        angle = np.radians(180 + closes)
+        way = radius * (1 - np.cos(angle)) + rod - np.sqrt(rod**2 - (radius * np.sin(angle)) ** 2)
+        share = way / (2 * radius)
+        return float((1 + share * (ratio - 1)) ** gamma)  # bar, from 1 bar
+
+    assert own.moved.quantity == "peak pressure"
+    sizes = (own.moved.now, own.moved.low, own.moved.high)
+    assert sizes == pytest.approx([peak(each) for each in (50, 70, 40)], rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("verb", "tree"),
+    [
+        (("torque",), {**FIVE, **BURNING}),
+        (("bearings", "--gas"), {**FIVE, **BURNING}),
+        (("genset",), GENSET),
+        (("marine",), SHIP),
+    ],
+    ids=["torque", "bearings", "genset", "marine"],
+)
+def test_assumed_valves_are_in_the_record_and_given_ones_are_not(
+    verb: tuple[str, ...], tree: dict[str, Any], tmp_path: Path, run: Run
+) -> None:
+    command, *options = verb
+    file = written(tmp_path, tree)
+    name = "exhaust_closes" if tree is SHIP else "intake_closes"
+    before = rows_of(run, command, file, *options)
+    assert before[f"valves.{name}"]["moves"]["effect"] > 1e-3
+    usual = f"valves.{name}={before[f'valves.{name}']['value']} deg"
+    after = rows_of(run, command, file, *options, "--set", usual)
+    assert f"valves.{name}" not in after
+    others = [path for path in before if path.startswith("valves.") and path[7:] != name]
+    assert [path for path in after if path.startswith("valves.")] == others
+
+
+@pytest.mark.parametrize("verb", ["bearings", "genset"])
+def test_a_cycle_that_a_misfire_brings_in_is_said_to_be_assumed(
+    verb: str, tmp_path: Path, run: Run
+) -> None:
+    for tree, there in ((FIVE, True), ({**FIVE, **BURNING}, False)):
+        file = written(tmp_path, tree)
+        rows = rows_of(run, verb, file, "--off", "2")
+        assert ("gas" in rows) == there
+        assert "gas.imep" in rows
+        text = run(verb, file, "--off", "2").out
+        assert ("Not in the file, a usual cycle is assumed: gas." in text) == there
+
+
+def test_the_irregularity_of_a_generating_set_is_among_its_figures(
+    tmp_path: Path, run: Run
+) -> None:
+    file = written(tmp_path, SHIP)
+    own = rows_of(run, "genset", file)["gas.combustion_start"]
+    assert own["moves"]["quantity"] == "irregularity"
+    sizes = [
+        json.loads(run("genset", file, "--set", f"gas.combustion_start={end} deg", "--json").out)
+        for end in (own["low"], own["high"])
+    ]
+    assert [own["moves"]["high"], own["moves"]["low"]] == pytest.approx(
+        [each["irregularity"] for each in sizes], rel=1e-6
+    )
+
+
+def test_the_flywheel_that_was_asked_for_is_among_the_figures(tmp_path: Path, run: Run) -> None:
+    file, asked = written(tmp_path, GENSET), ("--irregularity", "0.005")
+    own = rows_of(run, "genset", file, *asked)["gas.gamma"]
+    assert (own["moves"]["quantity"], own["moves"]["unit"]) == ("flywheel", "kg*m^2")
+
+
+@pytest.mark.parametrize(
+    ("name", "other", "beside"),
+    [
+        ("friction", "spark-ignition", ("--set", "gas.ignition=compression")),
+        ("ignition", "spark", ()),
+    ],
+)
+def test_a_choice_of_two_has_the_figure_of_the_other(
+    name: str, other: str, beside: tuple[str, ...], tmp_path: Path, run: Run
+) -> None:
+    file = written(tmp_path, GENSET)
+    own = rows_of(run, "genset", file)[f"gas.{name}"]
+    assert (own["other"], own["low"], own["high"]) == (other, None, None)
+    changed = json.loads(run("genset", file, "--set", f"gas.{name}={other}", *beside, "--json").out)
+    [size] = [
+        row["one"]
+        for row in changed["sums"]
+        if (row["quantity"], row["order"]) == ("roll", own["moves"]["order"])
+    ]
+    assert own["moves"]["quantity"] == "roll"
+    assert own["moves"]["low"] == own["moves"]["high"] == pytest.approx(size, rel=1e-9)
+    assert f"With {other}" in " ".join(run("genset", file).out.split())
+
+
+def test_comparing_in_another_unit_is_what_leaves_the_gas_out(tmp_path: Path, run: Run) -> None:
+    out = " ".join(run("compare", written(tmp_path, GENSET), "v8-flat-plane").out.split())
+    assert "give speed" not in out
+    assert "gas (compared in m r ω², without a speed, as an engine beside it has no masses" in out
+
+
+def test_the_figures_of_a_ships_engine_are_all_its_guide_moments(tmp_path: Path, run: Run) -> None:
+    own = rows_of(run, "marine", written(tmp_path, SHIP))["gas.intake_pressure"]["moves"]
+    assert (own["quantity"], own["order"], own["unit"]) == ("X moment", 3.0, "N*m")
+    assert [own["low"], own["high"]] == pytest.approx([224e3, 329e3], rel=3e-3)
+
+
+def test_crankpins_of_a_crosshead_engine_have_a_size() -> None:
+    """The couple of order 1 is that of all that moves or turns at the crank radius."""
+    engine = marine_engine(**WEIGHTED)
+    [own] = [
+        each for each in rests_on(engine, amplitudes(engine)) if each.path == "cylinder.throw_mass"
+    ]
+    assert (own.low, own.high) == pytest.approx((0.3 * 5500, 1.2 * 5500))
+    assert "judgement" in own.reason
+    assert own.moved is not None
+    assert (own.moved.quantity, own.moved.order) == ("couple", 1)
+    masses = 5500 + 3000 + np.array([0, 0.3 * 5500, 1.2 * 5500])
+    sizes = [own.moved.now, own.moved.low, own.moved.high]
+    assert np.array(sizes) / sizes[0] == pytest.approx(masses / masses[0], rel=1e-6)
+
+
+def test_the_roll_without_gas_has_the_size_of_a_usual_cycle(tmp_path: Path, run: Run) -> None:
+    """Of order 2.5 five equal cylinders push as one, and nothing of inertia is in it."""
+    engine = engine_of(FIVE)
+    own = rows_of(run, "analyze", written(tmp_path, FIVE))["gas"]
+    assert (own["status"], own["moves"]["quantity"], own["moves"]["order"]) == (
+        "left out", "roll", 2.5,
+    )  # fmt: skip
+    assert [own["low"], own["high"]] == pytest.approx([0.7 * 9, 1.3 * 9])
+    theta = np.linspace(0, 4 * np.pi, 3600, endpoint=False)
+    sine = 0.045 / 0.145 * np.sin(theta)
+    arm = 0.045 * (np.sin(theta) + np.cos(theta) * sine / np.sqrt(1 - sine**2))
+    sizes = [
+        5
+        * abs(2 * np.mean(burning.pressure[0] * np.pi / 4 * 0.082**2 * arm * np.exp(-2.5j * theta)))
+        for burning in (cycle(engine, imep=load * 1e5) for load in (own["low"], own["high"]))
+    ]
+    assert [own["moves"]["low"], own["moves"]["high"]] == pytest.approx(sizes, rel=2e-3)
+    assert own["moves"]["now"] == pytest.approx(0, abs=1e-9)
+
+
+def test_the_size_of_gas_needs_a_bore(tmp_path: Path, run: Run) -> None:
+    sizes = {key: size for key, size in FIVE["cylinder"].items() if key != "bore"}
+    file = written(tmp_path, {**FIVE, "cylinder": sizes})
+    out = run("analyze", file).out
+    assert "Not in the rolling moment: gas (its size needs cylinder.bore)." in out
