@@ -240,7 +240,7 @@ def test_what_is_left_out_is_named_in_the_picture(name: str) -> None:
     chart = charts.CHARTS[name].draw(engine_of(FIVE))
     lines = foot(chart.spec)
     assert lines[0].startswith("cylinder.rotating_mass")
-    assert "Not in the loads: gas." in lines
+    assert any(line.startswith("Not in the loads: gas") for line in lines)
     assert lines[-1].endswith("crankstar bearings")
     assert rests(chart)["gas"]["status"] == "left out"
 
