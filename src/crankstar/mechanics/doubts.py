@@ -207,7 +207,7 @@ def torsion_doubts(engine: Engine) -> Iterator[Fault]:
     >>> from crankstar.files.catalog import load
     >>> own = {"torsion": {"inertia": "0.0001 kg*m^2", "stiffness": "0.5 MN*m/rad"}}
     >>> [fault.code for fault in torsion_doubts(load("audi-25-tfsi", changes=own))]
-    ['doubt.throw-inertia']
+    ['doubt.stiff-crank', 'doubt.throw-inertia']
     """
     own = engine.torsion
     if own is not None and own.dimensions is not None and "pitch" not in engine.relative:
