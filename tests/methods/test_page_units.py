@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from crankstar.dynamics.whirl import estimated_mass
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load
 from crankstar.page.exhibits import exhibit
@@ -23,10 +24,20 @@ def shown(engine: Engine) -> tuple[Exhibit, list[float]]:
 def test_moments_of_inertia_in_m_r2_are_those_of_a_file_with_masses_over_its_m_r2(
     name: str,
 ) -> None:
-    """The file gives the stroke but no mass; it is read as it is, and with a mass."""
+    """The file gives the stroke but no mass; it is read as it is, and with a mass.
+
+    The block has in both the mass that a file without masses has: another goes by displacement.
+    """
     relative = load(name)
     assert ("mass" in relative.relative, "radius" in relative.relative) == (True, False)
-    absolute = load(name, changes={"cylinder.reciprocating_mass": f"{MASS} kg"})
+    whole = MASS * estimated_mass(relative)[0]
+    absolute = load(
+        name,
+        changes={
+            "cylinder.reciprocating_mass": f"{MASS} kg",
+            **({} if relative.block and relative.block.mass else {"block.mass": f"{whole!r} kg"}),
+        },
+    )
     radius = relative.throw(relative.first).radius
     one, panel = shown(relative)
     other, expected = shown(absolute)
