@@ -8,6 +8,7 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 from pathlib import Path
 from urllib.request import urlopen
 
@@ -23,24 +24,35 @@ def surroundings(**more: str) -> dict[str, str]:
     return {**kept, "TERM": "xterm", **more}
 
 
-def started(env: dict[str, str]) -> tuple[int, int]:
-    """A bare command in a terminal of its own: its process, the other end of the terminal."""
-    process, terminal = pty.fork()
-    if process == 0:
-        # a suite that was started in the background ignores interrupts, and so would its children
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
-        os.execve(COMMAND[0], COMMAND, env)  # noqa: S606
-    return process, terminal
+class Running:
+    """A bare command in a terminal, whose output is read as it comes, as a person's is.
 
+    A terminal that nobody reads is full after 4 kB, and who writes to it waits for good.
+    """
 
-def said_by(terminal: int) -> str:
-    """All that is written to a terminal until nobody can any more."""
-    said = b""
-    while True:
-        try:
-            said += os.read(terminal, 65536)
-        except OSError:  # the other end is closed
-            return re.sub(r"\x1b\[[\d;?]*[a-zA-Z]", "", said.decode(errors="replace"))
+    def __init__(self, env: dict[str, str]) -> None:
+        self._terminal, other = pty.openpty()
+        self.process = subprocess.Popen(
+            COMMAND, env=env, stdin=other, stdout=other, stderr=other, start_new_session=True
+        )
+        os.close(other)
+        self._read = bytearray()
+        self._reader = threading.Thread(target=self._follow, daemon=True)
+        self._reader.start()
+
+    def _follow(self) -> None:
+        while True:
+            try:
+                self._read += os.read(self._terminal, 65536)
+            except OSError:  # the other end is closed
+                return
+
+    def ended(self) -> tuple[str, int]:
+        """All that was written until nobody could any more, and the exit code."""
+        code = self.process.wait(PATIENCE)
+        self._reader.join(PATIENCE)
+        os.close(self._terminal)
+        return re.sub(r"\x1b\[[\d;?]*[a-zA-Z]", "", self._read.decode(errors="replace")), code
 
 
 @pytest.mark.parametrize("more", [{}, {"DISPLAY": ":0", "BROWSER": "/bin/true"}])
@@ -61,18 +73,17 @@ def test_without_a_terminal_it_prints_help_and_ends(more: dict[str, str]) -> Non
 
 @pytest.mark.parametrize("more", [{}, {"CI": "true", "BROWSER": "/bin/true"}])
 def test_in_a_terminal_without_a_browser_or_in_ci_it_prints_help(more: dict[str, str]) -> None:
-    process, terminal = started(surroundings(**more))
-    said = said_by(terminal)
-    os.close(terminal)
+    said, code = Running(surroundings(**more)).ended()
     assert "Usage: crankstar" in said
-    assert os.waitstatus_to_exitcode(os.waitpid(process, 0)[1]) == 0
+    assert code == 0
 
 
+@pytest.mark.usefixtures("interruptible")
 def test_in_a_terminal_with_a_browser_it_serves_the_gallery(tmp_path: Path) -> None:
     opened, browser = tmp_path / "opened", tmp_path / "browser"
     browser.write_text(f'#!/bin/sh\necho "$1" > "{opened}.new" && mv "{opened}.new" "{opened}"\n')
     browser.chmod(0o755)
-    process, terminal = started(surroundings(BROWSER=str(browser)))
+    running = Running(surroundings(BROWSER=str(browser)))
     try:
         awaited(opened.exists)
         address = opened.read_text().strip()
@@ -80,9 +91,7 @@ def test_in_a_terminal_with_a_browser_it_serves_the_gallery(tmp_path: Path) -> N
         with urlopen(address, timeout=PATIENCE) as answer:  # noqa: S310 - of this machine
             assert b"radial-9" in answer.read()
     finally:
-        os.kill(process, signal.SIGINT)
-        said = said_by(terminal)
-        code = os.waitstatus_to_exitcode(os.waitpid(process, 0)[1])
-        os.close(terminal)
+        running.process.send_signal(signal.SIGINT)
+        said, code = running.ended()
     assert "Ctrl-C stops the server" in said
     assert code == 0
