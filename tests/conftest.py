@@ -6,7 +6,6 @@
 import os
 import signal
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -64,7 +63,11 @@ def searches(path: Path) -> bool:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """The same fonts on every machine."""
+    """The same fonts on every machine, and interrupts that are obeyed, by child processes as well.
+
+    A suite that is started in the background (`sh -c 'make test &'`) inherits them ignored.
+    """
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     if "PYTEST_XDIST_WORKER" not in os.environ:  # which has those of the process that started it
         folder = TemporaryDirectory(prefix="crankstar-fonts-", ignore_cleanup_errors=True)
         config.add_cleanup(folder.cleanup)
@@ -104,16 +107,3 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 def seed(pytestconfig: pytest.Config) -> int:
     """What random numbers other than those of hypothesis start from: zero but in `make release`."""
     return int(pytestconfig.getoption("hypothesis_seed") or 0)
-
-
-@pytest.fixture
-def interruptible() -> Iterator[None]:
-    """Interrupts that are obeyed, here and in child processes.
-
-    A suite started in the background (`nohup make test &`) inherits them ignored.
-    """
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)

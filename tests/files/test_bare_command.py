@@ -78,7 +78,6 @@ def test_in_a_terminal_without_a_browser_or_in_ci_it_prints_help(more: dict[str,
     assert code == 0
 
 
-@pytest.mark.usefixtures("interruptible")
 def test_in_a_terminal_with_a_browser_it_serves_the_gallery(tmp_path: Path) -> None:
     opened, browser = tmp_path / "opened", tmp_path / "browser"
     browser.write_text(f'#!/bin/sh\necho "$1" > "{opened}.new" && mv "{opened}.new" "{opened}"\n')

@@ -18,7 +18,6 @@ def test_what_work_gives_and_raises_comes_through():
         aside(lambda: 1 // 0)
 
 
-@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_ends_the_waiting_and_not_the_work():
     begun, go, done = threading.Event(), threading.Event(), threading.Event()
 

@@ -270,7 +270,6 @@ def test_only_so_many_stretches_are_under_way_and_an_interrupt_drops_them():
 
 
 @pytest.mark.many(first=1)
-@pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("at", [0, 1, 30])
 def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(
     at, middle, tmp_path, two
@@ -309,7 +308,6 @@ def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(
 
 
 @pytest.mark.release
-@pytest.mark.usefixtures("interruptible")
 def test_processes_that_are_gone_before_their_pool_knows_leave_no_fault(monkeypatch):
     """A fault in the thread of the pool would be printed at the user; here it is an error."""
 
@@ -445,7 +443,6 @@ def test_sigterm_ends_a_search_quietly_with_its_workers_and_its_semaphores(worke
     assert not psutil.wait_procs(children, timeout=PATIENCE)[1]
 
 
-@pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.release), "2"])
 def test_ctrl_c_ends_quietly_with_what_is_under_way_and_nothing_is_lost(workers, tmp_path, fifteen):
     """No stretch is given out after it: those under way may still come."""

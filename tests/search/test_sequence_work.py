@@ -102,7 +102,7 @@ def test_processes_and_a_cluster_find_the_same_front(whole: SequenceFront) -> No
 
 
 @pytest.mark.many(first=1)
-@pytest.mark.usefixtures("many_parts", "interruptible")
+@pytest.mark.usefixtures("many_parts")
 @pytest.mark.parametrize("count", [0, 1, 2])
 def test_an_interrupted_front_goes_on_from_its_checkpoint(
     whole: SequenceFront, tmp_path: Path, count: int
@@ -131,7 +131,6 @@ def test_an_interrupted_front_goes_on_from_its_checkpoint(
 
 
 @pytest.mark.release
-@pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("count", [0, 1])
 def test_a_part_that_is_halted_is_shown_and_not_kept(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, count: int

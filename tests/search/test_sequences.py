@@ -483,7 +483,6 @@ def test_a_sum_is_zero_only_where_it_is_exactly() -> None:
     assert values[kept].min() == pytest.approx(10**0.5)
 
 
-@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_ends_the_search_with_the_best_so_far(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -86,7 +86,6 @@ def test_it_ends_without_a_word_and_leaves_no_process(number: signal.Signals) ->
         awaited(lambda: not any(map(alive, workers)))
 
 
-@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_from_the_keyboard_which_every_process_gets_ends_it_just_so() -> None:
     with serving("i4", alone=True) as server:
         os.killpg(server.process.pid, signal.SIGINT)
@@ -96,7 +95,6 @@ def test_an_interrupt_from_the_keyboard_which_every_process_gets_ends_it_just_so
 
 
 @pytest.mark.release
-@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_while_it_is_busy_ends_it_without_a_word() -> None:
     with serving("v8-cross-plane", alone=True) as server:
 
@@ -128,7 +126,6 @@ def test_an_interrupt_that_the_parent_ignores_does_not_end_it() -> None:
         signal.signal(signal.SIGINT, before)
 
 
-@pytest.mark.usefixtures("interruptible")
 def test_who_interrupts_until_it_ends_is_told_no_more() -> None:
     with serving("i4", alone=True) as server:
         awaited(lambda: interrupted(server.process))
