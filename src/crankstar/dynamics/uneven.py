@@ -90,49 +90,87 @@ def running(
     `exponent` and `course` [angle] are k and g of the load. Raises UnevenError where the engine
     would stop within the cycle.
     """
-    speed = cycle.speed
-    if speed is None:
-        raise UnevenError("uneven running needs a speed: give speed")
-    theta = samples_over(engine, SAMPLES)
-    gas = over_cycle(cycle, SAMPLES).sum(axis=0)
-    whole = flywheel + inertia(engine, theta)
-    if float(whole.min()) < LEAST_SHARE * float(whole.max()):
-        raise _stopped(speed)
-    shape = np.ones_like(theta) if course is None else course / course.mean()
-    span = theta[1] - theta[0]
-    now = np.full_like(theta, speed)
-    load = gas
-    for _ in range(MOST_ROUNDS):
-        load = shape * (now / speed) ** exponent
-        load = load * (gas.mean() / load.mean())
-        change = periodic_integral(gas - load, span)
-        energy = _energy(change, whole, speed)
-        after = np.sqrt(2 * energy / whole)
-        moved = float(np.abs(after - now).max()) / speed
-        now = after
-        if moved < CONVERGED:
-            break
-    else:
+    return _WithoutFlywheel.of(engine, cycle, exponent=exponent, course=course).with_(flywheel)
+
+
+@dataclass(frozen=True)
+class _WithoutFlywheel:
+    """An engine in its cycle but for the flywheel, on which none of these depends.
+
+    `own` [angle] is the inertia that the crankshaft feels of what moves, `mean` its mean with the
+    webs (kg m^2); `fluctuation` as in `Running`.
+    """
+
+    theta: Real
+    speed: float
+    gas: Real
+    own: Real
+    mean: float
+    fluctuation: float
+    shape: Real
+    exponent: float
+
+    @classmethod
+    def of(
+        cls, engine: Engine, cycle: Cycle, *, exponent: float, course: Real | None
+    ) -> _WithoutFlywheel:
+        speed = cycle.speed
+        if speed is None:
+            raise UnevenError("uneven running needs a speed: give speed")
+        theta = samples_over(engine, SAMPLES)
+        gas = over_cycle(cycle, SAMPLES).sum(axis=0)
+        shape = np.ones_like(theta) if course is None else course / course.mean()
+        torque = spectra.total(part_spectra(mechanism(engine)).torque)
+        moving = np.real(spectra.value(torque, theta)) * speed**2
+        change = periodic_integral(gas + moving - shape * gas.mean(), theta[1] - theta[0])
+        return cls(
+            theta=theta,
+            speed=speed,
+            gas=gas,
+            own=inertia(engine, theta),
+            mean=mean_inertia(mechanism(engine)) + throw_inertia(engine),
+            fluctuation=float(np.ptp(change)),
+            shape=shape,
+            exponent=exponent,
+        )
+
+    def with_(self, flywheel: float) -> Running:
+        """Steady running with a flywheel; raises UnevenError where the engine would stop."""
+        whole, speed = flywheel + self.own, self.speed
+        if float(whole.min()) < LEAST_SHARE * float(whole.max()):
+            raise _stopped(speed)
+        now, load = self._settled(whole)
+        if float(now.min()) < SLOWEST * speed or float(now.max()) > speed / SLOWEST:
+            raise _stopped(speed)
+        mean = flywheel + self.mean
+        return Running(
+            theta=self.theta,
+            speed=now,
+            gas=self.gas,
+            load=load,
+            mean_speed=speed,
+            irregularity=float(np.ptp(now)) / speed,
+            linear=self.fluctuation / (mean * speed**2),
+            fluctuation=self.fluctuation,
+            inertia=mean,
+            flywheel=flywheel,
+        )
+
+    def _settled(self, whole: Real) -> tuple[Real, Real]:
+        """Speed and load over the cycle, whose load depends on the speed."""
+        gas, speed = self.gas, self.speed
+        span = self.theta[1] - self.theta[0]
+        now = np.full_like(self.theta, speed)
+        for _ in range(MOST_ROUNDS):
+            load = self.shape * (now / speed) ** self.exponent
+            load = load * (gas.mean() / load.mean())
+            energy = _energy(periodic_integral(gas - load, span), whole, speed)
+            after = np.sqrt(2 * energy / whole)
+            moved = float(np.abs(after - now).max()) / speed
+            now = after
+            if moved < CONVERGED:
+                return now, load
         raise UnevenError("the speed does not settle: give drive.load_exponent nearer 0")
-    if float(now.min()) < SLOWEST * speed or float(now.max()) > speed / SLOWEST:
-        raise _stopped(speed)
-    torque = spectra.total(part_spectra(mechanism(engine)).torque)
-    moving = np.real(spectra.value(torque, theta)) * speed**2
-    steady = shape * gas.mean()
-    fluctuation = float(np.ptp(periodic_integral(gas + moving - steady, span)))
-    mean = flywheel + mean_inertia(mechanism(engine)) + throw_inertia(engine)
-    return Running(
-        theta=theta,
-        speed=now,
-        gas=gas,
-        load=load,
-        mean_speed=speed,
-        irregularity=float(np.ptp(now)) / speed,
-        linear=fluctuation / (mean * speed**2),
-        fluctuation=fluctuation,
-        inertia=mean,
-        flywheel=flywheel,
-    )
 
 
 def _stopped(speed: float) -> UnevenError:
@@ -183,17 +221,17 @@ def flywheel_for(engine: Engine, cycle: Cycle, *, irregularity: float) -> float:
     2.0
     """
 
+    bare = _driven_by(engine, cycle)
+
     def over(flywheel: float) -> float:
         try:
-            found = _driving(engine, cycle, flywheel)
+            return bare.with_(flywheel).irregularity - irregularity
         except UnevenError:
             return 10.0
-        return found.irregularity - irregularity
 
     if over(0.0) <= 0:
         return 0.0
-    first = _driving(engine, cycle, 1e9)
-    high = 4 * first.fluctuation / (irregularity * (cycle.speed or 1.0) ** 2)
+    high = 4 * bare.fluctuation / (irregularity * bare.speed**2)
     while over(high) > 0:
         high *= 2
     return root(over, low=0.0, high=high)
@@ -213,14 +251,13 @@ def driven(engine: Engine, cycle: Cycle, *, flywheel: float | None = None) -> Ru
     own = (engine.drive or Drive()).inertia if flywheel is None else flywheel
     if own is None or cycle.speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
         return None
-    return _driving(engine, cycle, own)
+    return _driven_by(engine, cycle).with_(own)
 
 
-def _driving(engine: Engine, cycle: Cycle, flywheel: float) -> Running:
-    """Steady running with that flywheel and the load of the engine file."""
+def _driven_by(engine: Engine, cycle: Cycle) -> _WithoutFlywheel:
+    """The engine with the load of its file."""
     exponent = (engine.drive or Drive()).load_exponent
-    course = load_course(engine)
-    return running(engine, cycle, flywheel=flywheel, exponent=exponent, course=course)
+    return _WithoutFlywheel.of(engine, cycle, exponent=exponent, course=load_course(engine))
 
 
 def load_course(engine: Engine) -> Real | None:

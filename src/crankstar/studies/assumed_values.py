@@ -17,7 +17,7 @@ from crankstar.engine.block import inertia_in_box
 from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL
-from crankstar.language.faults import where
+from crankstar.language.faults import Fault, where
 from crankstar.language.messages import N_
 from crankstar.mechanics.doubts import doubts_of
 from crankstar.mechanics.gas import Cycle
@@ -33,6 +33,7 @@ from crankstar.studies.changed_values import (
     with_block_mass,
     with_block_value,
     with_mount_loss,
+    with_rods_of,
     with_torsion_value,
 )
 
@@ -81,8 +82,7 @@ SHIFT = 10.0
 
 def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     """All that is lacking or doubtful of what an answer uses, in no order."""
-    for fault in doubts_of(engine, answer.uses, answer.gas):
-        yield Assumption("doubtful", where(fault.path), fault.sentence)
+    yield from map(_doubt, doubts_of(engine, answer.uses, answer.gas))
     if "inertia" in answer.uses:
         yield from masses(engine)
     if answer.without_gas is not None:
@@ -106,6 +106,15 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     if "valves" in answer.uses and engine.firing_order:
         yield from (replace(each, vary=None) for each in valves(engine))  # they are the figure
     yield from _unverified(engine, answer)
+
+
+def _doubt(fault: Fault) -> Assumption:
+    """A doubt, tried at what may be meant where that is known."""
+    path = where(fault.path)
+    if fault.code != "doubt.rod-ratio" or fault.cylinder is not None:
+        return Assumption("doubtful", path, fault.sentence)
+    value, meant = fault.values["value"], fault.values["meant"]
+    return Assumption("doubtful", path, fault.sentence, value, "r", meant, meant, vary=with_rods_of)
 
 
 def _bearings(engine: Engine) -> Iterator[Assumption]:

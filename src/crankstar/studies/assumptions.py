@@ -132,7 +132,9 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
     for each in found:
         most = each.moved if each.vary is None else _moved(engine, each, (now, least), answer)
         if most is not None and most.effect < SIGNIFICANT and not most.lifting:
-            continue
+            if each.status != "doubtful":
+                continue
+            most = None
         out.append(replace(each, moved=most))
     return tuple(sorted(out, key=lambda each: (each.status != "doubtful", -each.effect)))
 

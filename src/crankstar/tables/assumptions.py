@@ -90,11 +90,12 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
 
     Choices of two follow what has a range: their other one is another kind of engine.
     """
-    large = [each for each in found if each.effect >= TOLD or _lifts(each)]
+    doubtful = [each for each in found if each.status == "doubtful"]
+    large = [each for each in found if each not in doubtful]
+    large = [each for each in large if each.effect >= TOLD or _lifts(each)]
     told = [each for each in large if not each.named][:MOST_TOLD]
     told += [each for each in large if each.named]
-    doubtful = [each for each in found if each.status == "doubtful"]
-    lines = [(_ended(each.reason), [each]) for each in doubtful]
+    lines = [(_doubted(each), [each]) for each in doubtful]
     rest = [each for each in found if each not in (*told, *doubtful)]
     whole = [line for status in FIRST for line in _together(rest, status)]
     lines += [(_line(each), [each]) for each in told[:1]]
@@ -105,6 +106,18 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
         lines.append((_("Of less effect: {paths}.", paths=_paths(small)), small))
     lines += [line for status in OTHERS if status not in FIRST for line in _together(rest, status)]
     return lines
+
+
+def _doubted(each: Assumption) -> str:
+    """A doubt, with what may be meant and the figure that it moves most, where that is known."""
+    reason = _ended(each.reason)
+    if each.moved is None:
+        return reason
+    meant = _value(each, each.high)
+    words = _words(each, each.moved)
+    return passage(
+        [reason, _("With {meant} the {figure} is {sizes}, not {now}.", meant=meant, **words)]
+    )
 
 
 def _ended(reason: str) -> str:
@@ -153,10 +166,8 @@ def _line(each: Assumption) -> str:
     return passage([_moving(each), lifting]) if lifting else _moving(each)
 
 
-def _moving(each: Assumption) -> str:
-    """One assumption with what it moves most."""
-    own = each.moved
-    assert own is not None  # noqa: S101  # asked before
+def _words(each: Assumption, own: Moved) -> dict[str, str]:
+    """What sentences on the figure that an assumption moves most are made of."""
     order = "" if own.order is None else order_text(own.order)
     kind = LOAD_OF if own.quantity.startswith(LOAD_OF) else own.quantity
     figure = _(
@@ -165,7 +176,20 @@ def _moving(each: Assumption) -> str:
         number=own.quantity.rpartition(" ")[2],
         name=own.quantity.removeprefix(LOAD_OF),
     )
-    words = {"path": each.path, "reason": _(each.reason), "figure": figure}
+    return {
+        "path": each.path,
+        "reason": _(each.reason),
+        "figure": figure,
+        "sizes": _span(own),
+        "now": quantity_text(_rounded(own.now), own.unit),
+    }
+
+
+def _moving(each: Assumption) -> str:
+    """One assumption with what it moves most."""
+    own = each.moved
+    assert own is not None  # noqa: S101  # asked before
+    words = _words(each, own)
     if own.trial and not own.now:
         size = quantity_text(_rounded(own.high), own.unit)
         return _(
@@ -178,7 +202,6 @@ def _moving(each: Assumption) -> str:
             **words,
             share=number(100 * share, digits=2),
         )
-    words |= {"sizes": _span(own), "now": quantity_text(_rounded(own.now), own.unit)}
     if each.named:
         return _with_other(each, words)
     if each.status == "left out" and each.low is not None:
