@@ -13,7 +13,7 @@ from tests.strategies import number
 from tests.twisting import chains, pendulums, pushes, row
 
 from crankstar.dynamics.torsion_chain import torsion_chain
-from crankstar.dynamics.torsion_criticals import criticals, modal_inertia
+from crankstar.dynamics.torsion_criticals import criticals
 from crankstar.dynamics.torsion_modes import Mode, holzer, torsion_modes
 from crankstar.dynamics.torsion_response import Response, response
 from crankstar.dynamics.torsion_system import TorsionChain, TorsionError
@@ -240,7 +240,6 @@ def test_a_critical_speed_is_where_a_hardly_damped_chain_resounds(tree: Chain) -
         assume((each.equilibrium or 0.0) * np.abs(mode.shape).max() > 0)
         scale = wanted.max()
         assert np.abs(at.turns[0, 0]) == pytest.approx(wanted, abs=1e-2 * scale)
-        assert modal_inertia(chain, mode) > 0
 
 
 @given(number(0.1, 5.0), number(0.1, 5.0), number(1e3, 1e6))

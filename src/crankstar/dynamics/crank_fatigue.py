@@ -204,7 +204,7 @@ def alternating_torque(engine: Engine, found: TorsionAnalysis) -> Torsional:
     def ranges(response: Response) -> Real:
         return np.column_stack([np.ptp(response.course(n, theta), axis=1) / 2 for n in sections])
 
-    whole = peaked(engine, found, curves=ranges)
+    whole = peaked(found, curves=ranges)
     if whole.response is None:
         raise _without_gas()
     barred = np.zeros(len(whole.speeds), bool)

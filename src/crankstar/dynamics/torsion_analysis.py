@@ -58,7 +58,7 @@ class TorsionAnalysis:
     with its critical speeds, half-power points and maxima among them. `at` is the same
     at the one speed that is asked for, `exact` that with the inertia of each crank angle. `cycle`
     is that of the operating point and speed that are meant, `point` the one that is named.
-    `without_gas` says why there is no gas.
+    `without_gas` says why there is no gas; `push` is what drives it at any of the speeds.
 
     >>> from crankstar.engine.torsion import Disc
     >>> pair = [Disc(name="motor", inertia=2), Disc(name="fan", inertia=3, to="motor", stiffness=6)]
@@ -79,6 +79,7 @@ class TorsionAnalysis:
     range_assumed: bool = False
     exact: Response | None = None
     point: str = ""
+    push: Excitation | None = None
 
     @cached_property
     def barred(self) -> tuple[Barred, ...]:
@@ -139,7 +140,7 @@ def torsion(
     found = torsion_on_grid(
         source, point=point, speed=speed, speeds=speeds, orders=orders, modes=modes
     )
-    return found if isinstance(source, Chain) else peaked(source, found)
+    return found if isinstance(source, Chain) else peaked(found)
 
 
 def torsion_on_grid(
@@ -195,33 +196,42 @@ def torsion_on_grid(
         range_assumed=assumed,
         exact=_exact(source, chain, own, speed) if alone and speed else None,
         point=point,
+        push=push,
     )
     if not driven:
         return rough
-    speeds = _with_criticals(source, rough, push)
+    speeds = _with_criticals(source, rough, push, whole=not orders and modes is None)
     return replace(rough, speeds=speeds, response=response(chain, push, speeds=speeds))
 
 
-def _with_criticals(engine: Engine, found: TorsionAnalysis, push: Excitation) -> Real:
-    """The speeds with the critical ones of all orders and modes, and half-power points of note."""
+def _with_criticals(
+    engine: Engine, found: TorsionAnalysis, push: Excitation, *, whole: bool
+) -> Real:
+    """The speeds with the critical ones of all orders and modes, and half-power points of note.
+
+    `whole` says that those of the analysis are all.
+    """
     chain, low, high = found.chain, found.speeds[0], found.speeds[-1]
     if not chain.damped or not low < high:  # without damping there is no bound there
         return found.speeds
-    every = criticals(
-        chain,
-        orders=[float(k) for k in push.orders if k <= HIGHEST_CRITICAL],
-        low=float(low),
-        high=float(high),
-        phases=firing_phases(engine),
-        excitation=push,
-    )
-    noted = [speed for each in of_note(every) for speed in half_power_speeds(chain, each)]
+    every = found.criticals
+    if not whole:
+        every = criticals(
+            chain,
+            orders=[float(k) for k in push.orders if k <= HIGHEST_CRITICAL],
+            low=float(low),
+            high=float(high),
+            phases=firing_phases(engine),
+            excitation=push,
+        )
+    beside = (half_power_speeds(chain, each, found.modes) for each in of_note(every))
+    noted = [speed for both in beside for speed in both]
     more = np.array([*(each.speed for each in every), *noted])
     return np.union1d(found.speeds, more[(low < more) & (more < high)])
 
 
 def peaked(
-    engine: Engine, found: TorsionAnalysis, *, curves: Callable[[Response], Real] | None = None
+    found: TorsionAnalysis, *, curves: Callable[[Response], Real] | None = None
 ) -> TorsionAnalysis:
     """The same with the speeds at which the vibration is greatest, and those that the limit bars.
 
@@ -236,10 +246,9 @@ def peaked(
     >>> bool(np.allclose(rough.peak.max(axis=0), fine.peak.max(axis=0), rtol=1e-6))
     True
     """
-    chain, whole = found.chain, found.response
-    if whole is None or not chain.damped or found.speeds.size < MEETING:
+    chain, whole, push = found.chain, found.response, found.push
+    if whole is None or push is None or not chain.damped or found.speeds.size < MEETING:
         return found
-    push = excitation(chain, engine, found.cycle, ends=_ends(found.speeds), point=found.point)
 
     def told(own: Response) -> Real:
         heat = own.heat.sum(axis=-1) + own.absolute_heat.sum(axis=-1)

@@ -23,6 +23,7 @@ from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.firing.weighing import vector_sums
 from crankstar.spectra import Real
 
+SAME_ORDER = 1e-9
 OF_NOTE = 0.05
 """Share of the greatest equilibrium amplitude, or vector sum, from which readers are told."""
 
@@ -72,34 +73,49 @@ def criticals(
     [5.0, 1.25]
     """
     fixed = torsion_modes(chain)
-    out: list[Critical] = []
+    met: list[tuple[Mode, float, float]] = []
     for order in map(float, orders):
         own = torsion_modes(chain, order=order) if chain.pendulums else fixed
         for mode in own[:modes]:
             speed = mode.speed / order
             if low * (1 - 1e-12) <= speed <= high * (1 + 1e-12):
-                out.append(_critical(chain, mode, order, speed, phases, excitation))
+                met.append((mode, order, speed))
+    driven = _driven(chain, met, excitation)
+    out = [
+        Critical(mode.number, order, speed, _summed(chain, mode, order, phases), *push)
+        for (mode, order, speed), push in zip(met, driven, strict=True)
+    ]
     return tuple(sorted(out, key=lambda each: each[:2]))
 
 
-def _critical(
-    chain: TorsionChain,
-    mode: Mode,
-    order: float,
-    speed: float,
-    phases: Real | None,
-    excitation: Excitation | None,
-) -> Critical:
-    summed = torque = equilibrium = None
-    if phases is not None:
-        shape = chain.at_cylinders(mode.shape)
-        summed = float(vector_sums(shape, phases, [order])[0])
-    place = [] if excitation is None else np.flatnonzero(np.abs(excitation.orders - order) < 1e-9)
-    if excitation is not None and len(place):
-        driven = excitation.torque(speed)[:, place[0]]
-        torque = float(abs(mode.shape @ driven))
-        equilibrium = torque / (mode.speed**2 * abs(modal_inertia(chain, mode, order)))
-    return Critical(mode.number, order, speed, summed, torque, equilibrium)
+def _summed(chain: TorsionChain, mode: Mode, order: float, phases: Real | None) -> float | None:
+    """The vector sum of an order in a mode, None without firing angles."""
+    if phases is None:
+        return None
+    return float(vector_sums(chain.at_cylinders(mode.shape), phases, [order])[0])
+
+
+def _driven(
+    chain: TorsionChain, met: Sequence[tuple[Mode, float, float]], excitation: Excitation | None
+) -> list[tuple[float, float] | tuple[None, None]]:
+    """Torque and equilibrium amplitude of each mode, order and speed that meet."""
+    out: list[tuple[float, float] | tuple[None, None]] = [(None, None)] * len(met)
+    if excitation is None or not met:
+        return out
+    orders = np.array([order for _mode, order, _speed in met])
+    apart = np.abs(excitation.orders - orders[:, None])
+    column = np.argmin(apart, axis=1)
+    known = np.flatnonzero(apart.min(axis=1) < SAME_ORDER)
+    torque = excitation.torque(np.array([met[number][2] for number in known.tolist()]))
+    first = [chain.freedom.index(freedom) for freedom in range(chain.freedoms)]
+    inertias = chain.inertias(orders)
+    for row, number in enumerate(known.tolist()):
+        mode = met[number][0]
+        size = float(abs(mode.shape @ torque[row, :, column[number]]))
+        turns = mode.shape[first] / chain.ratio[first]
+        modal = float(inertias[number] @ turns**2)
+        out[number] = size, size / (mode.speed**2 * abs(modal))
+    return out
 
 
 def strength(each: Critical) -> float:
@@ -125,17 +141,13 @@ def of_note(found: Sequence[Critical], *, share: float = OF_NOTE) -> list[Critic
     return sorted(kept, key=lambda each: (-strength(each), each.mode, each.order))
 
 
-def modal_inertia(chain: TorsionChain, mode: Mode, order: float = 0.0) -> float:
-    """The sum of J a^2 of a mode, pendulums as at an order, kg m^2 at the mass where a is 1."""
-    first = [chain.freedom.index(freedom) for freedom in range(chain.freedoms)]
-    turns = mode.shape[first] / chain.ratio[first]
-    return float(chain.inertias([order])[0] @ turns**2)
-
-
-def half_power_speeds(chain: TorsionChain, found: Critical) -> tuple[float, float]:
+def half_power_speeds(
+    chain: TorsionChain, found: Critical, modes: Sequence[Mode] | None = None
+) -> tuple[float, float]:
     """The crank speeds beside a critical one at which the mode has half the power, rad/s.
 
-    W (1 -+ eta/2), with eta = a'(H + w C)a / a'Ka the loss factor of the mode at its frequency w.
+    W (1 -+ eta/2), with eta = a'(H + w C)a / a'Ka the loss factor of the mode at its frequency w;
+    `modes` are those of the chain at order 0, where they are known.
 
     >>> from crankstar.dynamics.torsion_chain import torsion_chain
     >>> from crankstar.engine.torsion import Chain, Disc
@@ -148,7 +160,8 @@ def half_power_speeds(chain: TorsionChain, found: Critical) -> tuple[float, floa
     >>> tuple(round(speed, 6) for speed in half_power_speeds(chain, one))
     (1.98, 2.02)
     """
-    modes = torsion_modes(chain, order=found.order if chain.pendulums else 0.0)
+    if modes is None or chain.pendulums:
+        modes = torsion_modes(chain, order=found.order if chain.pendulums else 0.0)
     mode = next(each for each in modes if each.number == found.mode)
     first = [chain.freedom.index(freedom) for freedom in range(chain.freedoms)]
     turns = mode.shape[first] / chain.ratio[first]

@@ -220,7 +220,6 @@ def flywheel_for(engine: Engine, cycle: Cycle, *, irregularity: float) -> float:
     >>> round(half / one, 2)
     2.0
     """
-
     bare = _driven_by(engine, cycle)
 
     def over(flywheel: float) -> float:

@@ -50,7 +50,7 @@ def twist(
         out: dict[Figure, float] = {}
         if rough.modes:
             out["natural frequency", None] = rough.modes[0].frequency
-        return out | _forced_twist(each, rough, whole.strongest)
+        return out | _forced_twist(rough, whole.strongest)
 
     def least(_engine: Engine) -> Mapping[str, float]:
         if whole.response is None:
@@ -77,9 +77,7 @@ def twist(
     )
 
 
-def _forced_twist(
-    engine: Engine, rough: TorsionAnalysis, strongest: Critical | None
-) -> dict[Figure, float]:
+def _forced_twist(rough: TorsionAnalysis, strongest: Critical | None) -> dict[Figure, float]:
     """The figures of a forced response, from the one at critical speeds; none without one.
 
     `strongest` is the order, with its mode, of which the resonance is wanted.
@@ -97,7 +95,7 @@ def _forced_twist(
         return np.column_stack([own.peak_turn(rough.free_end), most(own)])
 
     curves(rough.response)  # where there is nothing to refine it is all
-    found = peaked(engine, rough, curves=curves).response or rough.response
+    found = peaked(rough, curves=curves).response or rough.response
     turn = found.peak_turn(rough.free_end)
     out: dict[Figure, float] = {("torsional amplitude", None): degrees(float(turn.max()))}
     if modulus.size:

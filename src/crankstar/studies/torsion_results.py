@@ -82,7 +82,7 @@ def torsion_peak(engine: Engine, *, point: str = "") -> float:
         raise SweepError("the stress needs a speed, and gas or masses: give speed and [gas]")
     stress = PeakOfSections(_moduli(found))
     stress(found.response)  # where there is nothing to refine it is all
-    peaked(engine, found, curves=stress)
+    peaked(found, curves=stress)
     return stress.greatest
 
 
