@@ -1,9 +1,19 @@
 """Figures as trees of Vega-Lite: their panels without the line on what the numbers rest on."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
+import pytest
+
+from crankstar.charts.canvas import Canvas, drawn_on
 from crankstar.charts.resting import FOOT
+
+
+@pytest.fixture
+def bare_canvas() -> Iterator[None]:
+    """Figures without what their numbers rest on, which takes longer to find than they to draw."""
+    with drawn_on(Canvas(rests=False)):
+        yield
 
 
 def rows_drawn(spec: Mapping[str, Any]) -> list[dict[str, Any]]:

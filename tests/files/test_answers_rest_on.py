@@ -262,6 +262,7 @@ WITHOUT = ("rests_on", "assumed")
 """Of an answer in JSON: what the record is, and what it was."""
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize(
     "verb", [("analyze",), ("torque",), ("bearings", "--gas"), ("mounts",), ("fault", "--cut", "3")]
 )
@@ -299,6 +300,7 @@ VIEWS = {
 }
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("view", VIEWS)
 def test_the_foot_of_a_response_names_what_it_draws(view: Any, mounted: str) -> None:
     engine = crankstar.load(mounted)
@@ -330,6 +332,7 @@ def drawn_top(spec: Any) -> float:
     return max(found)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     "block",
     [

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.charted import rows_drawn
+from tests.charted import bare_canvas, rows_drawn
 from tests.files.test_gas_views import curve, rows_of
 
 import crankstar
@@ -19,6 +19,7 @@ from crankstar.engine.torsion import Chain, Disc
 from crankstar.files import engine_of
 
 RPM = 30 / np.pi
+pytestmark = pytest.mark.usefixtures(bare_canvas.__name__)
 KINDS = ("torsion-modes", "campbell", "torsion-response", "torsion-star")
 
 
