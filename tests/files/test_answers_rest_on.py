@@ -56,6 +56,15 @@ def mounted(tmp_path: Path) -> str:
     return str(path)
 
 
+@pytest.fixture
+def still(mounted: str) -> str:
+    """The same without gas, of which nothing is then to be assumed."""
+    path = Path(mounted)
+    before, _gas, after = path.read_text(encoding="utf-8").partition("[gas]")
+    path.write_text(before + after[after.index("[block]") :], encoding="utf-8")
+    return mounted
+
+
 def rows_by_path(answer: Any) -> dict[str, dict[str, Any]]:
     return {row["path"]: row for row in answer["rests_on"]}
 
@@ -171,14 +180,14 @@ def test_the_verdict_rests_on_what_is_assumed_of_block_and_mounts(mounted: str, 
     assert "block." not in run("verdict", AUDI).out
 
 
-def test_a_centre_of_mass_that_is_not_in_the_file_is_in_the_record(mounted: str, run: Run) -> None:
-    found = rows_by_path(json.loads(run("mounts", mounted, "--json").out))
+def test_a_centre_of_mass_that_is_not_in_the_file_is_in_the_record(still: str, run: Run) -> None:
+    found = rows_by_path(json.loads(run("mounts", still, "--json").out))
     radius = 1e3 * crankstar.load(AUDI).shafts[0].throws[0].radius
     up, right = found["block.up"], found["block.right"]
     assert (up["status"], up["value"], up["unit"]) == ("assumed", 0.0, "mm")
     assert (up["low"], up["high"]) == pytest.approx((-radius, 3 * radius))
     assert (right["low"], right["high"]) == pytest.approx((-radius, radius))
-    given = json.loads(run("mounts", mounted, "--set", "block.up=0 mm", "--json").out)
+    given = json.loads(run("mounts", still, "--set", "block.up=0 mm", "--json").out)
     assert "block.up" not in rows_by_path(given)
     # by statics: three springs along up bear the weight, the moment about the crankshaft moves it
     weight, off = 150 * 9.80665, right["high"] / 1e3
@@ -186,7 +195,7 @@ def test_a_centre_of_mass_that_is_not_in_the_file_is_in_the_record(mounted: str,
     stiffness = arms @ arms.T  # of down, roll and pitch, in the stiffness of one mount
     moved = json.loads(
         run(
-            "mounts", mounted, "--set", f"block.right={off!r} m", "--set", "block.z=0 mm", "--json"
+            "mounts", still, "--set", f"block.right={off!r} m", "--set", "block.z=0 mm", "--json"
         ).out
     )
     loads = weight * arms.T @ np.linalg.solve(stiffness, np.array([1.0, off, 0.0]))
@@ -195,18 +204,18 @@ def test_a_centre_of_mass_that_is_not_in_the_file_is_in_the_record(mounted: str,
 
 
 def test_axes_of_inertia_that_are_taken_along_the_engine_are_in_the_record(
-    mounted: str, run: Run
+    still: str, run: Run
 ) -> None:
     inertia = [f"block.{line.replace(' = ', '=')}" for line in INERTIA.split("\n") if line]
     changes = [part for each in inertia for part in ("--set", each)]
-    found = rows_by_path(json.loads(run("mounts", mounted, *changes, "--json").out))
+    found = rows_by_path(json.loads(run("mounts", still, *changes, "--json").out))
     assert "block.inertia" not in found
     tilted = found["block.product_up_z"]
     assert (tilted["low"], tilted["high"]) == pytest.approx(
         (-0.2 * np.sqrt(8 * 4), 0.2 * np.sqrt(8 * 4))
     )
     zero = ("--set", "block.product_up_z=0 kg*m^2")
-    given = json.loads(run("mounts", mounted, *changes, *zero, "--json").out)
+    given = json.loads(run("mounts", still, *changes, *zero, "--json").out)
     assert "block.product_up_z" not in rows_by_path(given)
 
 
@@ -343,19 +352,19 @@ def drawn_top(spec: Any) -> float:
     ],
 )
 def test_a_block_without_a_mass_has_the_estimated_one_in_the_record(
-    block: str, mounted: str, run: Run
+    block: str, still: str, run: Run
 ) -> None:
     """By statics the mounts carry m g; m is 70 kg per litre, here of 5 cylinders of 82.5 x 92.8."""
-    text = Path(mounted).read_text(encoding="utf-8")
-    Path(mounted).write_text(text.replace('[block]\nmass = "150 kg"\n', block), encoding="utf-8")
-    answer = json.loads(run("mounts", mounted, "--json").out)
+    text = Path(still).read_text(encoding="utf-8")
+    Path(still).write_text(text.replace('[block]\nmass = "150 kg"\n', block), encoding="utf-8")
+    answer = json.loads(run("mounts", still, "--json").out)
     row = rows_by_path(answer)["block.mass"]
     assert (row["status"], row["unit"]) == ("assumed", "kg")
     assert row["value"] == pytest.approx(70e3 * 5 * pi / 4 * 0.0825**2 * 0.0928)
     assert (row["low"], row["high"]) == pytest.approx((0.5 * row["value"], 1.9 * row["value"]))
-    engine = crankstar.load(mounted)
+    engine = crankstar.load(still)
     up = settled(mounted_block(engine))[1][:, 0].sum()
     assert abs(up) == pytest.approx(row["value"] * 9.80665, rel=1e-9)
-    assert run("check", mounted).code == 0
-    given = run("mounts", mounted, "--set", "block.mass=150 kg", "--json")
+    assert run("check", still).code == 0
+    given = run("mounts", still, "--set", "block.mass=150 kg", "--json")
     assert "block.mass" not in rows_by_path(json.loads(given.out))

@@ -270,7 +270,7 @@ def test_a_bare_number_nobody_can_have_meant_is_refused(bare: float) -> None:
         assert error.value.code in ("unit.missing", "unit.implausible")
 
 
-@pytest.mark.many(first=26)
+@pytest.mark.many(first=3)
 @EVERY_PAGE
 def test_what_the_program_makes_is_in_the_text_as_it_is_now(page: Path) -> None:
     """If this fails: `python docs/tables.py` updates pages."""
