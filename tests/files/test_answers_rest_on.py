@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from tests.charted import foot
 from tests.commands import Run
+from tests.lacking import RUBBER
 
 import crankstar
 from crankstar import spectra
@@ -22,22 +23,6 @@ from crankstar.mechanics.gas_torque import gas_torque
 ROOT = Path(__file__).parents[2]
 AUDI, BMW = "audi-25-tfsi", "bmw-m52b28"
 V8 = crankstar.load("v8-cross-plane").name
-RUBBER = """
-[[mounts]]
-name = "left"
-right = "-0.4 m"
-z = "0.1 m"
-stiffness = "200 N/mm"
-[[mounts]]
-name = "right"
-right = "0.4 m"
-z = "0.1 m"
-stiffness = "200 N/mm"
-[[mounts]]
-name = "rear"
-z = "-0.4 m"
-stiffness = "200 N/mm"
-"""
 INERTIA = """
 inertia_up = "8 kg*m^2"
 inertia_right = "9 kg*m^2"

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from tests.charted import foot
 from tests.commands import Run
+from tests.lacking import FIVE
 from tests.mounted_engines import standing
 from tests.search.test_fronts import found as found_stars
 from tests.twisting_engines import TORSION
@@ -236,20 +237,6 @@ def test_the_foot_ends_with_a_sentence_or_a_whole_word(width: float) -> None:
             assert text == kept or text.startswith(f"{kept} ")
             assert kept.endswith((".", "rpm"))
     assert " ".join(lines).endswith("…")
-
-
-FIVE: dict[str, Any] = {
-    "name": "five",
-    "firing_order": [1, 2, 4, 5, 3],
-    "speed": "3000 rpm",
-    "cylinder": {
-        "bore": "82 mm",
-        "stroke": "90 mm",
-        "rod_length": "145 mm",
-        "reciprocating_mass": "480 g",
-    },
-    "layout": {"type": "inline", "bore_pitch": "91 mm"},
-}
 
 
 @pytest.mark.parametrize("name", ["bearing-loads", "bending"])

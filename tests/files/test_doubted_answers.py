@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 from tests.commands import Run
+from tests.lacking import RUBBER
 
 from crankstar.files.catalog import path_of
 
@@ -16,24 +17,7 @@ name = "flywheel"
 inertia = "0.3 kg*m^2"
 to = "rear"
 """
-MOUNTED = """
-[block]
-mass = "150 kg"
-[[mounts]]
-name = "left"
-right = "-0.4 m"
-z = "0.1 m"
-stiffness = "200 N/mm"
-[[mounts]]
-name = "right"
-right = "0.4 m"
-z = "0.1 m"
-stiffness = "200 N/mm"
-[[mounts]]
-name = "rear"
-z = "-0.4 m"
-stiffness = "200 N/mm"
-"""
+MOUNTED = f'\n[block]\nmass = "150 kg"\n{RUBBER}'
 COMMANDS = [
     ("check",),
     ("verdict",),

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.commands import Run
+from tests.lacking import FIVE, GENSET
 from tests.marine import WEIGHTED, marine_engine
 
 from crankstar.files import engine_of, toml
@@ -14,36 +15,7 @@ from crankstar.mechanics.gas import cycle
 from crankstar.studies.answer_parts import narrowed
 from crankstar.studies.answers import amplitudes, rests_on, torques
 
-FIVE: dict[str, Any] = {
-    "format": 1,
-    "name": "five",
-    "firing_order": [1, 2, 4, 5, 3],
-    "speed": "3000 rpm",
-    "cylinder": {
-        "bore": "82 mm",
-        "stroke": "90 mm",
-        "rod_length": "145 mm",
-        "reciprocating_mass": "480 g",
-    },
-    "layout": {"type": "inline", "bore_pitch": "91 mm"},
-}
 BURNING = {"gas": {"compression_ratio": 10.5}, "drive": {"inertia": "0.15 kg*m^2"}}
-GENSET = {
-    **FIVE,
-    "name": "genset six",
-    "firing_order": [1, 5, 3, 6, 2, 4],
-    "speed": "1500 rpm",
-    "cylinder": {
-        "bore": "130 mm",
-        "stroke": "150 mm",
-        "rod_length": "250 mm",
-        "reciprocating_mass": "4 kg",
-        "rotating_mass": "3.5 kg",
-    },
-    "layout": {"type": "inline", "bore_pitch": "160 mm"},
-    "gas": {"bmep": "18 bar", "compression_ratio": 16},
-    "drive": {"inertia": "6 kg*m^2"},
-}
 SHIP = {
     **FIVE,
     "name": "two-stroke six",

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.lacking import GENSET
 
 from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.uneven import driven, flywheel_for
@@ -15,20 +16,7 @@ from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.kinetic import inertia
 
 SIX: dict[str, Any] = {
-    "format": 1,
-    "name": "six of a generating set",
-    "firing_order": [1, 5, 3, 6, 2, 4],
-    "speed": "1500 rpm",
-    "cylinder": {
-        "bore": "130 mm",
-        "stroke": "150 mm",
-        "rod_length": "250 mm",
-        "reciprocating_mass": "4 kg",
-        "rotating_mass": "3.5 kg",
-    },
-    "layout": {"type": "inline", "bore_pitch": "160 mm"},
-    "gas": {"bmep": "18 bar", "compression_ratio": 16},
-    "drive": {"inertia": "6 kg*m^2"},
+    **GENSET,
     "torsion": {"bare_inertia": "0.03 kg*m^2", "stiffness": "3 MN*m/rad"},
 }
 
