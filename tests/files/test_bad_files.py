@@ -301,10 +301,12 @@ def test_texts_that_hold_no_number_are_refused(value: str) -> None:
 @pytest.mark.parametrize(
     "value", ["1e400 mm", "1e999 mm", "1e300 m", "1e6 m", "1e-9 m", "1e-300 mm"]
 )
-def test_sizes_no_engine_can_have_are_refused(value: str) -> None:
-    assert told(spoilt(SHORT, cylinder__stroke=value))["cylinder.stroke"].startswith(
-        f'is "{value}", too '
-    )
+@pytest.mark.parametrize("key", ["bore", "stroke", "rod_length"])
+def test_sizes_no_engine_can_have_are_refused(key: str, value: str) -> None:
+    """The first of a file as well, by which its bare numbers are judged."""
+    tree = spoilt(SHORT, **{f"cylinder__{key}": value})
+    tree["cylinder"] = {key: value, **tree["cylinder"]}
+    assert told(tree)[f"cylinder.{key}"].startswith(f'is "{value}", too ')
 
 
 @pytest.mark.parametrize("value", ["0 mm", "-82.5 mm", 0, 0.0, -0.0, -0.0825])

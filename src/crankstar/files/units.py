@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from contextlib import suppress
 from math import prod
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
@@ -282,7 +283,8 @@ def _refuse_alone(value: Any, quantity: Quantity, written: Mapping[str, Written]
 def written(pairs: Iterable[tuple[str, Any, Quantity]]) -> dict[str, Written]:
     """The first value with a unit of each dimension, of the key, value and quantity of a file.
 
-    Where a number needs a unit in any case, as a speed does, that it has one says nothing.
+    Where a number needs a unit in any case, as a speed does, that it has one says nothing; a value
+    that cannot be read, which is refused where it is, does not either.
 
     >>> written([("torsion.stiffness", "1.2 MN*m/rad", Quantity("torsional stiffness", "1 N*m"))])
     {'torsional stiffness': Written(key='torsion.stiffness', unit='MN*m/rad', size=1200000.0)}
@@ -292,8 +294,9 @@ def written(pairs: Iterable[tuple[str, Any, Quantity]]) -> dict[str, Written]:
         unit = unit_of(nominal(value)) if isinstance(value, str) else ""
         if unit and is_of(f"1 {unit}", quantity) and _KINDS[quantity.dimension].greatest_bare:
             dimension = _ALIKE.get(quantity.dimension, quantity.dimension)
-            if dimension not in out and (size := _read(nominal(value), quantity)[0]):
-                out[dimension] = Written(key, unit, size)
+            with suppress(ValueFaultError):
+                if dimension not in out and (size := _read(nominal(value), quantity)[0]):
+                    out[dimension] = Written(key, unit, size)
     return out
 
 
