@@ -70,8 +70,7 @@ def contours(
     names = {"first": field_name(sweep.axes[0].path), "second": field_name(sweep.axes[1].path)}
     title = _("{quantities} over {first} and {second}", quantities=names_of(curves), **names)
     subtitle = [sweep.engine.name, *_words(pairs, sweep)]
-    watched, paths = [curve.what for curve in curves], [axis.path for axis in sweep.axes]
-    rests = of_sweep(sweep.engine, watched, paths, speed=sweep.speed)
+    rests = of_sweep(sweep, curves)
     made = figure(rows, title=title[0].upper() + title[1:], subtitle=subtitle, rests=rests)
     own = {"color": "independent"}
     return replace(made, spec={**made.spec, "resolve": {"scale": own, "legend": own}})

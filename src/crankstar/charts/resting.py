@@ -31,6 +31,7 @@ from crankstar.tables.assumptions import assumption_facts, assumption_remarks, l
 
 if TYPE_CHECKING:
     from crankstar.studies.diagnosis import Diagnosis
+    from crankstar.studies.sweep import Curve, Sweep
 
 FOOT = "rests"
 """The name of the panel below the others."""
@@ -324,12 +325,12 @@ def of_drawing(engine: Engine, keys: Sequence[str], *, valves: bool = False) -> 
     return Rests([engine], answer, "analyze")
 
 
-def of_sweep(
-    engine: Engine, names: Sequence[str], paths: Sequence[str], *, speed: float | None
-) -> Rests:
-    """Of a figure of quantities over the values at these key paths."""
-    answer = partial(answers.watched_results, names=names, speed=speed, varied=paths)
-    return Rests([engine], answer, "sweep")
+def of_sweep(sweep: Sweep, curves: Sequence[Curve]) -> Rests:
+    """Of a figure of the curves of a sweep."""
+    from crankstar.studies.sweep_answers import judged
+
+    engine, answer, _at = judged(sweep, curves)
+    return Rests([engine], lambda _engine: answer, "sweep")
 
 
 def of_diagnosis(found: Diagnosis) -> Rests:

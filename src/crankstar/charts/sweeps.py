@@ -82,8 +82,7 @@ def swept(
     title = title[0].upper() + title[1:]
     doubt = [_(BAND)] if any(bands) else estimate_lines([sweep.engine])
     subtitle = [sweep.engine.name, *doubt, *_words(pairs, sweep)]
-    names, paths = [curve.what for curve in curves], [axis.path for axis in sweep.axes]
-    rests = of_sweep(sweep.engine, names, paths, speed=sweep.speed)
+    rests = of_sweep(sweep, curves)
     made = figure([[panel] for panel in panels], title=title, subtitle=subtitle, rests=rests)
     own = {"color": "independent", "strokeDash": "independent"}  # each panel has its own curves
     return replace(made, spec={**made.spec, "resolve": {"scale": own, "legend": own}})

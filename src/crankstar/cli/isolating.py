@@ -91,7 +91,7 @@ def isolate(
             tell=lambda done, of: tell(done, of, f"{done}/{of}"),
         )
         document = isolation_document(best, found, analysis(best.engine, **how), limits)
-        answered = partial(on_mounts, best.engine, point=point or "", speeds=over)
+        answered = partial(on_mounts, best.engine, **how)
         document = resting(document, resting_on("json", best.engine, answered))
     if output is not None:
         write_engine(best.engine, tree, output)

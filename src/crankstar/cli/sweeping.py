@@ -25,7 +25,7 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import complain, working, writable, write_bytes
-from crankstar.cli.tabulating import give, resting_on
+from crankstar.cli.tabulating import give
 from crankstar.files import STANDARD_INPUT
 from crankstar.files.changes import path_and_value
 from crankstar.language.messages import _
@@ -36,7 +36,6 @@ from crankstar.options.forms import PICTURES, TABLES, form_of
 from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
-    from crankstar.studies.assumptions import Answer
     from crankstar.studies.best_pair import Unbeaten
     from crankstar.studies.sweep import Curve, Sweep
     from crankstar.tables.table import Document
@@ -93,23 +92,25 @@ def sweep(
     if paper is not None:
         _draw(made, kind, paper, output)
         return
-    from crankstar.studies.answers import watched_results
-    from crankstar.tables.ranges import resting
-
-    engine_swept, speed_swept = made.sweep.engine, made.sweep.speed
-    names = [curve.what for curve in made.curves]
-    paths = [axis.path for axis in made.sweep.axes]
-
-    def answered() -> Answer:
-        return watched_results(engine_swept, names, speed=speed_swept, varied=paths)
-
-    document = resting(made.document(form), resting_on(form, engine_swept, answered))
+    document = made.document(form)
+    if form not in ("csv", "parquet"):  # forms of tables alone
+        document = _resting(document, made)
     tree = None
     if form == "xlsx":
         if engine != STANDARD_INPUT:
             tree = estimated_tree(engine, settings, estimate=estimate)[1]
         document = replace(document, parts=(*document.parts, *made.document("txt").sentences))
     give(document, output, form=form, tree=tree)
+
+
+def _resting(document: Document, made: _Made) -> Document:
+    """The document with what it rests on, at one of its values."""
+    from crankstar.studies.answers import rests_on
+    from crankstar.studies.sweep_answers import judged
+    from crankstar.tables.ranges import resting
+
+    engine, answer, at = judged(made.sweep, made.curves)
+    return resting(document, lambda: rests_on(engine, answer), at=at)
 
 
 def _swept(

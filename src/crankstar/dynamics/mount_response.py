@@ -32,6 +32,8 @@ ANGLES = 360
 AT_ONCE = 16384
 """Frequencies that are solved together, to bound memory."""
 OF_A_WAVE = 12
+ROUNDING = 1e-9
+"""Share of the greatest force in a mount below which one is nothing."""
 """Angles of a period of the highest order."""
 
 
@@ -100,7 +102,7 @@ class MountResponse:
 
     @cached_property
     def transmissibility(self) -> Real:
-        """Of each mount of the block [speed, mount]; nan where nothing pushes."""
+        """Of each mount of the block [speed, mount]; nan where nothing pushes but rounding."""
         block = self.block
         bearing = (block.arms * block.along[..., None]).reshape(-1, block.freedoms)
         share = np.linalg.solve(block.stiffness, bearing.T)[:SIX]
@@ -108,7 +110,8 @@ class MountResponse:
         least = np.sqrt((np.abs(still) ** 2).sum(axis=(1, 3)))
         force = np.sqrt((np.abs(self.mount_force) ** 2).sum(axis=(1, 3)))
         with np.errstate(invalid="ignore", divide="ignore"):
-            return np.where(least > 0, force / least, np.nan)[:, : block.of_block]
+            pushed = least > ROUNDING * least.max(axis=-1, keepdims=True)
+            return np.where(pushed, force / least, np.nan)[:, : block.of_block]
 
     @property
     def power(self) -> Real:

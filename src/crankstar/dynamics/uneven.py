@@ -97,8 +97,8 @@ def running(
 class _WithoutFlywheel:
     """An engine in its cycle but for the flywheel, on which none of these depends.
 
-    `own` [angle] is the inertia that the crankshaft feels of what moves, `mean` its mean with the
-    webs (kg m^2); `fluctuation` as in `Running`.
+    `own` [angle] is the inertia that the crankshaft feels of what moves, `mean` its mean with what
+    hangs on the pins (kg m^2); `fluctuation` as in `Running`.
     """
 
     theta: Real

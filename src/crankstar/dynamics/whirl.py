@@ -128,6 +128,29 @@ def body(engine: Engine, *, along: float = 1.0) -> Body:
     return Body(mass, centre, _bar(engine, mass, along), (assumed, *heavy))
 
 
+def outline(engine: Engine) -> tuple[float, float, float] | None:
+    """The sides (up, right, along; m) of the box about cylinders and crankcase.
+
+    A cylinder reaches from the crankshaft over its rod by a bore, for piston and head; the
+    crankcase is two crank radii about it. None where lengths have no unit.
+    """
+    if {"radius", "pitch"} & {*engine.relative}:
+        return None
+    corners: list[complex] = []
+    along: list[float] = []
+    for cylinder in engine.cylinders:
+        radius = engine.throw(cylinder).radius
+        bore = cylinder.bore or 2 * radius
+        axis = np.exp(1j * cylinder.bearing)  # up + i right
+        top = radius + cylinder.rod_length + bore
+        corners += [axis * (top + 0.5j * bore), axis * (top - 0.5j * bore)]
+        corners += [2 * radius * (1 + 1j), -2 * radius * (1 + 1j)]
+        along += [cylinder.z - bore / 2, cylinder.z + bore / 2]
+    places = np.array(corners)
+    up, right = (float(np.ptp(part(places))) for part in (np.real, np.imag))
+    return up, right, max(along) - min(along)
+
+
 def estimated_mass(engine: Engine) -> tuple[float, bool]:
     """The usual mass of such an engine, and whether it follows from the displacement.
 

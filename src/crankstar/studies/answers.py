@@ -14,7 +14,7 @@ frequencies. `rests_on` varies what the file lacks and says which figure of them
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -348,35 +348,6 @@ def bobweights(engine: Engine, *, factor: float) -> Answer:
         },
         unit=lambda _quantity, _engine: unit,
     )
-
-
-def watched_results(
-    engine: Engine, names: Sequence[str], *, speed: float | None = None, varied: Sequence[str] = ()
-) -> Answer:
-    """The figures of what a sweep watches, those of the first name; `varied` are its key paths.
-
-    What is varied is in no doubt; nor are the counterweights that a balance factor gives.
-    """
-    given = {*varied, *(("crankshaft.weight",) if "balance_factor" in varied else ())}
-    own = _watched(engine, names, speed=speed)
-    return replace(own, given={*own.given, *given})
-
-
-def _watched(engine: Engine, names: Sequence[str], *, speed: float | None) -> Answer:
-    """The figures of the first of these results."""
-    from crankstar.mechanics.gas import cycle
-    from crankstar.studies.gas_results import GAS_WATCHABLE
-    from crankstar.studies.mount_results import MOUNT_WATCHABLE
-    from crankstar.studies.torsion_results import TORSION_WATCHABLE
-
-    first = names[0]
-    if first in GAS_WATCHABLE:
-        return torques(engine, lambda each: cycle(each, speed=speed))
-    if first in TORSION_WATCHABLE:
-        return twist(engine, speed=speed)
-    if first in MOUNT_WATCHABLE:
-        return on_mounts(engine, speed=speed)
-    return amplitudes(engine, speed=speed, gas=first != "roll")
 
 
 def explained(found: Diagnosis) -> Answer:

@@ -8,26 +8,35 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from dataclasses import replace
 from math import degrees, radians
 from typing import Any
 
 import numpy as np
 
 from crankstar import spectra
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import Gas
 from crankstar.engine.quantities import Cycle as Strokes
 from crankstar.engine.valves import timing
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance, total
-from crankstar.mechanics.charge_air import STOICHIOMETRIC
+from crankstar.mechanics.charge_air import CHARGED, RICHEST, STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
+from crankstar.mechanics.operating_points import ASSUMED
 from crankstar.mechanics.remains import summed
 from crankstar.studies.assumptions import Assumption, Moved
-from crankstar.studies.changed_values import with_gas_choice, with_gas_value, with_valve_angle
+from crankstar.studies.changed_values import Vary, with_gas_choice, with_gas_value, with_valve_angle
 
-OF_COMBUSTION = ("combustion_start", "combustion_duration", "wiebe_a", "wiebe_m")
-"""What has no effect beside a measured pressure."""
+OF_TRACE = (
+    *("combustion_start", "combustion_duration", "wiebe_a", "wiebe_m"),
+    *("intake_pressure", "exhaust_pressure"),
+)
+"""What is in a measured pressure."""
+CHARGE = ("intake_pressure", "exhaust_pressure", "peak_pressure")
+"""What is assumed together, by the load: an engine that needs a charger for it has one."""
 GAS_ENDS: Mapping[str, tuple[float, float]] = {
     "compression_ratio": (0.85, 1.15),
     "gamma": (0.97, 1.03),
@@ -76,6 +85,8 @@ LEANEST = 1.5
 
 Our judgement: petrol engines run up to 1.3 to 1.6 before they misfire.
 """
+LOADS = 9
+"""Loads of a usual cycle at which its roll is tried: near the inertia's it has a minimum inside."""
 START_ENDS = radians(10.0)
 """By how much the assumed start of combustion may be earlier or later, radians."""
 
@@ -90,13 +101,16 @@ def without_gas(engine: Engine, found: Cycle) -> Assumption:
     name = f"gas.point.{found.name}" if found.name and len(found.shares) == 1 else "gas"
     if result.speed is None or {"mass", "radius"} & {*engine.relative}:
         return Assumption("left out", name, reason)
+    fires: tuple[tuple[str, str], ...] = ()
     runs, ends = [found], (None, None)
     if engine.gas is None:
         reason = N_("no table [gas] in the file")
         with suppress(MessageError):
             low, high = (share * found.values["imep"] for share in GAS_ENDS["imep"])
-            runs += [cycle(engine, speed=found.speed, imep=load) for load in (low, high)]
+            loads = np.linspace(low, high, LOADS).tolist()
+            runs += [cycle(engine, speed=found.speed, imep=load) for load in loads]
             ends = low / 1e5, high / 1e5
+            fires = (("ignition", found.values["ignition"]),)
     alone = summed(result).roll
     both = roll_with_gas(total(result), gas_torque(found).total)
     wave = np.abs(spectra.amplitude(both))
@@ -113,7 +127,7 @@ def without_gas(engine: Engine, found: Cycle) -> Assumption:
     )  # fmt: skip
     return Assumption(
         "left out", name, reason, unit="" if ends[0] is None else "bar",
-        low=ends[0], high=ends[1], moved=change,
+        low=ends[0], high=ends[1], values=fires, moved=change,
     )  # fmt: skip
 
 
@@ -124,34 +138,43 @@ def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             "missing", "gas", N_("no table [gas] in the file: its whole cycle is assumed"),
             sentence=N_("Not in the file, a usual cycle is assumed: {paths}."),
         )  # fmt: skip
-    if engine.gas is not None and engine.gas.trace is not None:
+    measured = engine.gas is not None and engine.gas.trace is not None
+    if measured:
         yield Assumption(
-            "assumed", "gas.trace", N_("one measured trace is used at every speed and load")
-        )
+            "assumed", "gas.trace", N_("one measured trace is used at every speed and load"),
+            explained=True,
+        )  # fmt: skip
     values = _values_of_points(engine, own)
+
+    def held(name: str, factor: float) -> Vary | None:
+        vary = with_gas_value(name, factor)
+        return vary if measured or name == "imep" else _held(own, vary)
+
     for name in own.assumed:
-        if name in OF_COMBUSTION and engine.gas is not None and engine.gas.trace is not None:
-            continue
+        if name in OF_TRACE and measured:
+            continue  # the measured pressure has it
         path = f"gas.{name}"
         value = values.get(name)
         if name == "combustion_start" and isinstance(value, float):
             yield Assumption(
                 "assumed", path, N_("usual for such engines"), degrees(value), "deg",
                 degrees(value - START_ENDS), degrees(value + START_ENDS),
-                vary=with_gas_value(name, radians(1.0)),
+                vary=held(name, radians(1.0)),
             )  # fmt: skip
         elif name in GAS_ENDS and isinstance(value, float):
             low, high = (share * value for share in GAS_ENDS[name])
             unit = UNITS_OF_GAS.get(name, "")
             factor = FACTORS.get(unit, 1.0)
             reason = N_("usual for such engines")
+            if name == "intake_pressure":
+                low, high = _charged_or_not(own, value, low, high)
             closed = _throttled(own) if name == "intake_pressure" else 1.0
             if closed < 1.0:
                 low = min(low, closed * value)
                 reason = N_("as with the throttle open, which burns too lean for a spark")
             yield Assumption(
                 "assumed", path, reason, value / factor, unit,
-                low / factor, high / factor, vary=with_gas_value(name, factor),
+                low / factor, high / factor, vary=held(name, factor),
             )  # fmt: skip
         elif name in CHOICES and value in CHOICES[name]:
             other = next(each for each in CHOICES[name] if each != value)
@@ -164,9 +187,11 @@ def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             )  # fmt: skip
         else:
             yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
-    measured = engine.gas is not None and engine.gas.trace is not None
     if own.values.get("process") == "heat-release" and (own.values["charges"] or not measured):
-        yield from valves(engine)
+        yield from (
+            each if measured else replace(each, vary=_held(own, each.vary))
+            for each in valves(engine)
+        )
 
 
 def valves(engine: Engine) -> Iterator[Assumption]:
@@ -178,6 +203,37 @@ def valves(engine: Engine) -> Iterator[Assumption]:
             degrees(getattr(own, name)), "deg", *VALVE_ENDS[engine.cycle][name],
             vary=with_valve_angle(name),
         )  # fmt: skip
+
+
+def _held(own: Cycle, vary: Vary | None) -> Vary | None:
+    """The change of a value with the charge that is assumed as it is: it does not follow.
+
+    Between two points each has a charge of its own.
+    """
+    kept = {key: own.values[key] for key in CHARGE if key in own.assumed and key in own.values}
+    if vary is None or "intake_pressure" not in kept or len(own.shares) > 1:
+        return vary
+
+    def held(engine: Engine, value: float) -> Engine:
+        gas = engine.gas or Gas()
+        return vary(with_values(engine, gas=with_values(gas, **kept)), value)
+
+    return held
+
+
+def _charged_or_not(own: Cycle, value: float, low: float, high: float) -> tuple[float, float]:
+    """The ends of an assumed charge pressure, with a charger and without one.
+
+    Where its air suffices but is less than a charger gives, there may be one; where there has to be
+    one for the usual air-fuel ratio, it may give no more than what burns the load.
+    """
+    ratio, fires = own.air_fuel_ratio, own.values.get("ignition")
+    if ratio is None or fires is None or RICHEST[fires] == CHARGED[fires]:
+        return low, high
+    least, usual = (share[fires] * STOICHIOMETRIC[fires] for share in (RICHEST, CHARGED))
+    if value > ASSUMED[fires]["intake_pressure"]:
+        return min(low, value * least / ratio), high
+    return low, max(high, value * usual / ratio)
 
 
 def _throttled(own: Cycle) -> float:

@@ -11,6 +11,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.proportions import Look, Proportion, inferred, look_of, proportion
 from crankstar.engine.weighed import EngineType
 from crankstar.language.messages import N_
+from crankstar.mechanics.operating_points import ignition
 from crankstar.remedy.fitting import quiet_cranks
 from crankstar.studies.assumptions import Assumption
 from crankstar.studies.changed_values import by_factor, with_rods_of, with_turning_masses
@@ -33,11 +34,27 @@ def _usual(part: str, kind: EngineType) -> Proportion | None:
 def masses(engine: Engine) -> Iterator[Assumption]:
     """What is missing or assumed of the masses and lengths that forces come from."""
     look = look_of(engine)
-    kind = None if look is None else inferred(look)[0]
+    kind = None if look is None else _kind(engine, look)
     yield from _rods(engine, kind)
     yield from _turning(engine, kind, look)
     if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
         yield _weights(engine)
+
+
+def _kind(engine: Engine, look: Look) -> EngineType:
+    """The type by size, by the greatest speed that the file knows, and by how it ignites."""
+    gas = engine.gas
+    known = [look.speed] if gas is None else [look.speed, gas.speed, *(p.speed for p in gas.points)]
+    fastest = max((speed for speed in known if speed is not None), default=None)
+    kind = inferred(look._replace(speed=fastest))[0]
+    if gas is None:
+        return kind
+    fires, told = ignition(engine, gas)
+    if not told and gas.compression_ratio is None:
+        return kind
+    if fires == "spark" and kind in ("diesel", "diesel-car"):
+        return "petrol"
+    return "diesel-car" if fires == "compression" and kind == "petrol" else kind
 
 
 def _weights(engine: Engine) -> Assumption:
@@ -74,6 +91,9 @@ def _turning(engine: Engine, kind: EngineType | None, look: Look | None) -> Iter
     path = "cylinder.rotating_mass" if no_ends else "cylinder.throw_mass"
     reason = _turning_reason(engine, kind, ends=no_ends, pins=no_pins, weighted=weighted)
     ends, pins = _usual_turning(engine, kind, look)
+    if any(cylinder.articulated for cylinder in engine.cylinders):  # a row has one pin
+        throws = sum(len(shaft.throws) for shaft in engine.shafts)
+        pins = [own * throws / len(engine.cylinders) for own in pins]
     if not no_ends:
         yield Assumption(
             "missing", path, reason, 0.0, unit, pins[0], pins[-1],

@@ -26,7 +26,6 @@ from crankstar.studies.assumed_masses import masses
 from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.changed_values import (
     SCALED,
-    by_factor,
     point_value,
     with_bearings_moved,
     with_block_inertia,
@@ -62,7 +61,7 @@ STEEL_ENDS = (79e9, 83e9)
 STIFFNESS_ENDS = (0.85, 1.15)
 """Ends of the stiffness of a throw by its dimensions: empirical rules differ by as much."""
 BAR_ENDS = (0.5, 2.0)
-"""Ends of moments of inertia that are those of a round bar."""
+"""Ends of moments of inertia that are those of a round bar; the upper at least (`outline`)."""
 CENTRE_OFF = 0.2
 """By how much of the span of the cylinders the centre of mass may lie off their middle."""
 HEIGHTS = (-1.0, 3.0)
@@ -180,7 +179,7 @@ def _swept(engine: Engine) -> float:
 
 def _mounts(engine: Engine) -> Iterator[Assumption]:
     """What is assumed of the block and of the rubber on which it stands."""
-    from crankstar.dynamics.whirl import MASS_ENDS, body, estimated_mass
+    from crankstar.dynamics.whirl import MASS_ENDS, body, estimated_mass, outline
 
     block = engine.block
     own = body(engine)
@@ -195,14 +194,22 @@ def _mounts(engine: Engine) -> Iterator[Assumption]:
         )  # fmt: skip
     yield from _centre_of_mass(engine, own)
     if block is None or block.inertia is None:
-        low, high = BAR_ENDS
+        low, most = BAR_ENDS[0], 3 * [BAR_ENDS[1]]
+        reason = N_("moments of inertia estimated, of a bar about the crankshaft")
+        sides = outline(engine)
         if block is not None and block.sides is not None:
-            box = inertia_in_box(own.mass, sides=block.sides)
+            sides = block.sides
+            box = inertia_in_box(own.mass, sides=sides)
+            reason = N_("moments of inertia estimated, of a box of its size")
             low = min(end / mid for end, mid in zip(box.low, box.typical, strict=True))
-            high = max(end / mid for end, mid in zip(box.high, box.typical, strict=True))
+            most = [end / mid for end, mid in zip(box.high, box.typical, strict=True)]
+        elif sides is not None:  # a bar is slender, and an engine with two banks broad
+            box = inertia_in_box(own.mass, sides=sides)
+            walls = [end / bar for end, bar in zip(box.high, own.inertia, strict=True)]
+            most = [max(end, BAR_ENDS[1]) for end in walls]
         yield Assumption(
-            "estimated", "block.inertia", N_("moments of inertia estimated"),
-            1.0, "", low, high, vary=with_block_inertia(own.mass, own.inertia),
+            "estimated", "block.inertia", reason,
+            1.0, "", low, max(most), vary=with_block_inertia(own.mass, own.inertia, most),
         )  # fmt: skip
     if any(mount.assumed for mount in engine.mounts):
         low, high = (share * RUBBER_LOSS_FACTOR for share in RUBBER_ENDS)
@@ -250,9 +257,9 @@ def _unverified(engine: Engine, answer: Answer) -> Iterator[Assumption]:
         point = POINT.fullmatch(path)
         if point is not None and gas is not None and not _is_of(engine, gas, point[1]):
             continue
-        vary = SCALED.get(path) if point is None else point_value(point[2], gas)
-        if path == "cylinder.reciprocating_mass" and by_factor(engine):
-            vary = None  # its weights go with it
+        vary = SCALED.get(path)
+        if point is not None:
+            vary = point_value(point[2], gas, int(point[1]) if point[1] else None)
         if origin.status in DOUBTFUL:
             reason = N_("a guess") if origin.status == "placeholder" else N_("not read in a source")
             yield Assumption("unverified", path, reason, vary=vary)

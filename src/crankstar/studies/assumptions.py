@@ -37,6 +37,8 @@ SIGNIFICANT = 1e-3
 """Effect below which an assumption does not matter to an answer."""
 TOLD = 0.01
 """Effect from which an assumption has a sentence of its own."""
+ROUNDING = 1e-9
+"""Share of the greatest load of a mount below which one bears nothing."""
 LOAD_OF = "load of mount "
 """What a mount bears upward at rest, as a quantity: before its name."""
 
@@ -200,10 +202,10 @@ def _most(tried: Tried, now: Figures, least: Mapping[str, float]) -> tuple[Figur
 
 def _lifting(tried: Tried, now: Figures) -> tuple[str, ...]:
     """The mounts that bear a weight as the file is, and none somewhere in the range."""
+    loads = {key: size for key, size in now.items() if key[0].startswith(LOAD_OF)}
+    least = ROUNDING * max(map(abs, loads.values()), default=0.0)
     return tuple(
-        quantity.removeprefix(LOAD_OF)
-        for (quantity, order), size in now.items()
-        if quantity.startswith(LOAD_OF)
-        and size > 0
-        and min(size for _x, size in tried.sizes((quantity, order))) < 0
+        key[0].removeprefix(LOAD_OF)
+        for key, size in loads.items()
+        if size > least and min(size for _x, size in tried.sizes(key)) < -least
     )

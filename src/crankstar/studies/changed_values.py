@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
-from math import pi, radians
+from math import cos, pi, radians
 from typing import Any
 
 from crankstar.engine.basis import BALANCE_FACTOR
@@ -63,12 +63,11 @@ def _with_weights_along(before: Engine, after: Engine) -> Engine:
 def with_turning_masses(engine: Engine, ends: float | None, pins: float | None) -> Engine:
     """The engine with these masses (kg) per cylinder: big ends, and the crank's own pins.
 
-    What is None stays. Counterweights stay, but those of a balance factor go along.
+    What is None stays. Counterweights stay, but those of a balance factor go along. The big ends of
+    slave rods turn with the pin of their master, as in an engine file.
     """
     counts: dict[tuple[str, int], int] = {}
     for cylinder in engine.cylinders:
-        if cylinder.articulated is not None:  # its big end is on a knuckle pin
-            continue
         key = (cylinder.shaft, cylinder.throw)
         counts[key] = counts.get(key, 0) + 1
 
@@ -186,12 +185,20 @@ def with_block_value(name: str, *, mass: float, factor: float) -> Vary:
     return vary
 
 
-def with_block_inertia(mass: float, inertia: Sequence[float]) -> Vary:
-    """The block, of this mass (kg) if there is none, with these moments of inertia by a factor."""
+def with_block_inertia(
+    mass: float, inertia: Sequence[float], highest: Sequence[float] = (2.0, 2.0, 2.0)
+) -> Vary:
+    """The block, of this mass (kg) if there is none, with these moments of inertia by a factor.
+
+    `highest` are the greatest factors of the three; above 1 each goes as far towards its own as the
+    greatest of them does.
+    """
+    names = ("inertia_up", "inertia_right", "inertia_z")
 
     def vary(engine: Engine, factor: float) -> Engine:
-        names = ("inertia_up", "inertia_right", "inertia_z")
-        values = {name: own * factor for name, own in zip(names, inertia, strict=True)}
+        way = max(factor - 1, 0.0) / (max(highest) - 1)
+        factors = [min(factor, 1.0) + way * (most - 1) for most in highest]
+        values = {name: own * by for name, own, by in zip(names, inertia, factors, strict=True)}
         block = engine.block or Block(mass=mass)
         return with_values(engine, block=with_values(block, **values))
 
@@ -206,8 +213,11 @@ def with_mount_loss(engine: Engine, loss: float) -> Engine:
     return with_values(engine, mounts=tuple(mounts))
 
 
-def point_value(name: str, gas: Cycle | None) -> Vary | None:
-    """The change of one value of the operating point of the cycle by a factor."""
+def point_value(name: str, gas: Cycle | None, number: int | None = None) -> Vary | None:
+    """The change by a factor of one value of the operating points that a cycle is of.
+
+    With a `number`, counted from one, of that point of the file alone.
+    """
     if gas is None or name not in OperatingPoint.model_fields or name in ("name", "speed"):
         return None
 
@@ -218,9 +228,11 @@ def point_value(name: str, gas: Cycle | None) -> Vary | None:
         assert own is not None  # noqa: S101  # a cycle was computed
         points = [
             with_values(point, **{name: getattr(point, name) * factor})
-            if point.name in names and getattr(point, name) is not None
+            if place == (number or place)
+            and point.name in names
+            and getattr(point, name) is not None
             else point
-            for point in own.points
+            for place, point in enumerate(own.points, 1)
         ]
         return with_values(engine, gas=with_values(own, points=tuple(points)))
 
@@ -240,6 +252,28 @@ def _all(field: str) -> Vary:
         )
 
     return vary
+
+
+def _reciprocating(engine: Engine, factor: float) -> Engine:
+    """The change of the reciprocating masses by a factor, with the weights of a balance factor.
+
+    What they balance beyond what turns is a share of these masses, and changes along.
+    """
+    after = _all("reciprocating_mass")(engine, factor)
+    if not by_factor(engine):
+        return after
+    shafts = []
+    for shaft in engine.shafts:
+        more = []
+        for number, throw in enumerate(shaft.throws, 1):
+            own = [weight for weight in shaft.weights if weight.throw == number]
+            opposite = -sum(each.unbalance * cos(each.angle - throw.angle) for each in own)
+            share = (factor - 1) * (opposite - throw.turning_mass * throw.radius)
+            angle = wrapped(throw.angle + (pi if share > 0 else 0.0))
+            more += [Weight(unbalance=abs(share), angle=angle, z=throw.z, throw=number)]
+        kept = [each for each in more if each.unbalance]
+        shafts.append(with_values(shaft, weights=(*shaft.weights, *kept)) if kept else shaft)
+    return with_values(after, shafts=tuple(shafts))
 
 
 def _of_throws(field: str) -> Vary:
@@ -284,7 +318,7 @@ SCALED: Mapping[str, Vary] = {
     "speed": _speed,
     "cylinder.rod_length": _all("rod_length"),
     "cylinder.rod_ratio": _all("rod_length"),
-    "cylinder.reciprocating_mass": _all("reciprocating_mass"),
+    "cylinder.reciprocating_mass": _reciprocating,
     "cylinder.rotating_mass": _of_throws("rotating_mass"),
     "cylinder.throw_mass": _of_throws("throw_mass"),
     "gas.compression_ratio": _gas_value("compression_ratio"),

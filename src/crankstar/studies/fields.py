@@ -90,7 +90,7 @@ def ends_of(source: Source, over: Sequence[Varied]) -> tuple[Source, ...]:
 
     None where there are no ranges. Raises EngineFileError.
     """
-    varied = {path for each in over for path in (each.path, _instead(each.path))}
+    varied = {path for each in over for path in (each.path, instead(each.path))}
     sources = source.tree.get("provenance")
     kept = {k: v for k, v in sources.items() if k not in varied} if sources else {}
     ends = box({**source.tree, "provenance": kept}, name=source.name)
@@ -101,7 +101,7 @@ def ends_of(source: Source, over: Sequence[Varied]) -> tuple[Source, ...]:
     )
 
 
-def _instead(path: str) -> str:
+def instead(path: str) -> str:
     """The path of what a file may give instead of a value."""
     *outer, last = path.split(".")
     return ".".join((*outer, INSTEAD.get(last, last)))

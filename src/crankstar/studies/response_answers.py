@@ -45,7 +45,7 @@ def twist(
     ends = [float(whole.speeds[0]), float(whole.speeds[-1])] if len(whole.speeds) else []
 
     def figures(each: Engine) -> Figures:
-        each = _gas_as_in(engine, each)
+        each = each if whole.cycle is not None else _gas_as_in(engine, each)
         rough = torsion_on_grid(each, speeds=ends, **fixed)
         out: dict[Figure, float] = {}
         if rough.modes:
@@ -80,9 +80,11 @@ def twist(
 def _forced_twist(rough: TorsionAnalysis, strongest: Critical | None) -> dict[Figure, float]:
     """The figures of a forced response, from the one at critical speeds; none without one.
 
-    `strongest` is the order, with its mode, of which the resonance is wanted.
+    `strongest` is the order, with its mode, of which the resonance is wanted, wherever it is: of a
+    changed engine it may lie outside the speeds.
     """
     from crankstar.dynamics.torsion_analysis import peaked
+    from crankstar.dynamics.torsion_response import response
     from crankstar.studies.torsion_results import PeakOfSections
 
     if rough.response is None:
@@ -101,11 +103,11 @@ def _forced_twist(rough: TorsionAnalysis, strongest: Critical | None) -> dict[Fi
     if modulus.size:
         name, unit = ("torsional stress", 1e-6) if stressed else ("torsional torque", 1.0)
         out[name, None] = unit * most.greatest
-    if strongest is not None and rough.chain.damped:
+    if strongest is not None and rough.push is not None and rough.chain.damped:
         there = rough.modes[strongest.mode - 1].speed / strongest.order
-        place = int(np.argmin(np.abs(found.speeds - there)))
-        order = int(np.argmin(np.abs(found.orders - strongest.order)))
-        size = abs(found.turns[place, order, rough.free_end])
+        met = response(rough.chain, rough.push, speeds=np.array([there]))
+        order = int(np.argmin(np.abs(met.orders - strongest.order)))
+        size = abs(met.turns[0, order, rough.free_end])
         out["resonant amplitude", strongest.order] = degrees(float(size))
     return out
 
@@ -148,7 +150,8 @@ def on_mounts(
 ) -> Answer:
     """The natural frequencies of the block, and what its mounts transmit and a point of it does.
 
-    The maximum of each over the speeds, where it is of the engine as given, and at both ends; `at`
+    The maximum of each over the speeds, looked for from where it is of the engine as given and from
+    both ends; `at`
     is the point of the block (up, right, z; m), as of `mount_analysis.mounts`. Also what each mount
     bears upward at rest, measured by the greatest of them.
     """

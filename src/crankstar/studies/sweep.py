@@ -78,7 +78,8 @@ class Sweep:
     `engine` is that of the first values. Engines of the same orders are a Group; there is more than
     one where gear ratios or rods are swept. `again` sweeps other values; `ends` sweeps the same
     ones for the engine in the middle and at the corners of the ranges of its estimated values.
-    `cases` are the engines themselves with their speeds, which gas needs.
+    `cases` are the engines themselves with their speeds, which gas needs; `case` is that of the
+    values at some places of the axes.
     `speed` is the one of all [rad/s], None where it is swept or where nothing is in newtons. Where
     the speed is swept, `highest_speed` is omega_0. `orders` are those that were asked for, None of
     all. `adds`: a balance factor is varied whose weights are added to others of the crankshaft.
@@ -95,6 +96,7 @@ class Sweep:
     again: Callable[..., Sweep] = field(repr=False, compare=False)
     ends: Callable[[], tuple[Sweep, ...]] = field(repr=False, compare=False)
     cases: Callable[[], Sequence[Case]] = field(repr=False, compare=False)
+    case: Callable[[Sequence[int]], Case] = field(repr=False, compare=False)
     adds: bool = False
 
     @property
@@ -300,6 +302,10 @@ def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool
     def again(*others: Sequence[float] | Real) -> Sweep:
         return _made(plan, [np.asarray(each, float) for each in others], None, close=False)
 
+    def one(places: Sequence[int]) -> Case:
+        [found] = plan.cases([own[[place]] for own, place in zip(values, places, strict=True)])
+        return found
+
     return Sweep(
         axes=tuple(axes),
         engine=plan.first,
@@ -312,6 +318,7 @@ def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool
         again=again,
         ends=tuple,
         cases=lambda: plan.cases(values),
+        case=one,
     )
 
 

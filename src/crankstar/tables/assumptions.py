@@ -7,8 +7,8 @@ from math import inf
 from typing import Any
 
 from crankstar.language.messages import N_, _, passage
-from crankstar.language.numbers import number, order_text
-from crankstar.language.shown_units import quantity_text
+from crankstar.language.numbers import number, order_text, unit_text
+from crankstar.language.shown_units import shown
 from crankstar.studies.assumptions import LOAD_OF, TOLD, Assumption, Moved
 from crankstar.tables.table import Remarks
 
@@ -93,8 +93,8 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     doubtful = [each for each in found if each.status == "doubtful"]
     large = [each for each in found if each not in doubtful]
     large = [each for each in large if each.effect >= TOLD or _lifts(each)]
-    told = [each for each in large if not each.named][:MOST_TOLD]
-    told += [each for each in large if each.named]
+    most = [each for each in large if not each.named][:MOST_TOLD]
+    told = [each for each in large if each.named or each in most]
     lines = [(_doubted(each), [each]) for each in doubtful]
     rest = [each for each in found if each not in (*told, *doubtful)]
     whole = [line for status in FIRST for line in _together(rest, status)]
@@ -106,6 +106,10 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
         lines.append((_("Of less effect: {paths}.", paths=_paths(small)), small))
     lines += [line for status in OTHERS if status not in FIRST for line in _together(rest, status)]
     return lines
+
+
+FIRES = {"spark": N_("spark ignition"), "compression": N_("compression ignition")}
+"""How a usual cycle is ignited."""
 
 
 def _doubted(each: Assumption) -> str:
@@ -181,7 +185,7 @@ def _words(each: Assumption, own: Moved) -> dict[str, str]:
         "reason": _(each.reason),
         "figure": figure,
         "sizes": _span(own),
-        "now": quantity_text(_rounded(own.now), own.unit),
+        "now": _size(own.now, own.unit),
     }
 
 
@@ -191,7 +195,7 @@ def _moving(each: Assumption) -> str:
     assert own is not None  # noqa: S101  # asked before
     words = _words(each, own)
     if own.trial and not own.now:
-        size = quantity_text(_rounded(own.high), own.unit)
+        size = _size(own.high, own.unit)
         return _(
             "{path}: {reason}. A per cent of it makes the {figure} {size}.", **words, size=size
         )
@@ -206,9 +210,10 @@ def _moving(each: Assumption) -> str:
         return _with_other(each, words)
     if each.status == "left out" and each.low is not None:
         return _(
-            "{path}: {reason}. With a usual cycle (imep {low} to {high}) the {figure} is {sizes}, "
-            "not {now}.",
+            "{path}: {reason}. With a usual cycle ({ignition}, imep {low} to {high}) the {figure} "
+            "is {sizes}, not {now}.",
             **words,
+            ignition=_(FIRES[dict(each.values)["ignition"]]),
             low=_value(each, each.low),
             high=_value(each, each.high),
         )
@@ -292,12 +297,19 @@ def _rounded(value: float) -> float:
     return float(f"{value:.3g}")
 
 
+def _size(value: float, unit: str) -> str:
+    """A value to three digits, in the unit in which it is shown."""
+    said = shown(unit, abs(value))
+    words = number(_rounded(value * said.factor))
+    return f"{words} {unit_text(said.unit)}" if said.unit else words
+
+
 def _span(own: Moved) -> str:
     """The values of a figure over the range of an assumption."""
     if _rounded(own.low) == _rounded(own.high):
-        return quantity_text(_rounded(own.high), own.unit)
-    low = quantity_text(_rounded(own.low), own.unit)
-    top = quantity_text(_rounded(own.high), own.unit)
+        return _size(own.high, own.unit)
+    low = _size(own.low, own.unit)
+    top = _size(own.high, own.unit)
     bare, _space, unit = low.partition(" ")
     if unit == top.partition(" ")[2]:
         low = bare
@@ -316,7 +328,7 @@ def _value(each: Assumption, value: float | str | None) -> str:
         return f"l/r = {number(_rounded(value))}"
     if each.unit == "GPa":  # a modulus, no pressure: in GPa everywhere
         return f"{number(_rounded(value))} GPa"
-    return quantity_text(_rounded(value), each.unit)
+    return _size(value, each.unit)
 
 
 def assumption_facts(found: Sequence[Assumption]) -> dict[str, Any]:
@@ -352,8 +364,12 @@ def _object(each: Assumption) -> Mapping[str, Any]:
     }
 
 
-def assumption_remarks(found: Sequence[Assumption], *, of: str = "") -> tuple[Remarks, ...]:
-    """The sentences as a part of a Document, of one engine by name; none where nothing is.
+def assumption_remarks(
+    found: Sequence[Assumption], *, of: str = "", at: str = ""
+) -> tuple[Remarks, ...]:
+    """The sentences as a part of a Document; none where nothing is.
+
+    Of one engine by name, or at some values of many.
 
     Where nothing but what is left out is among them, nothing rests on it, and they have no head.
     """
@@ -364,7 +380,8 @@ def assumption_remarks(found: Sequence[Assumption], *, of: str = "") -> tuple[Re
         head = [_("{name} rests on:", name=of)]
     else:
         bare = all(each.status == "left out" for each in found)
-        head = [] if bare else [_("This rests on:")]
+        head = [_("With {values} this rests on:", values=at)] if at else [_("This rests on:")]
+        head = [] if bare else head
     return (Remarks((*head, *lines), kind="doubt"),)
 
 

@@ -89,8 +89,12 @@ def ranged(
     return with_doubt(resting(document, rests), engine)
 
 
-def resting(document: Document, rests: Callable[[], Sequence[Assumption]] | None) -> Document:
+def resting(
+    document: Document, rests: Callable[[], Sequence[Assumption]] | None, *, at: str = ""
+) -> Document:
     """The document with what it rests on after its first part, and for machines.
+
+    `at` are the values at which it was found, of many.
 
     What it said itself of what is assumed, part for part, gives way to that record; a doubt that
     both have stands there alone.
@@ -100,7 +104,7 @@ def resting(document: Document, rests: Callable[[], Sequence[Assumption]] | None
     from crankstar.tables.assumptions import assumption_facts, assumption_remarks
 
     found = rests()
-    said = assumption_remarks(found)
+    said = assumption_remarks(found, at=at)
     doubtful = {each.reason for each in found if each.status == "doubtful"}
     parts = [
         _without(part, doubtful) if isinstance(part, Remarks) else part

@@ -1,0 +1,115 @@
+"""What the results of a sweep rest on: the answer that it gives of the engine at one of its values.
+
+That is the first value; of the speed and of a balance factor the greatest, at which there is most.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar.engine.basis import BALANCE_FACTOR
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.gas import cycle
+from crankstar.studies.answer_parts import at_rest, joined, narrowed
+from crankstar.studies.answers import amplitudes, torques
+from crankstar.studies.assumptions import Answer
+from crankstar.studies.fields import instead
+from crankstar.studies.gas_results import GAS_WATCHABLE
+from crankstar.studies.mount_results import MODES, MOUNT_WATCHABLE
+from crankstar.studies.response_answers import on_mounts, twist
+from crankstar.studies.study import SPEED_PATH
+from crankstar.studies.sweep import Curve, Sweep
+from crankstar.studies.torsion_results import TORSION_WATCHABLE
+from crankstar.studies.variants import SweepError
+
+GREATEST = (SPEED_PATH, BALANCE_FACTOR)
+"""Numbers of which the greatest value is judged."""
+EVERY_MODE = tuple(f"mode {number}" for number in range(1, 13))
+FIGURES: Mapping[str, Sequence[str]] = {
+    "force": ["force"],
+    "couple": ["couple"],
+    "roll": ["roll"],
+    "axis_moment": ["roll"],
+    "torque": ["roll"],
+    "torque_with_gas": ["roll"],
+    "roll_with_gas": ["roll"],
+    "mean_torque": ["mean torque"],
+    "peak_pressure": ["peak pressure"],
+    "irregularity": ["irregularity"],
+    "torsion_frequency": ["natural frequency"],
+    "torsion_stress": ["torsional stress"],
+    "torsion_amplitude": ["torsional amplitude"],
+    **{name: [f"mode {number}"] for number, name in enumerate(MODES, 1)},
+    "mount_roll_mode": EVERY_MODE,
+    "mount_roll_share": EVERY_MODE,
+    "mount_force": ["mount force"],
+    "mount_velocity": ["velocity at the point"],
+}
+"""The quantities of an answer that say how far a result of a sweep moves."""
+
+
+class Judged(NamedTuple):
+    """The engine of a sweep at one of its values, which are `at`, and the answer that it gives."""
+
+    engine: Engine
+    answer: Answer
+    at: str
+
+
+def judged(sweep: Sweep, curves: Sequence[Curve]) -> Judged:
+    """What the curves of a sweep rest on; what is varied is in no doubt.
+
+    Nor are the counterweights that a balance factor gives.
+    """
+    places = [int(np.argmax(axis.values)) if axis.path in GREATEST else 0 for axis in sweep.axes]
+    try:
+        engine, speed = sweep.case(places)
+    except SweepError:  # it does not fire in the order of the file, which no inertia needs
+        engine, speed = sweep.engine, sweep.speed
+    at = ", ".join(
+        f"{axis.path} = {axis.values[place]:.6g} {axis.unit}".strip()
+        for axis, place in zip(sweep.axes, places, strict=True)
+    )
+    kinds: dict[str, list[Curve]] = {}
+    for curve in curves:
+        kinds.setdefault(_kind(curve.what), []).append(curve)
+    parts = [_answer(engine, speed, kind, own) for kind, own in kinds.items()]
+    answer = parts[0] if len(parts) == 1 else joined(parts)
+    paths = [axis.path for axis in sweep.axes]
+    given = {path for own in paths for path in (own, instead(own))}
+    given |= {"crankshaft.weight"} if BALANCE_FACTOR in paths else set()
+    return Judged(engine, replace(answer, given={*answer.given, *given}), at)
+
+
+def _kind(what: str) -> str:
+    """Of which analysis a result is; modes are apart from what is forced."""
+    if what in GAS_WATCHABLE:
+        return "running" if what == "irregularity" else "gas"
+    if what in TORSION_WATCHABLE:
+        return "torsion modes" if what == "torsion_frequency" else "torsion"
+    if what in MOUNT_WATCHABLE:
+        return "mounts" if what in ("mount_force", "mount_velocity") else "mount modes"
+    return "roll" if what.partition(".")[0] in ("roll", "torque", "axis_moment") else "inertia"
+
+
+def _answer(engine: Engine, speed: float | None, kind: str, curves: Sequence[Curve]) -> Answer:
+    """The answer of one kind, about the results that are watched and their orders."""
+    if kind in ("gas", "running"):
+        whole = torques(engine, partial(cycle, speed=speed), running=kind == "running")
+    elif kind.startswith("torsion"):
+        whole = twist(engine, speed=speed)
+    elif kind.startswith("mount"):
+        whole = on_mounts(engine, speed=speed)
+    else:
+        whole = amplitudes(engine, speed=speed, gas=kind == "inertia")
+    if kind.endswith("modes"):
+        whole = at_rest(whole)
+    names = [name for curve in curves for name in FIGURES[curve.what.partition(".")[0]]]
+    orders = [curve.order for curve in curves if curve.order is not None]
+    by_order = len(orders) == len(curves) and kind in ("inertia", "roll")
+    return narrowed(whole, [*dict.fromkeys(names)], orders=orders if by_order else None)
