@@ -135,7 +135,7 @@ def test_a_drawing_names_what_of_its_shape_nobody_has_read(name: str) -> None:
 
 def test_charts_of_studies_rest_on_what_their_tables_do(run: Run, tmp_path: Path) -> None:
     asked = {
-        "sweep": ("--over", "speed=1000..6000 rpm/5"),
+        "sweep": ("--over", "speed=1000..6000 rpm/5", "--quantity", "couple"),
         "tolerance": ("--typical", "--builds", "1000"),
     }
     for verb, words in asked.items():
@@ -153,10 +153,17 @@ def test_charts_of_studies_rest_on_what_their_tables_do(run: Run, tmp_path: Path
 
 
 def test_a_balance_factor_that_is_swept_leaves_no_counterweight_in_doubt(run: Run) -> None:
-    answer = json.loads(run("sweep", AUDI, "--over", "balance_factor=0..1/3", "--json").out)
-    paths = {row["path"] for row in answer["rests_on"]}
-    assert "cylinder.rotating_mass" in paths
-    assert "crankshaft.weight" not in paths
+    """Nor a rotating mass, all of which a factor balances: the couple is the same without it."""
+    over = ("--over", "balance_factor=0..1/3", "--quantity", "couple")
+    answer = json.loads(run("sweep", AUDI, *over, "--json").out)
+    assert [row["path"] for row in answer["rests_on"]] == ["cylinder.rod_length"]
+    assert answer["rests_on_at"] == "balance_factor = 1"
+    masses = ("0 g", "900 g")
+    light, heavy = (
+        crankstar.sweep(AUDI, over[1], changes={"cylinder.rotating_mass": mass}) for mass in masses
+    )
+    both = [crankstar.watched(each, "couple").values for each in (light, heavy)]
+    assert both[0] == pytest.approx(both[1], rel=1e-12)
 
 
 def test_the_chart_of_a_diagnosis_rests_on_the_block_it_shakes() -> None:

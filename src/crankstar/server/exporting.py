@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from math import radians
-from typing import Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
 from crankstar.server.forms import Form
 from crankstar.server.refusal import refused
 from crankstar.server.tasks import Tree, engine_of, mistakes_refused, units_of
+
+if TYPE_CHECKING:
+    from crankstar.studies.assumptions import Assumption
 
 
 class _Asked(NamedTuple):
@@ -73,6 +76,7 @@ def _csv(asked: _Asked) -> bytes:
 
 def _spreadsheet(asked: _Asked) -> bytes:
     from crankstar.files.sheets import sheets_of
+    from crankstar.studies.answers import amplitudes, rests_on
     from crankstar.tables import analysis
     from crankstar.tables.ranges import ranged
     from crankstar.tables.spreadsheet import spreadsheet_bytes
@@ -80,7 +84,10 @@ def _spreadsheet(asked: _Asked) -> bytes:
     def sheet(each: Engine) -> Any:
         return analysis.document(analysis.analysis(each, speed=None))
 
-    document = ranged(sheet, asked.spread, asked.engine)
+    def rests() -> Sequence[Assumption]:
+        return rests_on(asked.engine, amplitudes(asked.engine, both=True))
+
+    document = ranged(sheet, asked.spread, asked.engine, rests=rests)
     document = replace(document, parts=(*document.parts, *_amplitudes(asked).tables))
     return spreadsheet_bytes(document, sheets_of(asked.tree))
 

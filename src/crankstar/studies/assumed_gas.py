@@ -25,7 +25,7 @@ from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.charge_air import CHARGED, RICHEST, STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
-from crankstar.mechanics.operating_points import ASSUMED
+from crankstar.mechanics.operating_points import ASSUMED, GasError
 from crankstar.mechanics.remains import summed
 from crankstar.studies.assumptions import Assumption, Moved
 from crankstar.studies.changed_values import Vary, with_gas_choice, with_gas_value, with_valve_angle
@@ -80,6 +80,8 @@ VALVE_ENDS: Mapping[Strokes, Mapping[str, tuple[float, float]]] = {
 Of four-stroke engines those of road and industrial engines; of two-stroke ones from the ports and
 the exhaust valve of a ship's engine to the ports of a small one.
 """
+NEAR = 1.1
+"""Of the pressure around an engine: below, a load may be that of one without a charger."""
 LEANEST = 1.5
 """Air-fuel ratio over the stoichiometric one from which a homogeneous mixture does not burn.
 
@@ -206,34 +208,54 @@ def valves(engine: Engine) -> Iterator[Assumption]:
 
 
 def _held(own: Cycle, vary: Vary | None) -> Vary | None:
-    """The change of a value with the charge that is assumed as it is: it does not follow.
+    """The change of a value that takes no charger away and adds none: then the charge stays.
 
-    Between two points each has a charge of its own.
+    Whether an engine has one is assumed by its load alone. Between two points each has a charge of
+    its own.
     """
     kept = {key: own.values[key] for key in CHARGE if key in own.assumed and key in own.values}
     if vary is None or "intake_pressure" not in kept or len(own.shares) > 1:
         return vary
 
     def held(engine: Engine, value: float) -> Engine:
-        gas = engine.gas or Gas()
-        return vary(with_values(engine, gas=with_values(gas, **kept)), value)
+        changed = vary(engine, value)
+        try:
+            again = cycle(changed, point=own.name, speed=own.speed)
+        except GasError:
+            return changed
+        if _charged(again) == _charged(own):
+            return changed
+        gas = changed.gas or Gas()
+        return with_values(changed, gas=with_values(gas, **{**kept, **_set(gas)}))
 
     return held
+
+
+def _set(gas: Gas) -> Mapping[str, float]:
+    """What a file gives of the charge itself."""
+    return {key: size for key in CHARGE if (size := getattr(gas, key)) is not None}
+
+
+def _charged(own: Cycle) -> bool:
+    """Whether a charger is assumed."""
+    return own.values["intake_pressure"] > ASSUMED[own.values["ignition"]]["intake_pressure"]
 
 
 def _charged_or_not(own: Cycle, value: float, low: float, high: float) -> tuple[float, float]:
     """The ends of an assumed charge pressure, with a charger and without one.
 
-    Where its air suffices but is less than a charger gives, there may be one; where there has to be
-    one for the usual air-fuel ratio, it may give no more than what burns the load.
+    Where its air suffices but is less than a charger gives, there may be one; where it all but
+    suffices, there may be none.
     """
     ratio, fires = own.air_fuel_ratio, own.values.get("ignition")
     if ratio is None or fires is None or RICHEST[fires] == CHARGED[fires]:
         return low, high
     least, usual = (share[fires] * STOICHIOMETRIC[fires] for share in (RICHEST, CHARGED))
-    if value > ASSUMED[fires]["intake_pressure"]:
-        return min(low, value * least / ratio), high
-    return low, max(high, value * usual / ratio)
+    if not _charged(own):
+        return low, max(high, value * usual / ratio)
+    enough = value * least / ratio
+    near = enough < NEAR * ASSUMED[fires]["intake_pressure"]
+    return (min(low, enough) if near else low), high
 
 
 def _throttled(own: Cycle) -> float:

@@ -63,19 +63,24 @@ def _with_weights_along(before: Engine, after: Engine) -> Engine:
 def with_turning_masses(engine: Engine, ends: float | None, pins: float | None) -> Engine:
     """The engine with these masses (kg) per cylinder: big ends, and the crank's own pins.
 
-    What is None stays. Counterweights stay, but those of a balance factor go along. The big ends of
-    slave rods turn with the pin of their master, as in an engine file.
+    What is None stays. Counterweights stay, but those of a balance factor go along. The big end of
+    a slave rod is on its knuckle pin.
     """
-    counts: dict[tuple[str, int], int] = {}
+    on: dict[tuple[str, int], list[bool]] = {}
     for cylinder in engine.cylinders:
-        key = (cylinder.shaft, cylinder.throw)
-        counts[key] = counts.get(key, 0) + 1
+        on.setdefault((cylinder.shaft, cylinder.throw), []).append(cylinder.articulated is None)
 
     def changes(shaft: str, number: int) -> dict[str, float]:
-        count = counts.get((shaft, number), 0)
-        named = {"rotating_mass": ends, "throw_mass": pins}
-        return {name: mass * count for name, mass in named.items() if mass is not None}
+        own = on.get((shaft, number), [])
+        out = {} if ends is None else {"rotating_mass": ends * sum(own)}
+        return out if pins is None else {**out, "throw_mass": pins * len(own)}
 
+    if ends is not None and any(cylinder.articulated for cylinder in engine.cylinders):
+        cylinders = [
+            with_values(own, big_end_mass=ends) if own.articulated else own
+            for own in engine.cylinders
+        ]
+        engine = with_values(engine, cylinders=tuple(cylinders))
     shafts = [
         with_values(
             shaft,

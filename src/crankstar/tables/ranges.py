@@ -115,6 +115,7 @@ def resting(
     first = 1 if parts and isinstance(parts[0], Remarks) else 0
     parts[first:first] = said
     facts = {**document.facts, **assumption_facts(found)}
+    facts |= {"rests_on_at": at} if at and found else {}
     return replace(document, parts=tuple(parts), facts=facts)
 
 
