@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
@@ -22,7 +22,8 @@ class Canvas:
 
     `named` is whether the titles name the engine, which on a page of its own goes without saying.
     `alone`: of several engines the first is drawn, to the scale of all, each at its own speed.
-    `rests` is whether a figure says what its numbers rest on, which a page lists beside them.
+    `rests` is whether a figure says what its numbers rest on, which a page lists beside them;
+    `foot` is the room for it below the panels: all, the line that names who lists it, or none.
     """
 
     width: float = USUAL_WIDTH
@@ -30,6 +31,7 @@ class Canvas:
     named: bool = True
     alone: bool = False
     rests: bool = True
+    foot: Literal["all", "name", ""] = "all"
 
 
 _USUAL = Canvas()
@@ -78,6 +80,11 @@ def names_engine() -> bool:
 def shows_rests() -> bool:
     """Whether figures say what their numbers rest on."""
     return _CANVAS.get().rests
+
+
+def foot_room() -> str:
+    """The room below the panels for what the numbers rest on."""
+    return _CANVAS.get().foot
 
 
 def abreast(engines: int) -> int:

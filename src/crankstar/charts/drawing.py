@@ -8,7 +8,7 @@ from html import escape
 from math import degrees, isfinite, pi
 from typing import TYPE_CHECKING, Any
 
-from crankstar.charts.canvas import BETWEEN, curve_height, names_engine, panel_width
+from crankstar.charts.canvas import BETWEEN, curve_height, foot_room, names_engine, panel_width
 from crankstar.charts.grammar import Channel, Chart, Layer, field
 from crankstar.charts.letters import TEXT, folded
 from crankstar.charts.resting import Rests, foot_panel, told
@@ -176,7 +176,8 @@ def figure(
         parts["params"] = [{"name": THETA, "value": value, "bind": slider}]
     known = told(rests)
     if known.foot:
-        parts["vconcat"].append(foot_panel(known.foot, width=width))
+        lines = {"all": known.foot, "name": [known.named], "": []}[foot_room()]
+        parts["vconcat"] += [foot_panel(lines, width=width)] if lines else []
         parts["usermeta"] = known.facts
     return Chart(parts, known.sentences)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from crankstar.charts.canvas import Canvas, drawn_on
 from crankstar.charts.drawing import HALO, ChartError, svg
@@ -84,26 +84,41 @@ def printed(draw: Callable[[], Chart], paper: Paper, *, title: str) -> Print:
             )
         )
     room = tuple(None if side is None else side / paper.px for side in (paper.width, paper.height))
-    canvas, best = Canvas(), None
+
+    def made(canvas: Canvas) -> tuple[Chart, str]:
+        with drawn_on(canvas):
+            chart = themed(draw(), paper.theme)
+        return chart, svg(chart, title).replace(HALO, THEMES[paper.theme].ground)
+
     sizes: list[tuple[float, float]] = []
     with known_once():
-        for _try in range(TRIES if any(room) else 1):
-            with drawn_on(canvas):
-                chart = themed(draw(), paper.theme)
-            drawing = svg(chart, title).replace(HALO, THEMES[paper.theme].ground)
-            size = _size(drawing)
-            sizes.append(size)
-            if _fits(size, room):
-                best = (chart, drawing, size) if best is None or size > best[2] else best
-            following = _following(canvas, size, room)
-            if following == canvas:
-                break
-            canvas = following
-    if best is None:
-        raise _too_small(paper, min(sizes, key=lambda size: _excess(size, room)))
-    chart, drawing, size = best
-    wide, high = (own if side is None else side for own, side in zip(size, room, strict=True))
-    return Print(chart, drawing, (wide, high), paper)
+        for canvas in (Canvas(), Canvas(foot="name"), Canvas(foot="")):
+            best, tried = _largest(made, canvas, room)
+            sizes += tried
+            if best is not None:
+                chart, drawing = best
+                own = zip(_size(drawing), room, strict=True)
+                wide, high = (size if side is None else side for size, side in own)
+                return Print(chart, drawing, (wide, high), paper)
+    raise _too_small(paper, min(sizes, key=lambda size: _excess(size, room)))
+
+
+def _largest(
+    made: Callable[[Canvas], tuple[Chart, str]], canvas: Canvas, room: tuple[float | None, ...]
+) -> tuple[tuple[Chart, str] | None, list[tuple[float, float]]]:
+    """The largest drawing that fits into the room, from a canvas on; and the sizes of all."""
+    best: tuple[Chart, str] | None = None
+    sizes: list[tuple[float, float]] = []
+    for _try in range(TRIES if any(room) else 1):
+        chart, drawing = made(canvas)
+        sizes.append(_size(drawing))
+        if _fits(sizes[-1], room) and (best is None or sizes[-1] > _size(best[1])):
+            best = chart, drawing
+        following = _following(canvas, sizes[-1], room)
+        if following == canvas:
+            break
+        canvas = following
+    return best, sizes
 
 
 def _size(drawing: str) -> tuple[float, float]:
@@ -135,7 +150,8 @@ def _following(canvas: Canvas, size: tuple[float, float], room: tuple[float | No
         if stretch < SHORTEST or (canvas.stretch != 1.0 and size[1] > high):
             width = min(width, canvas.width - 1.01 * (size[1] - high))
     width = max(NARROWEST, 0.998 * width)
-    return Canvas(round(width, 1), round(min(max(stretch, SHORTEST), 6.0), 3))
+    stretch = round(min(max(stretch, SHORTEST), 6.0), 3)
+    return replace(canvas, width=round(width, 1), stretch=stretch)
 
 
 def _too_small(paper: Paper, size: tuple[float, float]) -> ChartError:

@@ -38,6 +38,8 @@ FOOT = "rests"
 MOST_LINES = 8
 """Lines of what matters most; of more the last sentences, or words, are left out."""
 SENTENCE_END = re.compile(r"(?<=[.?])\s+|(?<=。)")
+LETTERS_ROOM = 0.88
+"""Share of the width in which lines are folded: other fonts have broader letters."""
 LEADING = 1.25
 """From line to line, in the size of the letters."""
 OF_INERTIA = ("force", "couple", "roll")
@@ -65,14 +67,18 @@ class Rests(NamedTuple):
 
 
 class Told(NamedTuple):
-    """What a figure rests on: lines for its foot, all sentences, and rows for machines."""
+    """What a figure rests on: lines for its foot, all sentences, and rows for machines.
+
+    `named` is the one line on a paper that has no room for the foot.
+    """
 
     foot: list[str]
+    named: str
     sentences: tuple[str, ...]
     facts: dict[str, Any]
 
 
-NOTHING = Told([], (), {})
+NOTHING = Told([], "", (), {})
 _KNOWN: ContextVar[list[Told] | None] = ContextVar("known", default=None)
 
 
@@ -118,14 +124,16 @@ def _told(found: Sequence[tuple[Engine, tuple[Assumption, ...]]], command: str) 
     foot[0] = f"{engine.name}: {foot[0]}" if several else foot[0]
     if others:
         foot.append(_("And {count} more: crankstar {command}", count=others, command=command))
-    return Told(foot, tuple(sentences), {"rests_on": rows})
+    named = _("What it rests on: crankstar {command}", command=command)
+    return Told(foot, named, tuple(sentences), {"rests_on": rows})
 
 
 def foot_panel(lines: Sequence[str], *, width: float) -> dict[str, Any]:
     """Lines at the foot of a figure, in its width (px); all but the first are kept whole."""
     first, *others = lines
-    written = _kept(first, width)
-    written += [line for other in others for line in folded(other, width=width, size=SMALL)]
+    room = LETTERS_ROOM * width
+    written = _kept(first, room)
+    written += [line for other in others for line in folded(other, width=room, size=SMALL)]
     height = len(written) * LEADING * SMALL
     rows = [{"y": (at + 0.5) * LEADING * SMALL, "text": line} for at, line in enumerate(written)]
     words: Layer = of_rows(rows).mark(
