@@ -391,7 +391,7 @@ def test_the_whirl_is_switched_on_at_a_size_that_is_seen_and_its_estimate_is_nam
 ) -> None:
     opened(page, built_page(CROSS), "a=0&tab=whirl")
     panel = page.get_by_role("tabpanel")
-    expect(panel.get_by_text("Estimate:")).to_be_visible()
+    expect(panel.get_by_text("Estimate:").first).to_be_visible()
     assert handle(page, "state.whirl") == 0
     panel.get_by_role("checkbox", name="Show the whirl on the stage").check()
     assert handle(page, "state.whirl") >= 1

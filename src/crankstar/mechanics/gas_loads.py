@@ -76,6 +76,11 @@ def is_linear(engine: Engine) -> bool:
     return values["process"] == "heat-release" and plain
 
 
+def _charged_alike(one: Cycle, other: Cycle) -> bool:
+    """Whether two loads have one charge: a pressure that is assumed rises with the load."""
+    return one.values.get("intake_pressure") == other.values.get("intake_pressure")
+
+
 def torques_at_loads(
     engine: Engine, *, imep: Sequence[float] | Real, point: str = "", speed: float | None = None
 ) -> LoadedTorques:
@@ -94,14 +99,12 @@ def torques_at_loads(
     if engine.gas is not None and engine.gas.trace is not None:
         raise GasError("a measured pressure has a load of its own: ask for no other")
     low, high = float(loads.min()), float(loads.max())
-    if low == high or not is_linear(engine):
+    both = [cycle(engine, point=point, speed=speed, imep=each) for each in (low, high)]
+    if low == high or not is_linear(engine) or not _charged_alike(*both):
         return _stacked(
             loads, [cycle(engine, point=point, speed=speed, imep=each) for each in loads]
         )
-    ends = _stacked(
-        np.array([low, high]),
-        [cycle(engine, point=point, speed=speed, imep=each) for each in (low, high)],
-    )
+    ends = _stacked(np.array([low, high]), both)
     share = (loads - low) / (high - low)
 
     def between(values: Any) -> Any:
@@ -205,7 +208,8 @@ def _speeds_of(engine: Engine, point: str, low: float, high: float) -> Real:
     rubs = "bmep" in values and values.get("friction_pressure") is None
     if low == high or not (walls or (rubs and values["friction"] != "none")):
         return np.array([middle])
-    if not walls and is_linear(engine):
+    ends = (cycle(engine, point=name, speed=each) for each in (low, high))
+    if not walls and is_linear(engine) and _charged_alike(*ends):
         return np.array([low, middle, high])
     angle = (np.arange(WALL_NODES) + 0.5) * np.pi / WALL_NODES
     return middle - (high - low) / 2 * np.cos(angle) / np.cos(angle[0])
