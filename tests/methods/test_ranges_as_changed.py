@@ -143,23 +143,28 @@ def test_a_value_of_one_operating_point_moves_that_point_alone(number: int) -> N
     assert (own.low, own.high) == pytest.approx((roll(0.99), roll(1.01)), rel=1e-9)
 
 
-def test_weights_by_a_factor_go_with_an_estimated_reciprocating_mass() -> None:
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"rotating_mass": "500 g"},
+        {"rod": {"mass": "0.6 kg", "centre": "40 mm", "inertia": "0.002 kg*m^2"}},
+    ],
+)
+def test_weights_by_a_factor_go_with_an_estimated_reciprocating_mass(more: dict[str, Any]) -> None:
     given = {"status": "estimated", "source": "x", "range": [0.8, 1.2]}
-    tree = {
-        **FIVE,
-        "cylinder": {**FIVE["cylinder"], "rotating_mass": "500 g"},
-        "balance_factor": 0.5,
-    }
+    tree = {**FIVE, "cylinder": {**FIVE["cylinder"], **more}, "balance_factor": 0.5}
     engine = engine_of({**tree, "provenance": {"cylinder.reciprocating_mass": given}}, name="x")
-    own = record(engine, amplitudes(engine, gas=True))["cylinder.reciprocating_mass"].moved
-    assert own is not None
-
-    def size(share: float) -> float:
+    own = record(engine, amplitudes(engine, gas=True))["cylinder.reciprocating_mass"]
+    moved, vary = own.moved, own.vary
+    assert moved is not None
+    assert vary is not None
+    for share in (0.8, 1.2):
         cylinder = {**tree["cylinder"], "reciprocating_mass": f"{480 * share} g"}
         changed = engine_of({**tree, "cylinder": cylinder}, name="x")
-        return amplitudes(changed).figures(changed)[own.quantity, own.order]
-
-    assert (own.low, own.high) == pytest.approx((size(0.8), size(1.2)), rel=1e-9)
+        wanted = amplitudes(changed).figures(changed)
+        found = amplitudes(engine).figures(vary(engine, share))
+        for key in (("couple", 1.0), ("couple", 2.0), ("force", 1.0), ("roll", 1.0)):
+            assert found.get(key, 0.0) == pytest.approx(wanted.get(key, 0.0), rel=1e-9, abs=1e-6)
 
 
 @pytest.mark.parametrize("imep", ["11.7 bar", "11.9 bar"])

@@ -262,7 +262,8 @@ def _all(field: str) -> Vary:
 def _reciprocating(engine: Engine, factor: float) -> Engine:
     """The change of the reciprocating masses by a factor, with the weights of a balance factor.
 
-    What they balance beyond what turns is a share of these masses, and changes along.
+    What they balance beyond all that turns is a share of what reciprocates, rods included; that of
+    the pistons changes along.
     """
     after = _all("reciprocating_mass")(engine, factor)
     if not by_factor(engine):
@@ -272,8 +273,17 @@ def _reciprocating(engine: Engine, factor: float) -> Engine:
         more = []
         for number, throw in enumerate(shaft.throws, 1):
             own = [weight for weight in shaft.weights if weight.throw == number]
+            moved = [
+                each
+                for each in engine.cylinders
+                if (each.shaft, each.throw) == (shaft.name, number)
+            ]
             opposite = -sum(each.unbalance * cos(each.angle - throw.angle) for each in own)
-            share = (factor - 1) * (opposite - throw.turning_mass * throw.radius)
+            turning = throw.turning_mass + sum(each.rotating for each in moved)
+            whole = sum(each.reciprocating for each in moved)
+            pistons = sum(each.reciprocating_mass for each in moved)
+            part = (opposite - turning * throw.radius) * pistons / whole if whole else 0.0
+            share = (factor - 1) * part
             angle = wrapped(throw.angle + (pi if share > 0 else 0.0))
             more += [Weight(unbalance=abs(share), angle=angle, z=throw.z, throw=number)]
         kept = [each for each in more if each.unbalance]
