@@ -337,8 +337,8 @@ def of_sweep(sweep: Sweep, curves: Sequence[Curve]) -> Rests:
     """Of a figure of the curves of a sweep."""
     from crankstar.studies.sweep_answers import judged
 
-    engine, answer, _at = judged(sweep, curves)
-    return Rests([engine], lambda _engine: answer, "sweep")
+    found = judged(sweep, curves)
+    return Rests([found.engine], lambda _engine: found.answer, "sweep")
 
 
 def of_diagnosis(found: Diagnosis) -> Rests:

@@ -109,8 +109,8 @@ def _resting(document: Document, made: _Made) -> Document:
     from crankstar.studies.sweep_answers import judged
     from crankstar.tables.ranges import resting
 
-    engine, answer, at = judged(made.sweep, made.curves)
-    return resting(document, lambda: rests_on(engine, answer), at=at)
+    found = judged(made.sweep, made.curves)
+    return resting(document, lambda: rests_on(found.engine, found.answer), at=found.at)
 
 
 def _swept(

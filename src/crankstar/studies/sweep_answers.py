@@ -6,9 +6,8 @@ That is the first value; of the speed and of a balance factor the greatest, at w
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from functools import partial
-from typing import NamedTuple
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -53,19 +52,37 @@ FIGURES: Mapping[str, Sequence[str]] = {
 """The quantities of an answer that say how far a result of a sweep moves."""
 
 
-class Judged(NamedTuple):
-    """The engine of a sweep at one of its values, which are `at`, and the answer that it gives."""
+@dataclass(frozen=True)
+class Judged:
+    """The engine of a sweep at one of its values, which are `at`, and the answer that it gives.
+
+    `speed` is in rad/s, None in m r omega^2; `varied` are the key paths of the sweep.
+    """
 
     engine: Engine
-    answer: Answer
+    speed: float | None
     at: str
+    curves: Sequence[Curve]
+    varied: Sequence[str]
+
+    @cached_property
+    def answer(self) -> Answer:
+        """What the curves rest on; what is varied is in no doubt.
+
+        Nor are the counterweights that a balance factor gives.
+        """
+        kinds: dict[str, list[Curve]] = {}
+        for curve in self.curves:
+            kinds.setdefault(_kind(curve.what), []).append(curve)
+        parts = [_answer(self.engine, self.speed, kind, own) for kind, own in kinds.items()]
+        answer = parts[0] if len(parts) == 1 else joined(parts)
+        given = {path for own in self.varied for path in (own, instead(own))}
+        given |= {"crankshaft.weight"} if BALANCE_FACTOR in self.varied else set()
+        return replace(answer, given={*answer.given, *given})
 
 
 def judged(sweep: Sweep, curves: Sequence[Curve]) -> Judged:
-    """What the curves of a sweep rest on; what is varied is in no doubt.
-
-    Nor are the counterweights that a balance factor gives.
-    """
+    """What the curves of a sweep rest on: at the first values, of some at the greatest."""
     places = [int(np.argmax(axis.values)) if axis.path in GREATEST else 0 for axis in sweep.axes]
     try:
         engine, speed = sweep.case(places)
@@ -75,15 +92,7 @@ def judged(sweep: Sweep, curves: Sequence[Curve]) -> Judged:
         f"{axis.path} = {axis.values[place]:.6g} {axis.unit}".strip()
         for axis, place in zip(sweep.axes, places, strict=True)
     )
-    kinds: dict[str, list[Curve]] = {}
-    for curve in curves:
-        kinds.setdefault(_kind(curve.what), []).append(curve)
-    parts = [_answer(engine, speed, kind, own) for kind, own in kinds.items()]
-    answer = parts[0] if len(parts) == 1 else joined(parts)
-    paths = [axis.path for axis in sweep.axes]
-    given = {path for own in paths for path in (own, instead(own))}
-    given |= {"crankshaft.weight"} if BALANCE_FACTOR in paths else set()
-    return Judged(engine, replace(answer, given={*answer.given, *given}), at)
+    return Judged(engine, speed, at, curves, [axis.path for axis in sweep.axes])
 
 
 def _kind(what: str) -> str:
