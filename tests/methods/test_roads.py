@@ -23,6 +23,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.records import Articulation, Cylinder, Rod, Shaft, Weight
 from crankstar.files import EngineFileError, engine_of, tree_of
+from crankstar.files.catalog import load
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.batches import totals
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra
@@ -648,3 +649,18 @@ def test_a_summit_that_has_just_parted_in_two_is_climbed(third: float) -> None:
     highest = np.abs(np.sin(angles) + third * np.sin(3 * angles)).max()
     assert spectra.peak(signal).value == pytest.approx(highest, rel=2e-9)
     assert spectra.peaks(signal) == pytest.approx(highest, rel=2e-9)
+
+
+@pytest.mark.parametrize(("length", "offset"), [(0.9, 0.0), (1.2, 0.3), (1.2, -0.3)])
+def test_a_rod_that_does_not_reach_has_no_motion(length: float, offset: float) -> None:
+    """Neither by harmonics nor angle by angle."""
+    with pytest.raises(ValueError, match="too short to reach"):
+        motion.piston_harmonics(crank_radius=1.0, rod_length=length, offset=offset)
+    four = load("i4")
+    radius = four.shafts[0].throws[0].radius
+    sizes = {"rod_length": length * radius, "offset": offset * radius}
+    short = four.model_copy(
+        update={"cylinders": tuple(each.model_copy(update=sizes) for each in four.cylinders)}
+    )
+    with pytest.raises(ValueError, match="too short to reach"):
+        motion.rods(motion.linkage(short), np.linspace(0.0, 6.3, 90))

@@ -37,6 +37,9 @@ DEPTH = 0.8
 """How deep harmonics are read off, as a share of the strip in which the motion is analytic."""
 NOISE = 1e-13
 """A harmonic smaller than this share of the greatest, both read off there, is rounding error."""
+SHORT = 1e-12
+"""Share of the crank radius by which rounding may shorten a rod that just reaches."""
+TOO_SHORT = "a rod is too short to reach its cylinder over the whole turn; check the engine first"
 
 
 @dataclass(frozen=True)
@@ -174,9 +177,7 @@ def _reached(links: Linkage, at: list[int] | slice, joint: Path) -> Rods:
     across = along[0].imag - offset
     squared = length**2 - across**2
     if np.any(squared <= 0):
-        raise ValueError(
-            "a rod is too short to reach its cylinder over the whole turn; check the engine first"
-        )
+        raise ValueError(TOO_SHORT)
     height = np.sqrt(squared)
     # s^2 = l^2 - y^2, so s s' = -y y' and s s'' = -(y'^2 + y y'') - s'^2
     rate = -across * along[1].imag / height
@@ -287,12 +288,14 @@ def piston_harmonics(*, crank_radius: float, rod_length: float, offset: float = 
 
     The force on the block along the cylinder axis is `m r w^2 Re(sum A_k exp(i k psi))`, psi the
     crank angle clockwise from the axis. Lengths in any one unit. A_k is real for a centred crank,
-    where only orders 1, 2, 4, 6, ... appear.
+    where only orders 1, 2, 4, 6, ... appear. Raises ValueError for a rod that is too short.
 
     >>> np.round(piston_harmonics(crank_radius=1, rod_length=4)[[1, 2, 4]].real, 12).tolist()
     [1.0, 0.254025042307, -0.004098111172]
     """
     length, miss = rod_length / crank_radius, offset / crank_radius
+    if length - abs(miss) < 1 - SHORT:
+        raise ValueError(TOO_SHORT)
     strip = acosh(max(length - abs(miss), MINIMUM_CLEARANCE))
     depth = DEPTH * strip
     count = 1 << int(np.ceil(np.log2(-np.log(PRECISION) / (strip - depth) + 16)))
