@@ -145,6 +145,8 @@ def test_each_throw_is_ahead_by_its_turn_times_the_magnification(
     expect(page.get_by_role("radio", name="twisting in a mode")).to_be_checked()
     order = float(page.get_by_role("combobox", name="Order", exact=True).input_value())
     checked_places(engine, read(page), 7 * free(engine, 2, order, EIGHT), sense, EIGHT)
+    met = torsion(engine).modes[1].speed / order * 30 / math.pi
+    expect(page.get_by_text(f"times a turn, as at {round(met)} rpm")).to_have_count(1)
     page.get_by_role("radio", name="as it is", exact=True).check()
     checked_places(engine, read(page), np.zeros((len(engine.shafts[0].throws), 8)), sense, EIGHT)
 
