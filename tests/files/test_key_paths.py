@@ -64,3 +64,10 @@ def test_a_quoted_path_sets_and_turns_what_the_bare_one_does() -> None:
     tree = {"cylinder": {"bore": "80 mm"}, "provenance": sources}
     assert changed(tree, {'"cylinder"."bore"': 0}) == changed(tree, {"cylinder.bore": 0})
     assert changed(tree, {"cylinder.bore": 0})["provenance"] == {}
+
+
+def test_a_path_into_a_table_that_was_given_with_it_leaves_that_as_it_is() -> None:
+    rod = {"mass": "550 g", "centre": "40 mm"}
+    tree = changed({"cylinder": {}}, {"cylinder.rod": rod, "cylinder.rod.mass": "500 g"})
+    assert tree["cylinder"]["rod"] == {"mass": "500 g", "centre": "40 mm"}
+    assert rod == {"mass": "550 g", "centre": "40 mm"}

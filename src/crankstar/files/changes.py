@@ -62,7 +62,7 @@ def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine")
             if not _can_hold(table, key):
                 raise EngineFileError(name, [_unsettable(keys, place, table)])
             if place == len(keys) - 1:
-                table[key] = value
+                table[key] = copied(value)  # a later path may lead into it
             else:
                 table = table[key] if isinstance(key, int) else table.setdefault(key, {})
     if changes:
