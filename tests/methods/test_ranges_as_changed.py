@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.lacking import FIVE
+from tests.lacking import FIVE, GENSET
 from tests.twisting_engines import TORSION
 
 from crankstar.dynamics.mount_analysis import mounts
@@ -25,16 +25,11 @@ from crankstar.studies.sweep import sweep, watched
 from crankstar.studies.sweep_answers import judged
 
 DIESEL: dict[str, Any] = {
+    key: size for key, size in GENSET.items() if key not in ("format", "drive")
+} | {
     "name": "four",
     "firing_order": [1, 3, 4, 2],
-    "speed": "1500 rpm",
-    "cylinder": {
-        "bore": "130 mm",
-        "stroke": "150 mm",
-        "rod_length": "250 mm",
-        "reciprocating_mass": "4 kg",
-    },
-    "layout": {"type": "inline", "bore_pitch": "160 mm"},
+    "cylinder": {**GENSET["cylinder"], "rotating_mass": "0 kg"},
     "gas": {"ignition": "compression", "compression_ratio": 17},
 }
 
@@ -205,7 +200,7 @@ def test_masses_of_a_radial_count_as_in_its_file() -> None:
     assert amplitudes(changed).figures(changed)[key] == pytest.approx(own.moved.high, rel=1e-9)
 
 
-def test_the_type_of_an_engine_is_that_of_its_greatest_speed_and_its_ignition() -> None:
+def test_the_type_of_an_engine_is_that_of_its_highest_speed_and_its_ignition() -> None:
     full = load("audi-25-tfsi")
     idle = load("audi-25-tfsi", changes={"speed": "800 rpm"})
     ends = [

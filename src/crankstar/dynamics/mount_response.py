@@ -33,7 +33,7 @@ AT_ONCE = 16384
 """Frequencies that are solved together, to bound memory."""
 OF_A_WAVE = 12
 ROUNDING = 1e-9
-"""Share of the greatest force in a mount below which one is nothing."""
+"""Share of the maximum force in a mount below which one is nothing."""
 """Angles of a period of the highest order."""
 
 

@@ -207,7 +207,7 @@ def torsion_on_grid(
 def _with_criticals(
     engine: Engine, found: TorsionAnalysis, push: Excitation, *, whole: bool
 ) -> Real:
-    """The speeds with the critical ones of all orders and modes, and half-power points of note.
+    """The speeds with the critical ones of all orders and modes, and the main half-power points.
 
     `whole` says that those of the analysis are all.
     """

@@ -42,7 +42,7 @@ def masses(engine: Engine) -> Iterator[Assumption]:
 
 
 def _kind(engine: Engine, look: Look) -> EngineType:
-    """The type by size, by the greatest speed that the file knows, and by how it ignites."""
+    """The type by size, by the highest speed that the file knows, and by how it ignites."""
     gas = engine.gas
     known = [look.speed] if gas is None else [look.speed, gas.speed, *(p.speed for p in gas.points)]
     fastest = max((speed for speed in known if speed is not None), default=None)

@@ -38,7 +38,7 @@ SIGNIFICANT = 1e-3
 TOLD = 0.01
 """Effect from which an assumption has a sentence of its own."""
 ROUNDING = 1e-9
-"""Share of the greatest load of a mount below which one bears nothing."""
+"""Share of the maximum load of a mount below which one bears nothing."""
 LOAD_OF = "load of mount "
 """What a mount bears upward at rest, as a quantity: before its name."""
 

@@ -195,8 +195,8 @@ def with_block_inertia(
 ) -> Vary:
     """The block, of this mass (kg) if there is none, with these moments of inertia by a factor.
 
-    `highest` are the greatest factors of the three; above 1 each goes as far towards its own as the
-    greatest of them does.
+    `highest` are the highest factors of the three; above 1 each goes as far towards its own as the
+    highest of them does.
     """
     names = ("inertia_up", "inertia_right", "inertia_z")
 

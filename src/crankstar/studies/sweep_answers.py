@@ -1,6 +1,6 @@
 """What the results of a sweep rest on: the answer that it gives of the engine at one of its values.
 
-That is the first value; of the speed and of a balance factor the greatest, at which there is most.
+That is the first value; of the speed and of a balance factor the highest, at which there is most.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from crankstar.studies.sweep import Curve, Sweep
 from crankstar.studies.torsion_results import TORSION_WATCHABLE
 from crankstar.studies.variants import SweepError
 
-GREATEST = (SPEED_PATH, BALANCE_FACTOR)
-"""Numbers of which the greatest value is judged."""
+HIGHEST = (SPEED_PATH, BALANCE_FACTOR)
+"""Numbers of which the highest value is judged."""
 EVERY_MODE = tuple(f"mode {number}" for number in range(1, 13))
 FIGURES: Mapping[str, Sequence[str]] = {
     "force": ["force"],
@@ -82,8 +82,8 @@ class Judged:
 
 
 def judged(sweep: Sweep, curves: Sequence[Curve]) -> Judged:
-    """What the curves of a sweep rest on: at the first values, of some at the greatest."""
-    places = [int(np.argmax(axis.values)) if axis.path in GREATEST else 0 for axis in sweep.axes]
+    """What the curves of a sweep rest on: at the first values, of some at the highest."""
+    places = [int(np.argmax(axis.values)) if axis.path in HIGHEST else 0 for axis in sweep.axes]
     try:
         engine, speed = sweep.case(places)
     except SweepError:  # it does not fire in the order of the file, which no inertia needs
