@@ -149,7 +149,9 @@ def test_charts_of_studies_rest_on_what_their_tables_do(run: Run, tmp_path: Path
         }
         assert told
         assert all(path in said.err for path in told), verb
-        assert "cylinder.rotating_mass" in picture.read_text(encoding="utf-8")
+        drawn = picture.read_text(encoding="utf-8")
+        assert "cylinder.rotating_mass" in drawn
+        assert ("With crank speed = 6000 rpm this rests on:" in drawn) == (verb == "sweep")
 
 
 def test_a_balance_factor_that_is_swept_leaves_no_counterweight_in_doubt(run: Run) -> None:

@@ -28,6 +28,7 @@ from crankstar.studies.answer_parts import TURNING, at_rest, in_own_unit, narrow
 from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.chart_answers import vectors
 from crankstar.tables.assumptions import assumption_facts, assumption_remarks, leading_lines
+from crankstar.tables.field_names import field_name
 
 if TYPE_CHECKING:
     from crankstar.studies.diagnosis import Diagnosis
@@ -58,12 +59,13 @@ OF_COMPONENT = {
 class Rests(NamedTuple):
     """The engines of a figure, the answer it gives of each, and what lists all that this rests on.
 
-    `command` is a verb of the command line.
+    `command` is a verb of the command line; `at` are the values, of many, at which it is found.
     """
 
     engines: Sequence[Engine]
     answer: Callable[[Engine], Answer]
     command: str
+    at: str = ""
 
 
 class Told(NamedTuple):
@@ -100,19 +102,19 @@ def told(rests: Rests | None) -> Told:
     if known:
         return known[0]
     found = [(engine, answers.rests_on(engine, rests.answer(engine))) for engine in rests.engines]
-    out = _told(found, rests.command)
+    out = _told(found, rests.command, rests.at)
     if known is not None:
         known.append(out)
     return out
 
 
-def _told(found: Sequence[tuple[Engine, tuple[Assumption, ...]]], command: str) -> Told:
+def _told(found: Sequence[tuple[Engine, tuple[Assumption, ...]]], command: str, at: str) -> Told:
     several = len(found) > 1
     sentences: list[str] = []
     rows: list[dict[str, Any]] = []
     for engine, own in found:
         name = engine.name if several else ""
-        for part in assumption_remarks(own, of=name):
+        for part in assumption_remarks(own, of=name, at=at):
             sentences += part.lines
         beside = {"engine": name} if several else {}
         rows += [{**beside, **row} for row in assumption_facts(own).get("rests_on", ())]
@@ -122,6 +124,8 @@ def _told(found: Sequence[tuple[Engine, tuple[Assumption, ...]]], command: str) 
     foot, others = leading_lines(gravest)
     others += len(rows) - len(gravest)
     foot[0] = f"{engine.name}: {foot[0]}" if several else foot[0]
+    if at:
+        foot[0] = passage([_("With {values} this rests on:", values=at), foot[0]])
     if others:
         foot.append(_("And {count} more: crankstar {command}", count=others, command=command))
     named = _("What it rests on: crankstar {command}", command=command)
@@ -338,7 +342,8 @@ def of_sweep(sweep: Sweep, curves: Sequence[Curve]) -> Rests:
     from crankstar.studies.sweep_answers import judged
 
     found = judged(sweep, curves)
-    return Rests([found.engine], lambda _engine: found.answer, "sweep")
+    at = ", ".join(f"{field_name(path)} = {value}" for path, value in found.values.items())
+    return Rests([found.engine], lambda _engine: found.answer, "sweep", at)
 
 
 def of_diagnosis(found: Diagnosis) -> Rests:

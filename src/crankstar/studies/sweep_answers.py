@@ -54,16 +54,21 @@ FIGURES: Mapping[str, Sequence[str]] = {
 
 @dataclass(frozen=True)
 class Judged:
-    """The engine of a sweep at one of its values, which are `at`, and the answer that it gives.
+    """The engine of a sweep at one of its values, and the answer that it gives.
 
-    `speed` is in rad/s, None in m r omega^2; `varied` are the key paths of the sweep.
+    `speed` is in rad/s, None in m r omega^2; `values` are the numbers with their units, by the key
+    paths that are varied.
     """
 
     engine: Engine
     speed: float | None
-    at: str
+    values: Mapping[str, str]
     curves: Sequence[Curve]
-    varied: Sequence[str]
+
+    @property
+    def at(self) -> str:
+        """The values by key path, as text."""
+        return ", ".join(f"{path} = {value}" for path, value in self.values.items())
 
     @cached_property
     def answer(self) -> Answer:
@@ -76,8 +81,8 @@ class Judged:
             kinds.setdefault(_kind(curve.what), []).append(curve)
         parts = [_answer(self.engine, self.speed, kind, own) for kind, own in kinds.items()]
         answer = parts[0] if len(parts) == 1 else joined(parts)
-        given = {path for own in self.varied for path in (own, instead(own))}
-        given |= {"crankshaft.weight"} if BALANCE_FACTOR in self.varied else set()
+        given = {path for own in self.values for path in (own, instead(own))}
+        given |= {"crankshaft.weight"} if BALANCE_FACTOR in self.values else set()
         return replace(answer, given={*answer.given, *given})
 
 
@@ -88,11 +93,11 @@ def judged(sweep: Sweep, curves: Sequence[Curve]) -> Judged:
         engine, speed = sweep.case(places)
     except SweepError:  # it does not fire in the order of the file, which no inertia needs
         engine, speed = sweep.engine, sweep.speed
-    at = ", ".join(
-        f"{axis.path} = {axis.values[place]:.6g} {axis.unit}".strip()
+    values = {
+        axis.path: f"{axis.values[place]:.6g} {axis.unit}".strip()
         for axis, place in zip(sweep.axes, places, strict=True)
-    )
-    return Judged(engine, speed, at, curves, [axis.path for axis in sweep.axes])
+    }
+    return Judged(engine, speed, values, curves)
 
 
 def _kind(what: str) -> str:
