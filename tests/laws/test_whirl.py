@@ -116,28 +116,44 @@ def test_a_cross_plane_v8_whirls_in_a_circle_about_its_middle(name: str) -> None
 
 
 def test_a_cross_plane_v8_whirls_as_far_as_its_couple_says() -> None:
-    """The couple sqrt(10) m r a about the middle, by hand, over the inertia of the bar; order 1."""
+    """The couple sqrt(10) m r a about the middle, by hand, over the inertia of the box; order 1."""
     engine = crankstar.load("v8-cross-plane")
     body = whirl.body(engine)
-    pistons = 8.0
-    length, radius = 3.2 + 2.0, 0.5 * (1 + engine.first.rod_length)
+    pistons, bore = 8.0, 2.0  # a bore that is not known is a stroke
+    corner = (1 + engine.first.rod_length + bore + bore / 2) / 2**0.5
+    sides = (corner + 2.0, 2 * corner, 3.2 + bore)
+    assert whirl.outline(engine) == pytest.approx(sides)
     assert body.mass == pytest.approx(55 * pistons)
-    assert body.inertia[1] == pytest.approx(55 * pistons * (3 * radius**2 + length**2) / 12)
+    up, right, along = (body.mass * share for share in walls(*sides))
+    assert body.inertia == pytest.approx(((up + right) / 2, (up + right) / 2, along), rel=1e-4)
     long, _ = axes(whirl.response(engine, of=body), 1.0)
     assert long * body.inertia[1] == pytest.approx(10**0.5, rel=1e-9)
 
 
+def walls(a: float, b: float, c: float) -> list[float]:
+    """The moments of inertia per mass of the walls of a box, from points on them."""
+    number = 300
+    grid = (np.arange(number) + 0.5) / number - 0.5
+    squares, areas = np.zeros(3), 0.0
+    for axis, area in enumerate((b * c, c * a, a * b)):
+        places = np.stack(np.meshgrid(*np.repeat(grid[None], 2, axis=0)), axis=-1).reshape(-1, 2)
+        sheet = np.insert(places, axis, 0.5, axis=1) * [a, b, c]
+        squares += area * (sheet**2).mean(axis=0)
+        areas += area
+    return [float((squares.sum() - own) / areas) for own in squares]
+
+
 def test_a_heavy_flat_engine_makes_an_ellipse_of_a_round_couple() -> None:
     engine = crankstar.load("v8-cross-plane")
-    bar = whirl.body(engine)
-    flat = Body(bar.mass, bar.centre, (3 * bar.inertia[0], bar.inertia[1], bar.inertia[2]))
+    box = whirl.body(engine)
+    flat = Body(box.mass, box.centre, (3 * box.inertia[0], box.inertia[1], box.inertia[2]))
     long, short = axes(whirl.response(engine, of=flat), 1.0)
     assert long == pytest.approx(3 * short)
 
 
 def test_the_block_of_a_file_is_what_answers_and_what_it_leaves_out_is_told() -> None:
     engine = crankstar.load("audi-25-tfsi")
-    assert "homogeneous round bar" in whirl.body(engine).assumed[0]
+    assert "a box about cylinders and crankcase" in whirl.body(engine).assumed[0]
     known = Block(
         mass=180.0, up=0.1, right=-0.01, z=0.02, inertia_up=11.0, inertia_right=12.0, inertia_z=5.0
     )
@@ -189,7 +205,7 @@ def test_lengths_along_a_shaft_of_unknown_pitch_are_counted_in_units_across() ->
     )
 
 
-def test_a_third_of_a_rod_counts_as_reciprocating_in_the_mass_of_the_bar() -> None:
+def test_a_third_of_a_rod_counts_as_reciprocating_in_the_estimated_mass() -> None:
     """A third of a slender rod's mass is where its piston pin is, by the inertia about its end."""
     length, mass = 0.15, 0.6
     samples = (np.arange(100_000) + 0.5) / 100_000

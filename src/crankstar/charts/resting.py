@@ -24,7 +24,7 @@ from crankstar.language.messages import _, passage
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle
 from crankstar.studies import answers, response_answers
-from crankstar.studies.answer_parts import TURNING, at_rest, in_own_unit, narrowed, without_speed
+from crankstar.studies.answer_parts import TURNING, in_own_unit, narrowed, without_speed
 from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.chart_answers import vectors
 from crankstar.tables.assumptions import assumption_facts, assumption_remarks, leading_lines
@@ -269,27 +269,27 @@ def of_loads(
 
 
 def of_twist(
-    source: Engine | Chain, *, quantities: Sequence[str] = TWISTING[:1], **options: Any
+    source: Engine | Chain, *, quantities: Sequence[str] = (), **options: Any
 ) -> Rests | None:
     """Of a figure of torsion, none of a drive line; `options` as of `response_answers.twist`."""
     if not isinstance(source, Engine):
         return None
 
     def answer(each: Engine) -> Answer:
-        made = response_answers.twist(each, **options)
-        made = made if len(quantities) > 1 else at_rest(made)
-        return narrowed(made, quantities)
+        if not quantities:
+            return response_answers.twisting_modes()
+        return narrowed(response_answers.twist(each, **options), quantities)
 
     return Rests([source], answer, "torsion")
 
 
 def on_mounts(engine: Engine, quantity: str = "", **options: Any) -> Rests:
     """Of a figure of the engine on its mounts: a quantity of `answers.ON_MOUNTS`, or its modes."""
-    modes = [f"mode {number}" for number in range(1, 13)]
 
     def answer(each: Engine) -> Answer:
-        made = response_answers.on_mounts(each, **options)
-        return narrowed(made, [quantity]) if quantity else narrowed(at_rest(made), modes)
+        if not quantity:
+            return response_answers.mounted_modes()
+        return narrowed(response_answers.on_mounts(each, **options), [quantity])
 
     return Rests([engine], answer, "mounts")
 

@@ -51,8 +51,6 @@ A V8 of 5 l has 40 (210 kg over 8 times 0.65 kg), an in-line four that has been 
 """
 MASS_ENDS = (0.5, 1.9)
 """Ends of an estimated mass, as multiples; the upper is that of an engine with its gearbox."""
-RADIUS_TO_REACH = 0.5
-"""Radius of the estimated round bar over the greatest distance of a piston pin from its shaft."""
 
 
 @dataclass(frozen=True)
@@ -76,13 +74,13 @@ class Response:
 
 
 def body(engine: Engine, *, along: float = 1.0) -> Body:
-    """The engine as a rigid body, from `[block]` of its file, else a homogeneous round bar.
+    """The engine as a rigid body, from `[block]` of its file, else the walls of a box.
 
-    Where `[block]` has an outer size, it is a homogeneous box. The bar is homogeneous too, and lies
-    along the crankshaft about the centre of mass. A mass that the file does not give is
-    `estimated_mass`. The bar has as its length the span of the cylinders plus a stroke, as its
-    radius `RADIUS_TO_REACH` of the reach of the pistons. A couple that turns in a circle makes it
-    whirl in a circle. `along` is the unit along the crankshaft in units across it (1 unless bore
+    Where `[block]` has an outer size, it is a homogeneous box. Else its mass is in the walls of the
+    box about cylinders and crankcase (`outline`), thin and even: castings are where they are, and
+    what is bolted on is outside. About up and right it has the mean of the two, so that a couple
+    that turns in a circle makes it whirl in a circle. A mass that the file does not give is
+    `estimated_mass`. `along` is the unit along the crankshaft in units across it (1 unless bore
     pitch or stroke is unknown); the body is in units across.
     """
     block, middle = engine.block, default_reference(engine).z
@@ -117,38 +115,37 @@ def body(engine: Engine, *, along: float = 1.0) -> Body:
         own = inertia_in_box(mass, sides=(up, right, length * along))
         return Body(mass, centre, own.typical, (*heavy, _boxed(own)))
     assumed = _(
-        "The engine file gives no moments of inertia in [block]; a homogeneous round bar about the "
-        "crankshaft is assumed."
+        "The engine file gives no moments of inertia in [block]; its mass is assumed in the walls "
+        "of a box about cylinders and crankcase."
     )
     if block is None:
         assumed = _(
-            "The engine file has no [block]; a homogeneous round bar about the crankshaft is "
-            "assumed."
+            "The engine file has no [block]; its mass is assumed in the walls of a box about "
+            "cylinders and crankcase."
         )
-    return Body(mass, centre, _bar(engine, mass, along), (assumed, *heavy))
+    return Body(mass, centre, _walled(engine, mass, along), (assumed, *heavy))
 
 
-def outline(engine: Engine) -> tuple[float, float, float] | None:
-    """The sides (up, right, along; m) of the box about cylinders and crankcase.
+def outline(engine: Engine, *, along: float = 1.0) -> tuple[float, float, float]:
+    """The sides (up, right, along; units across) of the box about cylinders and crankcase.
 
     A cylinder reaches from the crankshaft over its rod by a bore, for piston and head; the
-    crankcase is two crank radii about it. None where lengths have no unit.
+    crankcase is two crank radii about it. A bore that is not known in these units is a stroke.
+    `along` as in `body`.
     """
-    if {"radius", "pitch"} & {*engine.relative}:
-        return None
     corners: list[complex] = []
-    along: list[float] = []
+    ends: list[float] = []
     for cylinder in engine.cylinders:
         radius = engine.throw(cylinder).radius
-        bore = cylinder.bore or 2 * radius
+        bore = cylinder.bore if cylinder.bore and "radius" not in engine.relative else 2 * radius
         axis = np.exp(1j * cylinder.bearing)  # up + i right
         top = radius + cylinder.rod_length + bore
         corners += [axis * (top + 0.5j * bore), axis * (top - 0.5j * bore)]
         corners += [2 * radius * (1 + 1j), -2 * radius * (1 + 1j)]
-        along += [cylinder.z - bore / 2, cylinder.z + bore / 2]
+        ends += [along * cylinder.z - bore / 2, along * cylinder.z + bore / 2]
     places = np.array(corners)
     up, right = (float(np.ptp(part(places))) for part in (np.real, np.imag))
-    return up, right, max(along) - min(along)
+    return up, right, max(ends) - min(ends)
 
 
 def estimated_mass(engine: Engine) -> tuple[float, bool]:
@@ -185,17 +182,10 @@ def _boxed(own: BodyEstimate) -> str:
     )
 
 
-def _bar(engine: Engine, mass: float, along: float) -> tuple[float, float, float]:
-    """The moments of inertia of the estimated bar: m (3 R^2 + L^2)/12 across, m R^2/2 along."""
-    places = [cylinder.z * along for cylinder in engine.cylinders]
-    strokes = [engine.throw(cylinder).radius for cylinder in engine.cylinders]
-    reach = max(
-        radius + cylinder.rod_length
-        for radius, cylinder in zip(strokes, engine.cylinders, strict=True)
-    )
-    length, radius = max(places) - min(places) + 2 * max(strokes), RADIUS_TO_REACH * reach
-    across = mass * (3 * radius**2 + length**2) / 12
-    return across, across, mass * radius**2 / 2
+def _walled(engine: Engine, mass: float, along: float) -> tuple[float, float, float]:
+    """The moments of inertia of the walls of the box about the engine, across their mean."""
+    up, right, own = inertia_in_box(mass, sides=outline(engine, along=along)).high
+    return (up + right) / 2, (up + right) / 2, own
 
 
 def response(

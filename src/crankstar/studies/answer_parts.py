@@ -1,4 +1,4 @@
-"""Answers about fewer quantities, without gas or speed, and several as one."""
+"""Answers about fewer quantities, without a speed, and several as one."""
 
 from __future__ import annotations
 
@@ -36,12 +36,6 @@ def in_own_unit(answer: Answer) -> Answer:
     )
 
 
-def at_rest(answer: Answer) -> Answer:
-    """The answer as far as no gas is in it, as natural modes have none."""
-    uses = [each for each in answer.uses if each != "gas"]
-    return replace(answer, uses=uses, gas=None, gasless="", tunings=())
-
-
 def narrowed(
     answer: Answer,
     quantities: Collection[str],
@@ -68,19 +62,21 @@ def narrowed(
 
 def joined(parts: Sequence[Answer]) -> Answer:
     """Several answers as one; what no part of it depends on is given."""
-    first, *others = parts
+    first = parts[0]
+    owners: dict[str, Answer] = {}
 
     def figures(engine: Engine) -> Figures:
         out: dict[Figure, float] = {}
         for part in reversed(parts):
-            out |= part.figures(engine)
+            own = part.figures(engine)
+            owners.update((quantity, part) for quantity, _order in own)
+            out |= own
         return out
 
     def unit(quantity: str, engine: Engine) -> str:
-        for part in others:
-            if any(name == quantity for name, _order in part.figures(engine)):
-                return part.unit(quantity, engine)
-        return first.unit(quantity, engine)
+        if quantity not in owners:
+            figures(engine)
+        return owners.get(quantity, first).unit(quantity, engine)
 
     def least(engine: Engine) -> Mapping[str, float]:
         return {name: size for part in parts for name, size in part.least(engine).items()}

@@ -77,6 +77,22 @@ def twist(
     )
 
 
+def twisting_modes() -> Answer:
+    """The first natural frequency of torsion alone, which no gas and no damping moves."""
+    from crankstar.dynamics.torsion_chain import torsion_chain
+    from crankstar.dynamics.torsion_modes import torsion_modes
+
+    def figures(each: Engine) -> Figures:
+        modes = torsion_modes(torsion_chain(each))
+        return {("natural frequency", None): modes[0].frequency} if modes else {}
+
+    return Answer(
+        figures=figures,
+        unit=lambda quantity, _engine: OF_TORSION[quantity],
+        uses=("inertia", "torsion"),
+    )
+
+
 def _forced_twist(rough: TorsionAnalysis, strongest: Critical | None) -> dict[Figure, float]:
     """The figures of a forced response, from the one at critical speeds; none without one.
 
@@ -200,6 +216,22 @@ def on_mounts(
         why_gasless=why,
         least=least,
         tunings=[] if over is None else [_on_mounts_tuned(over.orders.tolist(), *(ends or (0, 0)))],
+    )
+
+
+def mounted_modes() -> Answer:
+    """The natural frequencies of the block on its mounts alone."""
+    from crankstar.dynamics.mount_modes import mount_modes
+    from crankstar.dynamics.mounted_block import mounted_block
+
+    def figures(each: Engine) -> Figures:
+        modes = mount_modes(mounted_block(each))
+        return {(f"mode {number}", None): mode.frequency for number, mode in enumerate(modes, 1)}
+
+    return Answer(
+        figures=figures,
+        unit=lambda quantity, _engine: _unit_on_mounts(quantity),
+        uses=("inertia", "mounts"),
     )
 
 

@@ -14,13 +14,13 @@ import numpy as np
 from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import cycle
-from crankstar.studies.answer_parts import at_rest, joined, narrowed
+from crankstar.studies.answer_parts import joined, narrowed
 from crankstar.studies.answers import amplitudes, torques
 from crankstar.studies.assumptions import Answer
 from crankstar.studies.fields import instead
 from crankstar.studies.gas_results import GAS_WATCHABLE
 from crankstar.studies.mount_results import MODES, MOUNT_WATCHABLE
-from crankstar.studies.response_answers import on_mounts, twist
+from crankstar.studies.response_answers import mounted_modes, on_mounts, twist, twisting_modes
 from crankstar.studies.study import SPEED_PATH
 from crankstar.studies.sweep import Curve, Sweep
 from crankstar.studies.torsion_results import TORSION_WATCHABLE
@@ -115,14 +115,14 @@ def _answer(engine: Engine, speed: float | None, kind: str, curves: Sequence[Cur
     """The answer of one kind, about the results that are watched and their orders."""
     if kind in ("gas", "running"):
         whole = torques(engine, partial(cycle, speed=speed), running=kind == "running")
-    elif kind.startswith("torsion"):
+    elif kind.endswith("modes"):
+        whole = twisting_modes() if kind.startswith("torsion") else mounted_modes()
+    elif kind == "torsion":
         whole = twist(engine, speed=speed)
-    elif kind.startswith("mount"):
+    elif kind == "mounts":
         whole = on_mounts(engine, speed=speed)
     else:
         whole = amplitudes(engine, speed=speed, gas=kind == "inertia")
-    if kind.endswith("modes"):
-        whole = at_rest(whole)
     names = [name for curve in curves for name in FIGURES[curve.what.partition(".")[0]]]
     orders = [curve.order for curve in curves if curve.order is not None]
     by_order = len(orders) == len(curves) and kind in ("inertia", "roll")
