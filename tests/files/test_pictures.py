@@ -92,6 +92,9 @@ def test_several_engines_are_drawn_side_by_side(run: Run) -> None:
         (["i4", "crank-star", "--beside", "i6", "-o", "x.svg"], "shows one engine"),
         (["i4", "hodograph", "--beside", "i7", "-o", "x.svg"], "there is no such engine"),
         (["nothing", "hodograph", "-o", "x.svg"], "there is no such engine"),
+        (["i4", "mount-response", "-o", "x.svg"], "give [[mounts]]"),
+        (["i4", "campbell", "-o", "x.svg"], "give the table [torsion]"),
+        (["i4", "torque", "--set", "speed=6000 rpm", "-o", "x.svg"], "give cylinder.bore"),
     ],
 )
 def test_what_cannot_be_drawn_is_refused(

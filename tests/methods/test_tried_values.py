@@ -197,3 +197,18 @@ def test_a_usual_cycle_of_a_file_without_gas_moves_no_force_on_its_mounts() -> N
     before = answer.figures(still)["mount force", None]
     burning = answer.figures(with_values(still, gas=engine.gas))
     assert burning["mount force", None] == before
+
+
+def test_a_place_of_the_centre_of_mass_is_judged_at_the_same_point_of_the_block() -> None:
+    """The point does not move along where the centre of mass is varied."""
+    engine, speed = plain(), 3000 * pi / 30
+    answer = felt(engine, MISFIRE, speed=speed)
+    here = felt(engine, MISFIRE, speed=speed, at=body(engine).centre)
+    [up] = [each for each in rests_on(engine, answer) if each.path == "block.up"]
+    [same] = [each for each in rests_on(engine, here) if each.path == "block.up"]
+    assert (up.moved, up.low, up.high) == (same.moved, same.low, same.high)
+    assert up.vary is not None
+    lifted = up.vary(engine, 50.0)
+    place = body(engine).centre
+    found = shaken(lifted, MISFIRE, speed=speed, orders=[0.5]).sizes(place)[0, -1]
+    assert answer.figures(lifted)["velocity", 0.5] == found

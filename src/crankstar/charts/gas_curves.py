@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import pi
 from typing import NamedTuple
 
@@ -134,7 +135,12 @@ def said_pressure(pressure: float) -> str:
 
 def without(engine: Engine, *, title: str, reason: str) -> Chart:
     """A figure that says why there is no curve."""
-    return figure([[nothing(reason)]], title=title, subtitle=heading(engine))
+    return refusal(reason, title=title, subtitle=heading(engine))
+
+
+def refusal(reason: str, *, title: str, subtitle: Sequence[str]) -> Chart:
+    """A figure that shows a sentence only."""
+    return replace(figure([[nothing(reason)]], title=title, subtitle=subtitle), lacking=reason)
 
 
 def nothing(reason: str) -> Panel:

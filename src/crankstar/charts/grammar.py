@@ -77,10 +77,12 @@ class Chart:
     """A figure as Vega-Lite; a notebook shows it with the help of Altair.
 
     `notes` are the sentences on what its numbers rest on; its `usermeta` has them for machines.
+    `lacking` says why nothing is drawn, where it shows no more than that.
     """
 
     spec: Mapping[str, Any]
     notes: tuple[str, ...] = ()
+    lacking: str = ""
 
     def to_dict(self) -> dict[str, Any]:
         """The figure as a tree that can be written as JSON."""

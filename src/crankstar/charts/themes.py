@@ -7,7 +7,7 @@ a theme have a contrast of at least 4.5 to 1 with its ground, as text needs afte
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal, get_args
 
 from crankstar.charts.drawing import (
@@ -83,10 +83,8 @@ def themed(chart: Chart, name: ThemeName) -> Chart:
             )
         )
     theme = THEMES[name]
-    return Chart(
-        {**_recoloured(chart.spec, {**theme.colours, **theme.fills}), "background": theme.ground},
-        chart.notes,
-    )
+    spec = _recoloured(chart.spec, {**theme.colours, **theme.fills})
+    return replace(chart, spec={**spec, "background": theme.ground})
 
 
 def recoloured(drawing: str, name: ThemeName) -> str:

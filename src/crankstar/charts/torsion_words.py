@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import pi
 
 from crankstar.charts.canvas import names_engine
-from crankstar.charts.drawing import figure, heading
-from crankstar.charts.gas_curves import nothing, without
+from crankstar.charts.drawing import heading
+from crankstar.charts.gas_curves import refusal, without
 from crankstar.charts.grammar import Chart
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis
 from crankstar.engine.engine import Engine
@@ -23,7 +23,7 @@ def refused(source: Engine | Chain, *, title: str, reason: str) -> Chart:
     """A figure that says why nothing is drawn of an engine or a drive line."""
     if isinstance(source, Engine):
         return without(source, title=title, reason=reason)
-    return figure([[nothing(reason)]], title=title, subtitle=named_lines(source))
+    return refusal(reason, title=title, subtitle=named_lines(source))
 
 
 def named_lines(source: Engine | Chain) -> list[str]:

@@ -146,6 +146,8 @@ def plot(
         title = _("{engine}: {chart}", engine=loaded.name, chart=_(figure.about))
         with drawing.over_ranges(spread for _source, spread in each):
             made = drawing.printed(draw, paper, title=title)
+        if made.chart.lacking:
+            raise RequestError(made.chart.lacking)
         content = drawing.saved_print(made, suffix, title=title)
     write_result(content, output, usual_place(engine, chart, kind=suffix))
     for line in made.chart.notes:
