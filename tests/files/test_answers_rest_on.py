@@ -157,6 +157,7 @@ def test_the_range_of_an_assumed_value_between_two_points_holds_the_number(run: 
     assert moves["low"] <= moves["now"] <= moves["high"]
 
 
+@pytest.mark.release
 def test_the_verdict_rests_on_what_is_assumed_of_block_and_mounts(mounted: str, run: Run) -> None:
     said = run("verdict", mounted).out
     rests = said[said.index("This rests on:") : said.index("\n\n")]
@@ -165,6 +166,7 @@ def test_the_verdict_rests_on_what_is_assumed_of_block_and_mounts(mounted: str, 
     assert "block." not in run("verdict", AUDI).out
 
 
+@pytest.mark.release
 def test_a_centre_of_mass_that_is_not_in_the_file_is_in_the_record(still: str, run: Run) -> None:
     found = rows_by_path(json.loads(run("mounts", still, "--json").out))
     radius = 1e3 * crankstar.load(AUDI).shafts[0].throws[0].radius
@@ -188,6 +190,7 @@ def test_a_centre_of_mass_that_is_not_in_the_file_is_in_the_record(still: str, r
     assert printed == pytest.approx(np.abs(loads).tolist(), rel=1e-6)
 
 
+@pytest.mark.release
 def test_axes_of_inertia_that_are_taken_along_the_engine_are_in_the_record(
     still: str, run: Run
 ) -> None:
@@ -294,6 +297,7 @@ VIEWS = {
 }
 
 
+@pytest.mark.release
 @pytest.mark.many(first=2)
 @pytest.mark.parametrize("view", VIEWS)
 def test_the_foot_of_a_response_names_what_it_draws(view: Any, mounted: str) -> None:
@@ -326,7 +330,7 @@ def drawn_top(spec: Any) -> float:
     return max(found)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "block",
     [

@@ -110,6 +110,7 @@ SETTINGS = (
 )
 
 
+@pytest.mark.release
 def test_the_printed_pressures_are_loads_over_diameter_times_length(run: Run) -> None:
     settings = [word for each in SETTINGS for word in ("--set", each)]
     tree = json.loads(run("bearings", "audi-25-tfsi", "--gas", *settings, "--json").out)

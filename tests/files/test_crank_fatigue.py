@@ -139,6 +139,7 @@ def test_torsion_has_the_fillets_of_each_throw_for_machines(run: Run, tmp_path: 
         assert row["fillet_torsion"] == pytest.approx(row["factor_torsion"] * row["torsion"])
 
 
+@pytest.mark.release
 def test_throws_that_are_alike_stand_in_one_row_for_readers(run: Run, tmp_path: Path) -> None:
     out = run("torsion", written(tmp_path)).out
     lines = out[out.index("Fatigue of the crankshaft") :].splitlines()

@@ -59,6 +59,7 @@ def test_an_impossible_compression_ratio_is_doubted_once_by_every_command_with_g
     assert " ".join(made.out.split()).count("compression_ratio is") == 1
 
 
+@pytest.mark.release
 def test_a_report_and_a_chart_doubt_it_too(run: Run, tmp_path: Path) -> None:
     engine = doubted(tmp_path)
     for number, words in enumerate((["report", engine], ["plot", engine, "torque"])):

@@ -66,6 +66,7 @@ def test_the_closing_of_the_intake_moves_what_is_compressed() -> None:
     assert sizes == pytest.approx([peak(each) for each in (50, 70, 40)], rel=2e-3)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("verb", "tree"),
     [
@@ -91,6 +92,7 @@ def test_assumed_valves_are_in_the_record_and_given_ones_are_not(
     assert [path for path in after if path.startswith("valves.")] == others
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("verb", ["bearings", "genset"])
 def test_a_cycle_that_a_misfire_brings_in_is_said_to_be_assumed(
     verb: str, tmp_path: Path, run: Run
@@ -104,6 +106,7 @@ def test_a_cycle_that_a_misfire_brings_in_is_said_to_be_assumed(
         assert ("Not in the file, a usual cycle is assumed: gas." in text) == there
 
 
+@pytest.mark.release
 def test_the_irregularity_of_a_generating_set_is_among_its_figures(
     tmp_path: Path, run: Run
 ) -> None:
@@ -125,6 +128,7 @@ def test_the_flywheel_that_was_asked_for_is_among_the_figures(tmp_path: Path, ru
     assert (own["moves"]["quantity"], own["moves"]["unit"]) == ("flywheel", "kg*m^2")
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("name", "other", "beside"),
     [

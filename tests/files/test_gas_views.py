@@ -132,6 +132,7 @@ def test_genset_and_torque_print_one_roll_of_a_generating_set(run: Run) -> None:
     assert min(sums) == 2.0
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("fault", [("--off", "3"), ("--weaker", "3=10%")])
 def test_a_weak_cylinder_shakes_a_generating_set_in_half_orders(
     run: Run, fault: tuple[str, str]

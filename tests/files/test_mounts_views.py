@@ -61,6 +61,7 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     assert [row["name"] for row in out["axes"]] == ["torque_roll", "elastic"]
 
 
+@pytest.mark.release
 def test_each_mount_stands_under_the_headings_of_its_place(run: Run, tmp_path: Path) -> None:
     places = [(20, -300, 100), (-10, 310, 90), (5, 40, -350)]
     named = [

@@ -109,6 +109,7 @@ def test_links_of_a_gallery_lead_to_files_with_any_name(
     assert not set("#? ,") & set(sources[0])
 
 
+@pytest.mark.release
 def test_an_engine_file_of_ones_own_is_on_the_site(run: Run, tmp_path: Path) -> None:
     run("new", "inline", "-o", "ours.toml")
     assert run("site", "ours.toml", "-o", "site").code == 0

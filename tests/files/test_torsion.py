@@ -320,6 +320,7 @@ def test_speeds_are_those_of_the_operating_points(run: Run, eight: str) -> None:
     assert (min(speeds), max(speeds)) == pytest.approx((700, 6000))
 
 
+@pytest.mark.release
 def test_a_range_may_stand_behind_speed_as_well(run: Run, eight: str) -> None:
     one = told(run, eight, "--speed", "1000..2000 rpm/5")
     assert one == told(run, eight, "--speeds", "1000..2000 rpm/5")

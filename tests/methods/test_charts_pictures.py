@@ -445,7 +445,7 @@ def vega_lite() -> jsonschema_rs.Validator:
     return jsonschema_rs.validator_for(json.loads(text))
 
 
-@pytest.mark.many(first=48)
+@pytest.mark.many(first=8)
 @pytest.mark.parametrize("engine", ["v2-90", "napier-deltic"])
 @pytest.mark.parametrize("name", charts.CHARTS)
 def test_every_figure_keeps_to_the_schema_of_vega_lite(name: str, engine: str) -> None:

@@ -286,6 +286,7 @@ def test_a_fault_is_found_in_ten_of_ten_noisy_trials(fault: Fault, share: float)
         assert min(plain) < 0.7
 
 
+@pytest.mark.release
 def test_noise_as_great_as_the_readings_say_is_no_fault() -> None:
     """Errors of 5 % of each reading and half a per cent of the range, without a fault."""
     healthy = seen(four())

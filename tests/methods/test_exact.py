@@ -722,6 +722,7 @@ def test_the_harmonic_of_a_centred_crank_is_that_of_its_enclosed_motion(
         assert enclosure.coefficient(ratio, order).overlaps(sampled)
 
 
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("clearance", ["1.001", "1.0011", "1.003", "1.02", "1.05"])
 @pytest.mark.parametrize("offset", ["0", "0.5"])
 def test_rods_that_nearly_lock_are_enclosed_or_refused(clearance: str, offset: str) -> None:

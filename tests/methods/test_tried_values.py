@@ -168,6 +168,7 @@ def test_the_load_of_each_mount_follows_the_centre_of_mass_by_moments() -> None:
     assert found == pytest.approx(loads.tolist())
 
 
+@pytest.mark.release
 def test_a_mount_that_lifts_off_in_the_range_of_the_centre_is_named() -> None:
     near = [{**each, "z": "-50 mm"} if each["name"] == "rear" else each for each in MOUNTS]
     engine = standing(mounts=near, block={"mass": "165 kg", "up": "0 mm", "right": "0 mm"})

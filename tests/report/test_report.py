@@ -203,6 +203,7 @@ def test_the_verdict_and_every_source_are_in_it(name: str) -> None:
     ]
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ENGINES)
 def test_numbers_that_are_read_have_true_minus_signs_and_raised_powers(name: str) -> None:
     read = Reader(written(name))

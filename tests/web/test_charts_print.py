@@ -95,6 +95,7 @@ def test_texts_that_collide_or_are_cut_are_seen(page: Page) -> None:
     assert picture.cut() == ["moment"]
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("name", ["kr250-racer", "v8-cross-plane"])
 def test_the_japanese_names_of_forces_stand_apart(name: str, family: str, page: Page) -> None:

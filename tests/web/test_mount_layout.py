@@ -91,6 +91,7 @@ def frame_width(page: Page, side: str) -> float:
     return 300 * (other[1] - one[1]) / (second - first)
 
 
+@pytest.mark.release
 def test_an_engine_without_mass_is_asked_for_it_and_put_on_mounts(laying: Page) -> None:
     page = laying
     dropped(page, toml(load("audi-25-tfsi")))
@@ -228,6 +229,7 @@ def test_a_mount_is_dragged_on_the_stage(laying: Page) -> None:
     assert now["z"] == "90 mm"
 
 
+@pytest.mark.release
 def test_an_engine_in_its_own_units_says_what_it_lacks(laying: Page) -> None:
     page = laying
     dropped(page, toml(load("v12-60")))

@@ -160,6 +160,7 @@ def test_speed_and_point_are_chosen_by_keys_typed_and_linked(tmp_path: Path, pag
     page.wait_for_function("() => !location.hash.includes('mounts.rpm')")
 
 
+@pytest.mark.release
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize(("width", "scheme"), SCREENS)
 def test_any_speed_is_read_by_everyone_on_every_screen(

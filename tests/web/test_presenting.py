@@ -23,6 +23,7 @@ LETTERS = """() => Math.min(...[...document.querySelectorAll(
 """The smallest letters that are shown, in pixels of the screen."""
 
 
+@pytest.mark.release
 def test_a_presentation_is_large_and_without_controls(built_page: Build, page: Page) -> None:
     page.set_viewport_size({"width": 1920, "height": 1080})
     opened(page, built_page(ENGINE), "a=40&tab=orders")

@@ -130,6 +130,7 @@ def test_the_api_is_described_without_a_network(page: Page, server: Server) -> N
     assert page.get_by_text('"state": "well"').count() >= 1
 
 
+@pytest.mark.release
 def test_the_guide_explains_and_shows_its_examples(page: Page, server: Server) -> None:
     opened(page, server)
     page.locator(".orders .term").first.click()

@@ -67,6 +67,7 @@ def test_every_link_of_a_site_leads_to_a_file_of_it(site: Path) -> None:
         assert len([*site.glob(f"{script}-*.js")]) == 1
 
 
+@pytest.mark.release
 def test_a_site_opens_from_disk_and_its_engines_turn(site: Path, page: Page) -> None:
     page.goto((site / "index.html").as_uri())
     page.get_by_label("Layout").select_option("radial")

@@ -81,6 +81,7 @@ def test_the_panel_of_tolerances_is_read_by_everyone_on_every_screen(
     read_by_everyone(page, path, "a=30&tab=tolerances", width=width, scheme=scheme, figures=1)
 
 
+@pytest.mark.release
 def test_the_panel_is_reached_by_keys(path: Path, page: Page) -> None:
     opened(page, path, "a=0&tab=sound")
     page.get_by_role("tab", name="Sound").focus()

@@ -144,6 +144,7 @@ def compared(page: Page, answer: dict[str, Any]) -> None:
         assert facts(page)["brake torque"] == pytest.approx(answer["brake_torque"], rel=6e-4)
 
 
+@pytest.mark.release
 def test_torque_by_order_is_that_of_the_command_line(
     built_page: Build, page: Page, told: Told
 ) -> None:
@@ -287,6 +288,7 @@ def played(page: Page, name: str) -> Locator:
     return button
 
 
+@pytest.mark.release
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ["v8-cross-plane", "v8-flat-plane", "napier-deltic"])
 def test_the_sound_has_the_orders_of_the_file_that_the_command_writes(

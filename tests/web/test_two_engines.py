@@ -47,6 +47,7 @@ def test_the_difference_now_is_that_of_the_two_balances(built_page: Build, page:
     assert shown[:4] == pytest.approx(expected.tolist(), abs=2e-3)
 
 
+@pytest.mark.release
 def test_the_orders_of_both_stand_beside_each_other_with_their_difference(
     built_page: Build, page: Page
 ) -> None:

@@ -129,6 +129,7 @@ def test_it_plays_and_stops_from_both_sides(show: Show, page: Page) -> None:
     assert cell(page, "[page.playing, page.theta, model.saved.playing]") == [False, 12.5, False]
 
 
+@pytest.mark.release
 def test_figures_and_derivations_are_asked_of_the_kernel(show: Show, page: Page) -> None:
     show("v8-cross-plane", state="tab=forces")
     expect(

@@ -140,6 +140,7 @@ def test_a_number_that_is_typed_takes_any_unit_of_its_kind(bench: Page) -> None:
     eventually(lambda: file_of(bench)["cylinder"]["rod_ratio"], 3.5)
 
 
+@pytest.mark.release
 def test_what_is_no_value_is_said_beside_its_box_and_changes_nothing(bench: Page) -> None:
     before = file_of(bench)
     angle = control(bench, "layout.bank_angle")
