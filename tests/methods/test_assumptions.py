@@ -210,10 +210,14 @@ def test_a_block_without_moments_of_inertia_has_estimated_frequencies() -> None:
     engine = load("audi-25-tfsi", changes={"mounts": rubber, "block": {"mass": "150 kg"}})
     found = rests_on(engine, on_mounts(engine, speed=300.0))
     own = of(found, "block.inertia")
-    assert (own.status, own.low) == ("estimated", 0.5)
+    assert (own.status, own.low, own.high) == ("estimated", 0.5, 2.5)
     radius, rod, bore = 0.0464, engine.first.rod_length, 0.0825
-    box = inertia_in_box(1.0, sides=(3 * radius + rod + bore, 4 * radius, 4 * 0.088 + bore))
-    assert own.high == pytest.approx(box.high[2] / ((0.5 * (radius + rod)) ** 2 / 2), rel=1e-9)
+    box = inertia_in_box(150.0, sides=(3 * radius + rod + bore, 4 * radius, 4 * 0.088 + bore))
+    assert own.vary is not None
+    doubled = own.vary(engine, 2.0).block
+    assert doubled is not None
+    assert doubled.inertia is not None
+    assert doubled.inertia[2] == pytest.approx(2 * box.high[2], rel=1e-9)
     assert own.effect > 0.1
     assert "mounts.loss_factor" in {each.path for each in found}
 
