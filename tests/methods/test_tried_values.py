@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from tests.mounted_engines import MOUNTS, standing
 
+from crankstar.dynamics.mount_analysis import mounts
 from crankstar.dynamics.mounted_block import borne, mounted_block, settled
 from crankstar.dynamics.whirl import body
 from crankstar.engine.copies import with_values
@@ -200,16 +201,16 @@ def test_a_usual_cycle_of_a_file_without_gas_moves_no_force_on_its_mounts() -> N
     assert burning["mount force", None] == before
 
 
-def test_a_place_of_the_centre_of_mass_is_judged_at_the_same_point_of_the_block() -> None:
-    """The point does not move along where the centre of mass is varied."""
-    engine, speed = plain(), 3000 * pi / 30
-    answer = felt(engine, MISFIRE, speed=speed)
-    here = felt(engine, MISFIRE, speed=speed, at=body(engine).centre)
-    [up] = [each for each in rests_on(engine, answer) if each.path == "block.up"]
-    [same] = [each for each in rests_on(engine, here) if each.path == "block.up"]
-    assert (up.moved, up.low, up.high) == (same.moved, same.low, same.high)
-    assert up.vary is not None
-    lifted = up.vary(engine, 50.0)
-    place = body(engine).centre
-    found = shaken(lifted, MISFIRE, speed=speed, orders=[0.5]).sizes(place)[0, -1]
-    assert answer.figures(lifted)["velocity", 0.5] == found
+def test_a_place_that_is_put_in_has_the_figures_that_its_range_has() -> None:
+    """The point is the centre of mass where none is named: it moves along, as in a run by hand."""
+    engine, speed = plain(), 900 * pi / 30
+    answer = on_mounts(engine, speeds=[speed])
+    [right] = [each for each in rests_on(engine, answer) if each.path == "block.right"]
+    assert right.vary is not None
+    moved = right.vary(engine, 40.0)
+    assert answer.figures(moved) == on_mounts(moved, speeds=[speed]).figures(moved)
+    over = mounts(moved, speeds=[speed]).over
+    assert over is not None
+    own = over.velocity(body(moved).centre)[0]
+    size = 1e3 * float(np.sqrt((np.abs(own) ** 2).sum() / 2))
+    assert answer.figures(moved)["velocity at the point", None] == pytest.approx(size, rel=1e-9)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from crankstar.cli.options import (
     FLAT,
@@ -27,6 +27,10 @@ from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
 
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
+    from crankstar.studies.assumptions import Answer
+
 
 def balance(
     engine: EngineName,
@@ -45,7 +49,6 @@ def balance(
     from crankstar.mechanics.remains import OPTIMISED
     from crankstar.options.balancing import balanced, new_name
     from crankstar.remedy import needs
-    from crankstar.studies.answers import amplitudes
     from crankstar.tables import remedies
     from crankstar.tables.ranges import ranged, resting
     from crankstar.tables.table import remarks
@@ -61,7 +64,7 @@ def balance(
             job = balanced(loaded, options, speed=speed, own_factor=own)
         make = partial(balanced, options=options, speed=speed, own_factor=own, like=job)
         sheet = ranged(lambda each: remedies.balancing_sheet(make(each)), spread, loaded)
-        answered = partial(amplitudes, job.after)
+        answered = partial(_answer, job.before, job.after)
         document = resting(sheet, resting_on("txt", job.after, answered))
         proof = []
         if prove:  # exact algebra is slow to load
@@ -87,3 +90,12 @@ def balance(
     display(document)
     if proof:
         display(documents.rendered(proof))
+
+
+def _answer(before: Engine, after: Engine) -> Answer:
+    """What the balanced engine is about; of new weights also what they were not fitted to."""
+    from crankstar.studies.answers import amplitudes
+
+    answer = amplitudes(after)
+    new = [own.weights for own in after.shafts] != [own.weights for own in before.shafts]
+    return replace(answer, uses=("inertia", "fitted")) if new else answer

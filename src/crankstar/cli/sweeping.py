@@ -133,6 +133,7 @@ def _swept(
     if not names:
         raise RequestError("--quantity: give at least one quantity, such as force,couple")
     sweeps.check_watchable(*names)
+    _refuse_idle(names, speed=speed, reference=reference)
     point = None
     if reference is not None:
         loaded = loaded_values(engine, settings, estimate=estimate).engine
@@ -154,6 +155,18 @@ def _swept(
     return swept, [
         sweeps.watched(swept, name, order=number) for name in names for number in wanted or [None]
     ]
+
+
+def _refuse_idle(names: Sequence[str], *, speed: str | None, reference: str | None) -> None:
+    """Refuse options that no quantity depends on. Raises RequestError."""
+    from crankstar.studies.sweep_answers import kind_of
+
+    kinds = {kind_of(name) for name in names}
+    watched = ", ".join(names)
+    if not kinds & {"inertia", "roll"}:
+        request.refuse_unused({"--reference": reference}, beside=watched)
+    if all(kind.endswith("modes") for kind in kinds):
+        request.refuse_unused({"--speed": speed}, beside=watched)
 
 
 def _orders(orders: str | None) -> list[float] | None:

@@ -91,9 +91,6 @@ def inline(
         if not order or sorted(order) != list(range(1, len(order) + 1)):
             raise _refused("throws", code="throws-missing")
         throws = _even_throws(basis, order)
-    if basis.firing_order and len(basis.firing_order) != len(throws):
-        values = {"count": len(throws), "firings": len(basis.firing_order)}
-        raise _refused("throws", code="throws-firings", values=values)
     bank = Bank(bearing=bearing, cylinders=tuple(range(1, len(throws) + 1)))
     return vee(basis, banks=(bank,), throws=throws, bore_pitch=bore_pitch, positions=positions)
 

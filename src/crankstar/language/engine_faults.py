@@ -285,11 +285,6 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is missing; give it, or a firing_order of cylinders 1, 2, ... from which evenly "
         "spaced throws follow"
     ),
-    "layout.throws-firings": Plural(
-        "{where} has {count} angle, but {firings} cylinders fire; give one angle for each cylinder",
-        "{where} has {count} angles, but {firings} cylinders fire; give one angle for "
-        "each cylinder",
-    ),
     "layout.throws-of-cylinders": Plural(
         "{where} has {count} angle; give {each} (one for each cylinder)",
         "{where} has {count} angles; give {each} (one for each cylinder)",

@@ -92,6 +92,13 @@ SENTENCES: dict[str, str | Plural] = {
         "{where}: {value} kg go up and down, more than a solid bar of steel as thick as the bore "
         "and as long as stroke and rod, {solid} kg; is the unit right?"
     ),
+    "doubt.bore-pitch": N_(
+        "{where} is {value} mm, but the next cylinder of its bank is only {pitch} mm away; is the "
+        "unit right?"
+    ),
+    "doubt.stroke": N_(
+        "{where} is {value} mm beside a stroke of {stroke} mm; is the unit of one of them wrong?"
+    ),
     "doubt.rod-inertia": N_(
         "{where} is {value} kg m²; rods of this mass, length and centre have about {usual} kg m²"
     ),

@@ -30,7 +30,7 @@ from crankstar.language.faults import Fault
 from crankstar.mechanics.charge_air import STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
-from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts
+from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError
 
@@ -74,7 +74,7 @@ LOWEST_DISC = 0.5
 
 def doubts(engine: Engine) -> tuple[Fault, ...]:
     """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
-    found = [*split_doubts(engine), *rod_doubts(engine)]
+    found = [*split_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
     found += [*piston_doubts(engine), *body_doubts(engine)]
     found += [*inertia_doubts(engine), *torsion_doubts(engine)]
     gas = engine.gas
@@ -102,7 +102,8 @@ def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> 
     """
     found: list[Fault] = []
     if "inertia" in uses:
-        found += [*rod_doubts(engine), *piston_doubts(engine), *inertia_doubts(engine)]
+        found += [*size_doubts(engine), *rod_doubts(engine)]
+        found += [*piston_doubts(engine), *inertia_doubts(engine)]
     if "torsion" in uses:
         found += torsion_doubts(engine)
     if "mounts" in uses:

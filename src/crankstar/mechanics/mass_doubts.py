@@ -21,6 +21,8 @@ LEAST_RATIO = 2.5
 """Rod length over crank radius; less have crosshead engines alone."""
 CROSSHEAD_RADIUS = 0.5
 """m: of a crank whose piston has a crosshead in a two-stroke engine."""
+LEAST_STROKE, MOST_STROKE = 0.25, 8.0
+"""Over the bore: racing engines have 0.4, the longest ship's engines 5."""
 LEAST_SHARE = 0.01
 """Of a body's mass, as if at the farthest of its mounts: the frame that reaches there has more."""
 
@@ -47,6 +49,39 @@ def piston_doubts(engine: Engine) -> Iterator[Fault]:
             path = ("cylinders", index, "reciprocating_mass")
             yield Fault(path, "doubt.piston-mass", values, cylinder.number)
             return  # one slip for all
+
+
+def size_doubts(engine: Engine) -> Iterator[Fault]:
+    """A bore wider than the next cylinder of its bank is away, and a stroke of another engine's.
+
+    >>> from crankstar.files.catalog import load
+    >>> [fault.code for fault in size_doubts(load("audi-25-tfsi", changes={"cylinder.bore": 8.25}))]
+    ['doubt.bore-pitch', 'doubt.stroke']
+    """
+    known = [(n, each) for n, each in enumerate(engine.cylinders) if each.bore is not None]
+    for index, cylinder in () if {"radius", "pitch"} & {*engine.relative} else known:
+        beside = [
+            abs(other.z - cylinder.z)
+            for _, other in known
+            if (other.shaft, other.bearing, other.offset)
+            == (cylinder.shaft, cylinder.bearing, cylinder.offset)
+            and other.z != cylinder.z
+        ]
+        bore = cylinder.bore or 0.0
+        if beside and bore > min(beside):
+            values = {"value": _mm(bore), "pitch": _mm(min(beside))}
+            yield Fault(("cylinders", index, "bore"), "doubt.bore-pitch", values, cylinder.number)
+            break  # one slip for all
+    for index, cylinder in () if "radius" in engine.relative else known:
+        stroke, bore = 2 * engine.throw(cylinder).radius, cylinder.bore or 0.0
+        if not LEAST_STROKE * bore <= stroke <= MOST_STROKE * bore:
+            values = {"value": _mm(bore), "stroke": _mm(stroke)}
+            yield Fault(("cylinders", index, "bore"), "doubt.stroke", values, cylinder.number)
+            return
+
+
+def _mm(length: float) -> float:
+    return float(f"{length * 1e3:.4g}")
 
 
 def rod_doubts(engine: Engine) -> Iterator[Fault]:

@@ -275,7 +275,8 @@ def ignition(engine: Engine, gas: Gas) -> tuple[Ignition, bool]:
     if gas.compression_ratio is not None:
         return ("compression" if gas.compression_ratio > SPARK_RATIO else "spark"), False
     large = (engine.first.bore or 0.0) > SPARK_BORE and "radius" not in engine.relative
-    return ("compression" if large else "spark"), False
+    facing = len(engine.chambers) < len(engine.cylinders)  # pistons that face each other
+    return ("compression" if large or facing else "spark"), False
 
 
 def _assumed(

@@ -36,6 +36,7 @@ from crankstar.options.numbers import (
 )
 
 Result = TypeVar("Result")
+DIMENSIONS = 3
 READ_FILES = {"load", "widget"}
 """Functions that read engine files themselves."""
 ENGINES = {"name", "engine", "beside"}
@@ -74,7 +75,7 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
             elif argument in CHECKS:
                 CHECKS[argument](argument, value)
         if engine is not None:
-            for argument, place in (("reference", _reference), ("planes", _planes)):
+            for argument, place in (("reference", _reference), ("planes", _planes), ("at", _at)):
                 if given.get(argument) is not None:
                     given[argument] = place(given[argument], engine)
         return function(*bound.args, **bound.kwargs)
@@ -326,6 +327,34 @@ def _reference(given: Any, engine: Engine) -> Reference:
         _(
             'reference takes a crankstar.Reference, z in metres, or text such as "-120 mm", not '
             "{given}",
+            given=quoted(given),
+        )
+    )
+
+
+def _at(given: Any, engine: Engine) -> tuple[float, float, float]:
+    """A point of the block: up, right, z in metres, or as text. Raises ValueError, TypeError."""
+    if isinstance(given, str):
+        from crankstar.options import values
+        from crankstar.options.refusals import RequestError
+
+        try:
+            point = values.block_point(given, engine)
+        except RequestError as error:
+            raise ValueError(str(error).replace("--at", "at")) from None
+        if point is not None:
+            return point
+    elif isinstance(given, Iterable) and not isinstance(given, bytes | Mapping):
+        places = [*given]
+        if len(places) == DIMENSIONS and all(map(is_number, places)):
+            for place in places:
+                check_place("at", place)
+            up, right, z = map(float, places)
+            return up, right, z
+    raise TypeError(
+        _(
+            'at takes up, right and z in metres, text such as "-120 mm", or the name of a point of '
+            "the block, not {given}",
             given=quoted(given),
         )
     )

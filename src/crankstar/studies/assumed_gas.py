@@ -56,6 +56,11 @@ Those of wiebe_a are 5 and 6.9 of one another; the others are wide enough for en
 Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9, for the order of
 size; the ends themselves are our judgement.
 """
+CHARGED_IMEP = 2.4
+"""High end of the assumed load of an engine that ignites by compression, as a multiple.
+
+Ship's and truck engines with a charger have 20 to 24 bar, those without one 7 to 9.
+"""
 CHOICES: Mapping[str, tuple[str, str]] = {
     "ignition": ("spark", "compression"),
     "friction": ("spark-ignition", "diesel"),
@@ -108,7 +113,7 @@ def without_gas(engine: Engine, found: Cycle) -> Assumption:
     if engine.gas is None:
         reason = N_("no table [gas] in the file")
         with suppress(MessageError):
-            low, high = (share * found.values["imep"] for share in GAS_ENDS["imep"])
+            low, high = _ends("imep", found.values["imep"], found)
             loads = np.linspace(low, high, LOADS).tolist()
             runs += [cycle(engine, speed=found.speed, imep=load) for load in loads]
             ends = low / 1e5, high / 1e5
@@ -164,7 +169,7 @@ def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
                 vary=held(name, radians(1.0)),
             )  # fmt: skip
         elif name in GAS_ENDS and isinstance(value, float):
-            low, high = (share * value for share in GAS_ENDS[name])
+            low, high = _ends(name, value, own)
             unit = UNITS_OF_GAS.get(name, "")
             factor = FACTORS.get(unit, 1.0)
             reason = N_("usual for such engines")
@@ -194,6 +199,14 @@ def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             each if measured else replace(each, vary=_held(own, each.vary))
             for each in valves(engine)
         )
+
+
+def _ends(name: str, value: float, own: Cycle) -> tuple[float, float]:
+    """The ends of an assumed value of a cycle."""
+    low, high = GAS_ENDS[name]
+    if name == "imep" and own.values.get("ignition") == "compression":
+        high = CHARGED_IMEP
+    return low * value, high * value
 
 
 def valves(engine: Engine) -> Iterator[Assumption]:

@@ -31,12 +31,15 @@ def _usual(part: str, kind: EngineType) -> Proportion | None:
         return None
 
 
-def masses(engine: Engine) -> Iterator[Assumption]:
-    """What is missing or assumed of the masses and lengths that forces come from."""
+def masses(engine: Engine, *, fitted: bool = False) -> Iterator[Assumption]:
+    """What is missing or assumed of the masses and lengths that forces come from.
+
+    Weights that were `fitted` to the engine as it is balance no crankpins that it lacks.
+    """
     look = look_of(engine)
     kind = None if look is None else _kind(engine, look)
     yield from _rods(engine, kind)
-    yield from _turning(engine, kind, look)
+    yield from _turning(engine, kind, look, fitted=fitted)
     if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
         yield _weights(engine)
 
@@ -70,7 +73,9 @@ def _weights(engine: Engine) -> Assumption:
     )  # fmt: skip
 
 
-def _turning(engine: Engine, kind: EngineType | None, look: Look | None) -> Iterator[Assumption]:
+def _turning(
+    engine: Engine, kind: EngineType | None, look: Look | None, *, fitted: bool
+) -> Iterator[Assumption]:
     """The big ends and the crankpins that a file leaves out, of one cylinder.
 
     On the crankpin m = (1 - c) m_rod, of the crank's own m_pin: the coefficients of the type times
@@ -84,7 +89,7 @@ def _turning(engine: Engine, kind: EngineType | None, look: Look | None) -> Iter
     weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
     no_ends = not rigid and not any(throw.rotating_mass for throw in throws)
     bare = not any(throw.throw_mass for throw in throws)
-    no_pins = bare and (no_ends or not weighted)
+    no_pins = bare and (no_ends or fitted or not weighted)
     if not no_ends and not no_pins:
         return
     unit = "m" if "mass" in engine.relative else "kg"
@@ -150,6 +155,8 @@ def _turning_reason(
             "no rotating mass in the file (big ends, crankpins), counted as zero; the range is a "
             "judgement by the reciprocating mass"
         )
+    if not ends and weighted:
+        return N_("no mass of the crankpins in the file: the counterweights balance none of it")
     if not ends:
         return N_("no mass of the crankpins in the file, counted as zero")
     if by_factor(engine):

@@ -21,6 +21,7 @@ from crankstar.language.faults import Fault, where
 from crankstar.language.messages import N_
 from crankstar.mechanics.doubts import doubts_of
 from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.studies.assumed_gas import gas_values, valves, without_gas
 from crankstar.studies.assumed_masses import masses
 from crankstar.studies.assumptions import Answer, Assumption
@@ -30,7 +31,9 @@ from crankstar.studies.changed_values import (
     with_bearings_moved,
     with_block_inertia,
     with_block_mass,
+    with_block_product,
     with_block_value,
+    with_disc_damping,
     with_mount_loss,
     with_rods_of,
     with_torsion_value,
@@ -56,6 +59,11 @@ six of 84 x 110 mm, is a loss factor of 0.02 of its first mode. The ends are our
 """
 RUBBER_ENDS = (0.5, 2.5)
 """Ends of the loss factor of rubber: 0.05 of natural rubber to 0.25 of filled kinds."""
+DRIVEN = 5.0
+"""High end of the damping of what is driven, over its torque by its speed: a ship's propeller.
+
+Rules of classification give propellers 2 (a load with the square of the speed) to about 5.
+"""
 STEEL_ENDS = (79e9, 83e9)
 """Pa: the shear moduli of cast iron with nodules and of forged steel lie about here."""
 STIFFNESS_ENDS = (0.85, 1.15)
@@ -87,7 +95,7 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     """All that is lacking or doubtful of what an answer uses, in no order."""
     yield from map(_doubt, doubts_of(engine, answer.uses, answer.gas))
     if "inertia" in answer.uses:
-        yield from masses(engine)
+        yield from masses(engine, fitted="fitted" in answer.uses)
     if answer.without_gas is not None:
         yield without_gas(engine, answer.without_gas)
     elif answer.gas is None and answer.gasless:
@@ -104,6 +112,7 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
         yield from _bearings(engine)
     if "torsion" in answer.uses:
         yield from _torsion(engine)
+        yield from _driven_discs(engine, answer.gas)
     if "mounts" in answer.uses:
         yield from _mounts(engine)
     if "valves" in answer.uses and engine.firing_order:
@@ -164,6 +173,30 @@ def _torsion(engine: Engine) -> Iterator[Assumption]:
             "assumed", "torsion.dimensions.shear_modulus", N_("that of steel"),
             STEEL / 1e9, "GPa", low, high,
             vary=with_torsion_value("dimensions.shear_modulus", 1e9),
+        )  # fmt: skip
+
+
+def _driven_discs(engine: Engine, gas: Cycle | None) -> Iterator[Assumption]:
+    """The damping of what a crankshaft drives behind an elastic shaft, which a file leaves out.
+
+    A load whose torque goes with the square of the speed has dT/dw = 2 T/w, a propeller in an
+    uneven wake up to DRIVEN times T/w, a clutch or a generator less than T/w.
+    """
+    own = engine.torsion
+    if own is None or gas is None or gas.speed is None or {"mass", "radius"} & {*engine.relative}:
+        return
+    mean = float(gas_torque(gas).mean.sum())
+    for index, disc in enumerate(own.discs):
+        carries = any(other.to == disc.name for other in own.discs)
+        damped = disc.damping or disc.loss_factor is not None or disc.absolute_damping
+        in_front = (disc.to or "").startswith("front")
+        if disc.stiffness is None or carries or damped or in_front or mean <= 0:
+            continue
+        most = DRIVEN * mean / gas.speed / float(disc.speed_ratio) ** 2
+        yield Assumption(
+            "missing", f"torsion.disc[{index + 1}].absolute_damping",
+            N_("no damping of what is driven in the file, counted as zero"),
+            0.0, "N*m*s/rad", 0.0, most, vary=with_disc_damping(index),
         )  # fmt: skip
 
 
@@ -235,14 +268,12 @@ def _centre_of_mass(engine: Engine, own: Body) -> Iterator[Assumption]:
                 "assumed", f"block.{name}", reason, 1e3 * value, "mm", 1e3 * low, 1e3 * high,
                 vary=with_block_value(name, mass=own.mass, factor=1e-3),
             )  # fmt: skip
-    if block is None or block.inertia is None:  # its axes are part of the estimate
-        return
     for (one, other), (name, share) in PRODUCTS.items():
         if name not in given:
-            end = share * (block.inertia[one] * block.inertia[other]) ** 0.5
+            end = share * (own.inertia[one] * own.inertia[other]) ** 0.5
             yield Assumption(
                 "assumed", f"block.{name}", N_("its principal axes along those of the engine"),
-                0.0, "kg*m^2", -end, end, vary=with_block_value(name, mass=own.mass, factor=1.0),
+                0.0, "kg*m^2", -end, end, vary=with_block_product(name, own.mass, own.inertia),
             )  # fmt: skip
 
 

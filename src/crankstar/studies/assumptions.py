@@ -29,8 +29,8 @@ from crankstar.studies.changed_values import Vary
 from crankstar.studies.tried_values import Figure, Figures, Tried, Tuning
 
 Status = Literal["doubtful", "missing", "left out", "assumed", "estimated", "unverified"]
-Uses = Literal["inertia", "gas", "running", "bearings", "torsion", "mounts", "valves"]
-"""What an answer is made of: what of it may be lacking differs."""
+Uses = Literal["inertia", "gas", "running", "bearings", "torsion", "mounts", "valves", "fitted"]
+"""What an answer is made of: what of it may be lacking differs; weights that were fitted to it."""
 TRIAL = 0.01
 """Share by which a value without ends is varied."""
 SIGNIFICANT = 1e-3
@@ -160,6 +160,8 @@ def _moved(
         )
     except (EngineError, MessageError):
         return None
+    if not any(tried.known.values()):  # nothing moves: no figure is left of the answer
+        return Moved("", None, "", 0.0, 0.0, 0.0, 0.0)
     if not trial and ends[0] < ends[1]:
         tried.add_meetings(answer.tunings)
         key, effect, top = _most(tried, now, least)

@@ -19,6 +19,8 @@ from crankstar.engine.main_bearings import main_bearings
 from crankstar.engine.records import Shaft, Valves, Weight
 from crankstar.mechanics.gas import Cycle
 
+INERTIAS = ("inertia_up", "inertia_right", "inertia_z")
+"""The moments of inertia of a block, by their keys."""
 Vary = Callable[[Engine, float], Engine]
 """From an engine and a factor or a value to the changed engine; raises EngineError."""
 
@@ -175,6 +177,20 @@ def with_torsion_value(path: str, factor: float = 1.0) -> Vary:
     return vary
 
 
+def with_disc_damping(index: int) -> Vary:
+    """The change of the damping of a disc of [torsion] against what stands still, N m s/rad."""
+
+    def vary(engine: Engine, value: float) -> Engine:
+        own = engine.torsion
+        if own is None:
+            return engine
+        discs = [*own.discs]
+        discs[index] = with_values(discs[index], absolute_damping=value)
+        return with_values(engine, torsion=with_values(own, discs=tuple(discs)))
+
+    return vary
+
+
 def with_block_mass(engine: Engine, mass: float) -> Engine:
     """The engine with a block of this mass (kg), where its file gives none."""
     return with_values(engine, block=with_values(engine.block or Block(), mass=mass))
@@ -190,6 +206,17 @@ def with_block_value(name: str, *, mass: float, factor: float) -> Vary:
     return vary
 
 
+def with_block_product(name: str, mass: float, inertia: Sequence[float]) -> Vary:
+    """The change of a product of inertia of the block, whose mass and moments are these (SI)."""
+    moments = dict(zip(INERTIAS, inertia, strict=True))
+
+    def vary(engine: Engine, value: float) -> Engine:
+        block = with_values(engine.block or Block(), mass=mass, **{**moments, name: value})
+        return with_values(engine, block=block)
+
+    return vary
+
+
 def with_block_inertia(
     mass: float, inertia: Sequence[float], highest: Sequence[float] = (2.0, 2.0, 2.0)
 ) -> Vary:
@@ -198,12 +225,11 @@ def with_block_inertia(
     `highest` are the highest factors of the three; above 1 each goes as far towards its own as the
     highest of them does.
     """
-    names = ("inertia_up", "inertia_right", "inertia_z")
 
     def vary(engine: Engine, factor: float) -> Engine:
         way = max(factor - 1, 0.0) / (max(highest) - 1)
         factors = [min(factor, 1.0) + way * (most - 1) for most in highest]
-        values = {name: own * by for name, own, by in zip(names, inertia, factors, strict=True)}
+        values = {name: own * by for name, own, by in zip(INERTIAS, inertia, factors, strict=True)}
         block = engine.block or Block(mass=mass)
         return with_values(engine, block=with_values(block, **values))
 

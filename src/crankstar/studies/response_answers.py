@@ -197,7 +197,7 @@ def on_mounts(
             for mount, load in zip(block.mounts, borne(block, loads).tolist(), strict=True)
         }
         if places:
-            found = mounts(each, point=point, speed=speed, speeds=places, at=whole.point)
+            found = mounts(each, point=point, speed=speed, speeds=places, at=at)
             out |= {(name, None): float(np.nanmax(own)) for name, own in _forced(found).items()}
         return out
 
@@ -284,20 +284,18 @@ def felt(
 ) -> Answer:
     """What shakes the block and the velocity of a point of it, of an engine with faults, by order.
 
-    Of the `orders` that are named, at the point `at` (up, right, z; m) or the centre of mass as it
-    is in the file: the numbers of `Shaken.sizes`.
+    Of the `orders` that are named, at the point `at` (up, right, z; m) or the centre of mass,
+    wherever that is: the numbers of `Shaken.sizes`.
     """
-    from crankstar.dynamics.whirl import body
     from crankstar.studies.single_faults import shaken
 
     units = {"force": "N", "couple": "N*m", "roll": "N*m", "torque": "N*m", "velocity": "mm/s"}
-    place = body(engine).centre if at is None else at
 
     def figures(each: Engine) -> Figures:
         found = shaken(each, faults, point=point, speed=speed, orders=orders)
         return {
             (name, order): size
-            for order, row in zip(found.orders.tolist(), found.sizes(place).tolist(), strict=True)
+            for order, row in zip(found.orders.tolist(), found.sizes(at).tolist(), strict=True)
             for name, size in zip(units, row, strict=True)
         }
 

@@ -78,7 +78,7 @@ class Judged:
         """
         kinds: dict[str, list[Curve]] = {}
         for curve in self.curves:
-            kinds.setdefault(_kind(curve.what), []).append(curve)
+            kinds.setdefault(kind_of(curve.what), []).append(curve)
         parts = [_answer(self.engine, self.speed, kind, own) for kind, own in kinds.items()]
         answer = parts[0] if len(parts) == 1 else joined(parts)
         given = {path for own in self.values for path in (own, instead(own))}
@@ -100,7 +100,7 @@ def judged(sweep: Sweep, curves: Sequence[Curve]) -> Judged:
     return Judged(engine, speed, values, curves)
 
 
-def _kind(what: str) -> str:
+def kind_of(what: str) -> str:
     """Of which analysis a result is; modes are apart from what is forced."""
     if what in GAS_WATCHABLE:
         return "running" if what == "irregularity" else "gas"

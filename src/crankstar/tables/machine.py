@@ -23,10 +23,11 @@ from crankstar.tables.table import ROW_UNIT, Column, Document, Ranged, Table, Va
 
 FORMAT = 2
 """Version of the JSON objects."""
-FORMULA = ("=", "+", "-", "@", "\t", "\r")
+FORMULA = ("=", "+", "-", "@", "\t", "\r", "＝", "＋", "－", "＠")
 """How text begins that a spreadsheet takes for a formula when it opens CSV."""
-NUMBERS = re.compile(r"[-+.,\d\seE]+")
-"""Text of numbers alone."""
+NUMBER = r"[-+]?[.\d]+(?:[eE][-+]?\d+)?"
+NUMBERS = re.compile(rf"{NUMBER}(?:[\s,]+{NUMBER})*", re.ASCII)
+"""Text of numbers alone, with spaces or commas between them."""
 
 
 def tree(document: Document) -> dict[str, Any]:
@@ -155,8 +156,8 @@ def _short(value: Any) -> str:
 def _written(cell: Any) -> Any:
     r"""A cell of CSV: text that no spreadsheet takes for a formula and no terminal for a command.
 
-    >>> _written("=1+2"), _written("-120 -240"), _written("A\x1b[31m")
-    ("'=1+2", '-120 -240', 'A?[31m')
+    >>> _written("=1+2"), _written("-2+3"), _written("-120 -240"), _written("A\x1b[31m")
+    ("'=1+2", "'-2+3", '-120 -240', 'A?[31m')
     """
     if not isinstance(cell, str):
         return cell
