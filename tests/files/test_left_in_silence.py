@@ -19,6 +19,7 @@ from tests.mounted_engines import standing
 import crankstar
 from crankstar.dynamics.whirl import body, outline
 from crankstar.engine.gas import Gas
+from crankstar.engine.main_bearings import main_bearings
 from crankstar.files import engine_of, tree_text
 from crankstar.files.errors import EngineFileError
 from crankstar.mechanics.mass_doubts import size_doubts
@@ -177,6 +178,28 @@ def test_a_wrong_number_of_throws_hides_no_other_mistake() -> None:
         engine_of(wrong)
     places = {fault.path[:2] for fault in caught.value.faults}
     assert {("firing_order",), ("torsion", "disc")} <= places
+
+
+@pytest.mark.parametrize("offset", ["0 mm", "24 mm"])
+def test_rods_side_by_side_do_not_stand_in_the_planes_of_their_bearings(offset: str) -> None:
+    twin = engine_of(
+        {
+            **FIVE,
+            "firing_order": [1, 2],
+            "layout": {
+                "type": "vee",
+                "throws": ["0 deg"],
+                "bank_offset": offset,
+                "banks": [
+                    {"bearing": "-45 deg", "cylinders": [1]},
+                    {"bearing": "45 deg", "cylinders": [2]},
+                ],
+            },
+        }
+    )
+    front, rear = main_bearings(twin, twin.shafts[0])
+    assert front - rear == pytest.approx(0.090)  # the stroke
+    assert all(rear < each.z < front for each in twin.cylinders)
 
 
 @pytest.mark.parametrize(

@@ -152,8 +152,8 @@ def end_planes(engine: Assembly) -> tuple[float, float]:
 
 
 def room(engine: Assembly) -> float:
-    """A bore pitch; without one the stroke, or part of it for cylinders almost in one plane."""
-    several = len({cylinder.z for cylinder in engine.cylinders}) > 1
+    """A bore pitch; without one the stroke, or part of it for throws almost in one plane."""
+    several = len({throw.z for shaft in engine.shafts for throw in shaft.throws}) > 1
     if "pitch" in engine.relative or "radius" in engine.relative:
         return engine.pitch
     if engine.bore_pitch is not None:
