@@ -22,9 +22,11 @@ from crankstar.engine.gas import Gas
 from crankstar.engine.main_bearings import main_bearings
 from crankstar.files import engine_of, tree_text
 from crankstar.files.errors import EngineFileError
+from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.mass_doubts import size_doubts
 from crankstar.mechanics.operating_points import ignition
-from crankstar.studies.answers import amplitudes, rests_on
+from crankstar.studies.answers import amplitudes, rests_on, torques
+from crankstar.studies.assumed_gas import AT_SAME_CHARGE
 
 SHIP: dict[str, Any] = {
     **FIVE,
@@ -243,3 +245,25 @@ def test_what_is_no_point_of_the_block_is_refused(at: Any, error: type[Exception
 )
 def test_a_point_of_the_block_may_be_text(at: Any, place: tuple[float, ...]) -> None:
     assert crankstar.mounts(standing(), at=at).point == place
+
+
+def test_where_a_charge_is_kept_that_a_run_by_hand_would_change_it_is_said() -> None:
+    """At 70 deg the air of 1 bar no longer burns 9 bar: by hand a charger is assumed."""
+    cylinder = {"bore": "104 mm", "stroke": "118 mm", "rod_length": "190 mm"}
+    gas = {"ignition": "compression", "bmep": "9 bar"}
+    four = {**FIVE, "firing_order": [1, 3, 4, 2], "speed": "1500 rpm", "gas": gas}
+    engine = engine_of({**four, "cylinder": {**FIVE["cylinder"], **cylinder}})
+    found = rests_on(engine, torques(engine, cycle))
+    [closing] = [each for each in found if each.path == "valves.intake_closes"]
+    [opening] = [each for each in found if each.path == "valves.exhaust_opens"]
+    assert closing.reason == AT_SAME_CHARGE
+    assert opening.reason != AT_SAME_CHARGE
+    late = engine_of(
+        {
+            **four,
+            "cylinder": {**FIVE["cylinder"], **cylinder},
+            "valves": {"intake_closes": "70 deg"},
+        }
+    )
+    pressures = [cycle(each).values["intake_pressure"] for each in (engine, late)]
+    assert pressures[1] > 1.5 * pressures[0]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import degrees, radians
 from typing import Any
 
@@ -92,6 +92,7 @@ LEANEST = 1.5
 
 Our judgement: petrol engines run up to 1.3 to 1.6 before they misfire.
 """
+AT_SAME_CHARGE = N_("usual for such engines; at the same charge pressure")
 LOADS = 9
 """Loads of a usual cycle at which its roll is tried: near the inertia's it has a minimum inside."""
 START_ENDS = radians(10.0)
@@ -139,7 +140,22 @@ def without_gas(engine: Engine, found: Cycle) -> Assumption:
 
 
 def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
-    """What is assumed of a cycle, and what one measured trace stands for."""
+    """What is assumed of a cycle, and what one measured trace stands for.
+
+    Where the charge is kept that a run by hand would change, the reason says so.
+    """
+    for each in _gas_values(engine, own):
+        ends = (each.low, each.high)
+        charge = each.path.removeprefix("gas.") in CHARGE
+        switched = (
+            not charge
+            and isinstance(each.vary, _Held)
+            and any(end is not None and each.vary.switches(engine, end) for end in ends)
+        )
+        yield replace(each, reason=AT_SAME_CHARGE) if switched else each
+
+
+def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
     if engine.gas is None:
         yield Assumption(
             "missing", "gas", N_("no table [gas] in the file: its whole cycle is assumed"),
@@ -220,28 +236,40 @@ def valves(engine: Engine) -> Iterator[Assumption]:
         )  # fmt: skip
 
 
-def _held(own: Cycle, vary: Vary | None) -> Vary | None:
+@dataclass(frozen=True)
+class _Held:
     """The change of a value that takes no charger away and adds none: then the charge stays.
 
-    Whether an engine has one is assumed by its load alone. Between two points each has a charge of
-    its own.
+    Whether an engine has one is assumed by its load alone.
     """
+
+    own: Cycle
+    vary: Vary
+    kept: Mapping[str, Any]
+
+    def switches(self, engine: Engine, value: float) -> bool:
+        """Whether the charge would be that with a charger instead of without, or the other."""
+        try:
+            again = cycle(self.vary(engine, value), point=self.own.name, speed=self.own.speed)
+        except GasError:
+            return False
+        return _charged(again) != _charged(self.own)
+
+    def __call__(self, engine: Engine, value: float) -> Engine:
+        """The changed engine."""
+        changed = self.vary(engine, value)
+        if not self.switches(engine, value):
+            return changed
+        gas = changed.gas or Gas()
+        return with_values(changed, gas=with_values(gas, **{**self.kept, **_set(gas)}))
+
+
+def _held(own: Cycle, vary: Vary | None) -> Vary | None:
+    """The change of a value at the same charge; between two points each has a charge of its own."""
     kept = {key: own.values[key] for key in CHARGE if key in own.assumed and key in own.values}
     if vary is None or "intake_pressure" not in kept or len(own.shares) > 1:
         return vary
-
-    def held(engine: Engine, value: float) -> Engine:
-        changed = vary(engine, value)
-        try:
-            again = cycle(changed, point=own.name, speed=own.speed)
-        except GasError:
-            return changed
-        if _charged(again) == _charged(own):
-            return changed
-        gas = changed.gas or Gas()
-        return with_values(changed, gas=with_values(gas, **{**kept, **_set(gas)}))
-
-    return held
+    return _Held(own, vary, kept)
 
 
 def _set(gas: Gas) -> Mapping[str, float]:
