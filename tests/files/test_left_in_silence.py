@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import tomllib
 from collections.abc import Callable
 from dataclasses import replace
 from math import pi
@@ -267,3 +268,22 @@ def test_where_a_charge_is_kept_that_a_run_by_hand_would_change_it_is_said() -> 
     )
     pressures = [cycle(each).values["intake_pressure"] for each in (engine, late)]
     assert pressures[1] > 1.5 * pressures[0]
+
+
+def test_gas_that_a_file_does_not_give_has_its_size_on_the_mounts() -> None:
+    from crankstar.studies.response_answers import on_mounts
+
+    tree = tomllib.loads(tree_text(FIVE) + f'\n[block]\nmass = "150 kg"\n{RUBBER}')
+    engine, speeds = engine_of(tree), [3000 * pi / 30]
+    [gas] = [
+        each
+        for each in rests_on(engine, on_mounts(engine, speeds=speeds))
+        if each.path.startswith("gas")
+    ]
+    assert (gas.status, gas.unit) == ("left out", "bar")
+    assert (gas.low, gas.high) == pytest.approx((6.3, 11.7))
+    assert gas.moved is not None
+    key = gas.moved.quantity, gas.moved.order
+    loaded = engine_of({**tree, "gas": {"imep": "11.7 bar"}})
+    assert gas.moved.high == pytest.approx(on_mounts(loaded, speeds=speeds).figures(loaded)[key])
+    assert gas.moved.now < gas.moved.low

@@ -6,7 +6,7 @@ as the pressure depends on it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from math import degrees, radians
@@ -29,6 +29,7 @@ from crankstar.mechanics.operating_points import ASSUMED, GasError
 from crankstar.mechanics.remains import summed
 from crankstar.studies.assumptions import Assumption, Moved
 from crankstar.studies.changed_values import Vary, with_gas_choice, with_gas_value, with_valve_angle
+from crankstar.studies.tried_values import Figures
 
 OF_TRACE = (
     *("combustion_start", "combustion_duration", "wiebe_a", "wiebe_m"),
@@ -136,6 +137,16 @@ def without_gas(engine: Engine, found: Cycle) -> Assumption:
     return Assumption(
         "left out", name, reason, unit="" if ends[0] is None else "bar",
         low=ends[0], high=ends[1], values=fires, moved=change,
+    )  # fmt: skip
+
+
+def usual_load(own: Cycle, figures: Callable[[Engine], Figures]) -> Assumption:
+    """The usual cycle that a file without [gas] leaves out of `figures`, over its load."""
+    low, high = (end / 1e5 for end in _ends("imep", own.values["imep"], own))
+    return Assumption(
+        "left out", "gas", N_("no table [gas] in the file"), unit="bar", low=low, high=high,
+        values=(("ignition", own.values["ignition"]),),
+        vary=with_gas_value("imep", 1e5), figures=figures,
     )  # fmt: skip
 
 

@@ -71,7 +71,8 @@ class Assumption:
     sentence of the catalog of messages, to be translated where it is shown, with `values` in it;
     `explained` says that it stands also where no figure does, as it says what to do; `named` that
     it is one of two choices, tried at the `other` in `values`, without a range; `sentence` is one
-    on all of its kind, with their {paths}, instead of that of their status.
+    on all of its kind, with their {paths}, instead of that of their status; `figures` are computed
+    of the changed engine where those of the answer leave out what changes.
     """
 
     status: Status
@@ -87,6 +88,7 @@ class Assumption:
     sentence: str = ""
     moved: Moved | None = None
     vary: Vary | None = None
+    figures: Callable[[Engine], Figures] | None = None
 
     @property
     def effect(self) -> float:
@@ -95,6 +97,10 @@ class Assumption:
 
 
 def _nothing(_engine: Engine) -> Mapping[str, float]:
+    return {}
+
+
+def _nothing_moves(_engine: Engine) -> Figures:
     return {}
 
 
@@ -107,7 +113,8 @@ class Answer:
     values that a question has of its own, as a sweep does. `gas` is the cycle that is part of the
     answer; `without_gas` the one that its rolling moment leaves out; `gasless` is the sentence on
     what gas is missing in where it is not known, empty where gas does not belong to the answer;
-    `why_gasless` says why it is not in it though the file has some. `tunings` are the natural
+    `why_gasless` says why it is not in it though the file has some; `usual` is the cycle that may
+    be tried instead, `with_usual` the figures of an engine with one. `tunings` are the natural
     frequencies of an answer that resonates.
     """
 
@@ -120,6 +127,8 @@ class Answer:
     given: Collection[str] = ()
     gasless: str = ""
     why_gasless: str = ""
+    usual: Cycle | None = None
+    with_usual: Callable[[Engine], Figures] = _nothing_moves
     tunings: Sequence[Tuning] = ()
 
 
@@ -153,7 +162,7 @@ def _moved(
     try:
         tried = Tried(
             at=partial(each.vary, engine),
-            figures=answer.figures,
+            figures=each.figures or answer.figures,
             now=now,
             ends=ends,
             value=1.0 if trial else value if isinstance(value, float) else None,

@@ -11,7 +11,7 @@ import numpy as np
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.spectra import Real
-from crankstar.studies.answer_parts import IN_VIBRATION, gas_of
+from crankstar.studies.answer_parts import IN_VIBRATION, gas_of, usual_gas
 from crankstar.studies.assumptions import LOAD_OF, Answer
 from crankstar.studies.tried_values import Figure, Figures, Tuning
 
@@ -184,7 +184,9 @@ def on_mounts(
         places = over.speeds[sorted({0, len(over.speeds) - 1, *tops})].tolist()
 
     def figures(each: Engine) -> Figures:
-        each = _gas_as_in(engine, each)
+        return with_gas(_gas_as_in(engine, each))
+
+    def with_gas(each: Engine) -> Figures:
         block = mounted_block(each)
         loads = settled(block)[1]
         modes = mount_modes(block)
@@ -214,6 +216,8 @@ def on_mounts(
         gas=gas,
         gasless=IN_VIBRATION,
         why_gasless=why,
+        usual=usual_gas(engine, speed=speed)[0] if places else None,
+        with_usual=with_gas,
         least=least,
         tunings=[] if over is None else [_on_mounts_tuned(over.orders.tolist(), *(ends or (0, 0)))],
     )
@@ -311,5 +315,7 @@ def felt(
         gas=gas,
         gasless=IN_VIBRATION,
         why_gasless=why,
+        usual=usual_gas(engine, speed=speed)[0],
+        with_usual=figures,
         tunings=tunings,
     )
