@@ -13,6 +13,7 @@ from crankstar.dynamics import wear as wear_module
 from crankstar.dynamics.bearings import BearingError, Model, bearing_loads, bending_moment
 from crankstar.dynamics.wear import PLACES, SPREAD, wear
 from crankstar.engine.engine import Engine
+from crankstar.mechanics import gas_pins
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_pins import gas_pin_loads, head_forces
@@ -168,3 +169,21 @@ def test_wear_is_the_share_of_each_load_within_60_degrees_of_a_direction(count: 
         found = wear_module._pressed(loads, directions)
         assert found == pytest.approx(expected, abs=1e-13 * expected.max())
         assert found.min() >= 0.0
+
+
+@pytest.mark.parametrize("name", ["tests/cases/genset-four.toml", "audi-25-tfsi"])
+def test_orders_that_are_left_out_move_no_printed_digit_of_a_peak(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    engine = crankstar.load(name)
+    found = cycle(engine)
+    assert found.speed is not None
+
+    def peaks() -> list[float]:
+        loads = bearing_loads(engine, speed=found.speed, cycle=found)
+        return [float(spectra.peaks(own).max()) for own in (loads.pin, loads.load, loads.guide)]
+
+    usual = peaks()
+    monkeypatch.setattr(gas_pins, "HIGHEST", 4 * gas_pins.HIGHEST)
+    monkeypatch.setattr(gas_pins, "SAMPLES", 8 * gas_pins.SAMPLES)
+    assert peaks() == pytest.approx(usual, rel=2e-5)

@@ -29,10 +29,10 @@ from crankstar.mechanics.pin_loads import PinLoads
 from crankstar.mechanics.side_thrust import gas_guides, gas_push
 from crankstar.spectra import Complex, Real, Spectrum
 
-HIGHEST = 48.0
+HIGHEST = 96.0
 """The highest order of gas loads that is kept."""
 SAMPLES = 1440
-"""Of a cycle: fifteen for each wave of the highest order of a four-stroke engine."""
+"""Of a cycle: seven for each wave of the highest order of a four-stroke engine."""
 
 
 def gas_pin_loads(engine: Engine, cycle: Cycle) -> PinLoads:
