@@ -18,6 +18,7 @@ from tests.lacking import FIVE, RUBBER
 from tests.mounted_engines import standing
 
 import crankstar
+from crankstar import spectra
 from crankstar.dynamics.whirl import body, outline
 from crankstar.engine.gas import Gas
 from crankstar.engine.main_bearings import main_bearings
@@ -287,3 +288,22 @@ def test_gas_that_a_file_does_not_give_has_its_size_on_the_mounts() -> None:
     loaded = engine_of({**tree, "gas": {"imep": "11.7 bar"}})
     assert gas.moved.high == pytest.approx(on_mounts(loaded, speeds=speeds).figures(loaded)[key])
     assert gas.moved.now < gas.moved.low
+
+
+def test_how_a_crankshaft_stands_on_its_bearings_is_a_choice_with_a_figure(run: Run) -> None:
+    usual = json.loads(run("bearings", "audi-25-tfsi", "--json").out)
+    other = json.loads(run("bearings", "audi-25-tfsi", "--model", "continuous", "--json").out)
+    row = rows_by_path(usual)["--model"]
+    assert row["value"] == "determinate"
+    assert "--model" not in rows_by_path(other)
+    engine = crankstar.load("audi-25-tfsi")
+    loads = [
+        float(
+            spectra.peaks(
+                crankstar.bearing_loads(engine, speed=engine.speed, model=model).load
+            ).max()
+        )
+        for model in ("determinate", "continuous")
+    ]
+    moved = row["moves"]
+    assert (moved["now"], max(moved["low"], moved["high"])) == pytest.approx(tuple(loads))

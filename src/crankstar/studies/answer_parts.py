@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 
 from crankstar.engine.copies import with_values
@@ -13,6 +13,7 @@ from crankstar.mechanics.operating_points import GasError
 from crankstar.studies.assumptions import Answer
 from crankstar.studies.tried_values import Figure, Figures
 
+Figured = Callable[[Engine], Figures]
 TURNING = ("cylinder.rotating_mass", "cylinder.throw_mass", "crankshaft.weight")
 """What turns evenly: no pressure, torque or side thrust depends on it."""
 IN_VIBRATION = N_("Not in the forced vibration: {paths}.")
@@ -27,8 +28,7 @@ def without_speed(engine: Engine) -> Engine:
 def in_own_unit(answer: Answer) -> Answer:
     """The answer of an engine without its speed: in m r omega^2, as without a speed in its file."""
     return replace(
-        answer,
-        figures=lambda engine: answer.figures(without_speed(engine)),
+        _with_figures(answer, lambda figures: lambda engine: figures(without_speed(engine))),
         unit=lambda quantity, engine: answer.unit(quantity, without_speed(engine)),
         least=lambda engine: answer.least(without_speed(engine)),
         without_gas=None,  # it would be in N m
@@ -49,15 +49,27 @@ def narrowed(
     """
     nothing: Figures = {(next(iter(quantities)), None): 0.0}
 
-    def figures(engine: Engine) -> Figures:
-        kept = {
+    def kept(figures: Figures) -> Figures:
+        out = {
             (name, order): size
-            for (name, order), size in answer.figures(engine).items()
+            for (name, order), size in figures.items()
             if name in quantities and (orders is None or order in orders)
         }
-        return kept or nothing
+        return out or nothing
 
-    return replace(answer, figures=figures, given={*answer.given, *given})
+    return replace(
+        _with_figures(answer, lambda figures: lambda engine: kept(figures(engine))),
+        given={*answer.given, *given},
+    )
+
+
+def _with_figures(answer: Answer, made: Callable[[Figured], Figured]) -> Answer:
+    """An answer with other figures made from its own, in its choices too."""
+    choices = [
+        each if each.figures is None else replace(each, figures=made(each.figures))
+        for each in answer.choices
+    ]
+    return replace(answer, figures=made(answer.figures), choices=choices)
 
 
 def joined(parts: Sequence[Answer]) -> Answer:

@@ -17,6 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -272,29 +273,41 @@ def bearing_peaks(
 ) -> Answer:
     """The greatest load of a main bearing, of a crank pin and of a cylinder wall."""
 
-    def found(each: Engine, again: Cycle | None) -> Any:
+    def found(each: Engine, again: Cycle | None, model: Any) -> Any:
         from crankstar.dynamics.bearings import bearing_loads
 
         own = each.speed if speed is None else speed
         turning = own if again is None else again.speed
         return bearing_loads(each, speed=turning, model=model, cycle=again)
 
-    def figures(each: Engine) -> Figures:
-        loads = found(each, make(each))
+    def figures(each: Engine, *, model: Any = model) -> Figures:
+        loads = found(each, make(each), model)
         named = {"main bearing": loads.load, "crank pin": loads.pin, "cylinder wall": loads.guide}
         return {
             (name, None): float(spectra.peaks(own).max(initial=0.0)) for name, own in named.items()
         }
 
     first = make(engine)
+    reason = N_("a crankshaft hinged at each main bearing")
+    if any(shaft.bending_stiffness for shaft in engine.shafts):
+        reason = N_("the bending stiffness of the file is not used")
+    shared = Assumption(
+        "assumed", "--model", reason, MODELS[0], low=1.0, high=1.0, values=(("other", MODELS[1]),),
+        named=True, vary=lambda each, _value: each, figures=partial(figures, model=MODELS[1]),
+    )  # fmt: skip
     return Answer(
         figures=figures,
-        unit=lambda _quantity, each: found(each, make(each)).unit,
+        unit=lambda _quantity, each: found(each, make(each), model).unit,
         uses=("inertia", "bearings", *(("gas",) if first is not None else ())),
         gas=first,
         gasless=IN_LOADS,
         why_gasless=_why_gasless(engine, speed),
+        choices=[shared] if model == MODELS[0] else [],
     )
+
+
+MODELS = ("determinate", "continuous")
+"""How a crankshaft stands on its main bearings: as is usual, and the other way."""
 
 
 def _why_gasless(engine: Engine, speed: float | None) -> str:

@@ -140,13 +140,16 @@ def without_gas(engine: Engine, found: Cycle) -> Assumption:
     )  # fmt: skip
 
 
-def usual_load(own: Cycle, figures: Callable[[Engine], Figures]) -> Assumption:
-    """The usual cycle that a file without [gas] leaves out of `figures`, over its load."""
+def usual_load(own: Cycle, figures: Callable[[Engine], Figures], sentence: str) -> Assumption:
+    """The usual cycle that a file without [gas] leaves out of `figures`, over its load.
+
+    `sentence` as of an `Assumption`.
+    """
     low, high = (end / 1e5 for end in _ends("imep", own.values["imep"], own))
     return Assumption(
         "left out", "gas", N_("no table [gas] in the file"), unit="bar", low=low, high=high,
         values=(("ignition", own.values["ignition"]),),
-        vary=with_gas_value("imep", 1e5), figures=figures,
+        vary=with_gas_value("imep", 1e5), figures=figures, sentence=sentence,
     )  # fmt: skip
 
 

@@ -22,7 +22,7 @@ from crankstar.language.messages import N_
 from crankstar.mechanics.doubts import doubts_of
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import gas_torque
-from crankstar.studies.assumed_gas import gas_values, usual_load, valves, without_gas
+from crankstar.studies.assumed_gas import gas_values, valves, without_gas
 from crankstar.studies.assumed_masses import masses
 from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.changed_values import (
@@ -94,12 +94,11 @@ SHIFT = 10.0
 def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     """All that is lacking or doubtful of what an answer uses, in no order."""
     yield from map(_doubt, doubts_of(engine, answer.uses, answer.gas))
+    yield from answer.choices
     if "inertia" in answer.uses:
         yield from masses(engine, fitted="fitted" in answer.uses)
     if answer.without_gas is not None:
         yield without_gas(engine, answer.without_gas)
-    elif answer.gas is None and answer.usual is not None:
-        yield usual_load(answer.usual, answer.with_usual)
     elif answer.gas is None and answer.gasless:
         reason = answer.why_gasless or N_("there is no gas in it")
         yield Assumption(

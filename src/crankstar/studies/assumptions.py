@@ -100,10 +100,6 @@ def _nothing(_engine: Engine) -> Mapping[str, float]:
     return {}
 
 
-def _nothing_moves(_engine: Engine) -> Figures:
-    return {}
-
-
 @dataclass(frozen=True)
 class Answer:
     """An analysis of an engine by its figures: what is compared when a value of its file changes.
@@ -113,8 +109,8 @@ class Answer:
     values that a question has of its own, as a sweep does. `gas` is the cycle that is part of the
     answer; `without_gas` the one that its rolling moment leaves out; `gasless` is the sentence on
     what gas is missing in where it is not known, empty where gas does not belong to the answer;
-    `why_gasless` says why it is not in it though the file has some; `usual` is the cycle that may
-    be tried instead, `with_usual` the figures of an engine with one. `tunings` are the natural
+    `why_gasless` says why it is not in it though the file has some. `choices` are those that the
+    answer makes itself, with figures of their own. `tunings` are the natural
     frequencies of an answer that resonates.
     """
 
@@ -127,8 +123,7 @@ class Answer:
     given: Collection[str] = ()
     gasless: str = ""
     why_gasless: str = ""
-    usual: Cycle | None = None
-    with_usual: Callable[[Engine], Figures] = _nothing_moves
+    choices: Sequence[Assumption] = ()
     tunings: Sequence[Tuning] = ()
 
 

@@ -12,6 +12,7 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import IN_VIBRATION, gas_of, usual_gas
+from crankstar.studies.assumed_gas import usual_load
 from crankstar.studies.assumptions import LOAD_OF, Answer
 from crankstar.studies.tried_values import Figure, Figures, Tuning
 
@@ -209,15 +210,15 @@ def on_mounts(
         return {f"{LOAD_OF}{own.name}": float(np.abs(loads).max()) for own in block.mounts}
 
     gas, why = gas_of(engine, point=point, speed=speed)
+    usual = usual_gas(engine, speed=speed)[0] if places else None
     return Answer(
         figures=figures,
         unit=lambda quantity, _engine: _unit_on_mounts(quantity),
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
-        gasless=IN_VIBRATION,
+        gasless="" if usual else IN_VIBRATION,
         why_gasless=why,
-        usual=usual_gas(engine, speed=speed)[0] if places else None,
-        with_usual=with_gas,
+        choices=[usual_load(usual, with_gas, IN_VIBRATION)] if usual else [],
         least=least,
         tunings=[] if over is None else [_on_mounts_tuned(over.orders.tolist(), *(ends or (0, 0)))],
     )
@@ -304,6 +305,7 @@ def felt(
         }
 
     gas, why = gas_of(engine, point=point, speed=speed)
+    usual = usual_gas(engine, speed=speed)[0]
     tunings = []
     if engine.mounts:
         now = shaken(engine, faults, point=point, speed=speed, orders=orders)
@@ -313,9 +315,8 @@ def felt(
         unit=lambda quantity, _engine: units[quantity],
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
-        gasless=IN_VIBRATION,
+        gasless="" if usual else IN_VIBRATION,
         why_gasless=why,
-        usual=usual_gas(engine, speed=speed)[0],
-        with_usual=figures,
+        choices=[usual_load(usual, figures, IN_VIBRATION)] if usual else [],
         tunings=tunings,
     )
