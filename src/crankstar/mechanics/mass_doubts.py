@@ -55,7 +55,8 @@ def size_doubts(engine: Engine) -> Iterator[Fault]:
     """A bore wider than the next cylinder of its bank is away, and a stroke of another engine's.
 
     >>> from crankstar.files.catalog import load
-    >>> [fault.code for fault in size_doubts(load("audi-25-tfsi", changes={"cylinder.bore": 8.25}))]
+    >>> slip = load("audi-25-tfsi", changes={"cylinder.bore": "8 m"})
+    >>> [fault.code for fault in size_doubts(slip)]
     ['doubt.bore-pitch', 'doubt.stroke']
     """
     known = [(n, each) for n, each in enumerate(engine.cylinders) if each.bore is not None]
