@@ -15,6 +15,7 @@ import pytest
 from tests.commands import Run
 from tests.texts import SHORT, spoilt
 
+from crankstar.dynamics.uneven import UnevenError, driven
 from crankstar.files import EngineFileError, engine_of, toml, tree_of
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.operating_points import GasError
@@ -253,6 +254,29 @@ def test_an_engine_that_would_stop_within_its_cycle_is_told_of(run: Run, four: s
     result = run("torque", four, "--flywheel", "0.001 kg*m^2", "--speed", "60 rpm")
     assert result.code == 2
     assert "would stop" in result.err
+
+
+@pytest.mark.parametrize("exponent", [-1.0, 0.0, 2.0])
+def test_an_engine_too_light_for_any_speed_of_that_mean_would_stop(exponent: float) -> None:
+    """With so little inertia it is too fast on the whole even where it all but stops."""
+    light = engine_of(
+        {
+            "format": 1,
+            "name": "light",
+            "firing_order": [1],
+            "speed": "10 rpm",
+            "cylinder": {
+                "bore": "500 mm",
+                "stroke": "250 mm",
+                "rod_length": "250 mm",
+                "reciprocating_mass": "1 kg",
+            },
+            "layout": {"type": "inline", "throws": ["0 deg"]},
+            "drive": {"inertia": "0.1 kg*m^2", "load_exponent": exponent},
+        }
+    )
+    with pytest.raises(UnevenError, match="would stop"):
+        driven(light, cycle(light))
 
 
 @pytest.mark.release

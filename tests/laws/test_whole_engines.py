@@ -332,9 +332,10 @@ def test_the_error_of_a_value_moves_forces_as_a_change_of_it_does(
         for each in (size - step, size + step)
     )
     bounds = np.array([each.bound for each in errors])
+    largest = max(np.abs(both).max() for each in low.values() for both in each)
     for quantity in QUANTITIES:
         for place in (0, 1):
             change = (high[quantity][place] - low[quantity][place]) / 2
             found = bounds @ lines[quantity].rates[place]
-            rounding = 1e-10 * np.abs(low[quantity][place]).max()
+            rounding = 1e-10 * np.abs(low[quantity][place]).max() + 1e-16 * largest
             assert np.abs(found - change).max() <= 2e-5 * np.abs(change).max() + rounding, path

@@ -195,7 +195,10 @@ def periodic_integral(torque: Real, span: float) -> Real:
 
 
 def _energy(change: Real, whole: Real, speed: float) -> Real:
-    """The energy over the cycle whose speed has this mean over time."""
+    """The energy over the cycle whose speed has this mean over time.
+
+    Raises UnevenError where it is faster on the whole even if it all but stops once.
+    """
     least = -float(change.min())
 
     def slow(mean: float) -> float:
@@ -204,6 +207,8 @@ def _energy(change: Real, whole: Real, speed: float) -> Real:
 
     high = least + float(whole.max()) * speed**2 * 2 + float(np.ptp(change))
     low = least * (1 + 1e-12) + 1e-12 * high
+    if slow(low) < 0:
+        raise _stopped(speed)
     return root(slow, low=low, high=high) + change
 
 
