@@ -307,3 +307,30 @@ def test_how_a_crankshaft_stands_on_its_bearings_is_a_choice_with_a_figure(run: 
     ]
     moved = row["moves"]
     assert (moved["now"], max(moved["low"], moved["high"])) == pytest.approx(tuple(loads))
+
+
+def test_rods_on_one_pin_that_may_stand_side_by_side_have_their_couple_named() -> None:
+    """As wide apart as the range goes: what a file with that offset of its banks has."""
+    twin: dict[str, Any] = {
+        **FIVE,
+        "firing_order": [1, 2],
+        "layout": {
+            "type": "vee",
+            "throws": ["0 deg"],
+            "banks": [
+                {"bearing": "-45 deg", "cylinders": [1]},
+                {"bearing": "45 deg", "cylinders": [2]},
+            ],
+        },
+    }
+    engine = engine_of(twin)
+    found = {each.path: each for each in rests_on(engine, amplitudes(engine))}
+    apart = found["layout.bank_offset"]
+    assert (apart.low, apart.high) == pytest.approx((-0.3 * 82, 0.3 * 82))
+    assert apart.moved is not None
+    layout = {**twin["layout"], "bank_offset": f"{apart.high} mm"}
+    wide = engine_of({**twin, "layout": layout})
+    key = apart.moved.quantity, apart.moved.order
+    assert apart.moved.high == pytest.approx(amplitudes(wide).figures(wide)[key])
+    given = [each.path for each in rests_on(wide, amplitudes(wide))]
+    assert "layout.bank_offset" not in given

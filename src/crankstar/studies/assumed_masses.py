@@ -14,8 +14,16 @@ from crankstar.language.messages import N_
 from crankstar.mechanics.operating_points import ignition
 from crankstar.remedy.fitting import quiet_cranks
 from crankstar.studies.assumptions import Assumption
-from crankstar.studies.changed_values import by_factor, with_rods_of, with_turning_masses
+from crankstar.studies.changed_values import (
+    by_factor,
+    rods_at_one_place,
+    with_rods_apart,
+    with_rods_of,
+    with_turning_masses,
+)
 
+ROD_WIDTH = 0.3
+"""Width of a big end over the bore, at most: 0.2 to 0.3 in vehicles. Our judgement."""
 CROSSHEAD = ((0.3, 0.65, 1.0), (0.3, 0.75, 1.2))
 """Big end of the rod, and crank throw, of an engine with crossheads in its reciprocating mass.
 
@@ -40,8 +48,21 @@ def masses(engine: Engine, *, fitted: bool = False) -> Iterator[Assumption]:
     kind = None if look is None else _kind(engine, look)
     yield from _rods(engine, kind)
     yield from _turning(engine, kind, look, fitted=fitted)
+    yield from _beside(engine)
     if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
         yield _weights(engine)
+
+
+def _beside(engine: Engine) -> Iterator[Assumption]:
+    """Two rods of one crankpin at the same place, which most engines have side by side."""
+    if {"radius", "pitch"} & {*engine.relative} or not rods_at_one_place(engine):
+        return
+    width = ROD_WIDTH * max(own.bore or 2 * engine.throw(own).radius for own in engine.cylinders)
+    yield Assumption(
+        "assumed", "layout.bank_offset",
+        N_("two rods on one crankpin stand at the same place, as only fork-and-blade rods do"),
+        None, "mm", -1e3 * width, 1e3 * width, vary=with_rods_apart,
+    )  # fmt: skip
 
 
 def _kind(engine: Engine, look: Look) -> EngineType:

@@ -16,7 +16,7 @@ from crankstar.engine.copies import with_values, wrapped
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas, OperatingPoint
 from crankstar.engine.main_bearings import main_bearings
-from crankstar.engine.records import Shaft, Valves, Weight
+from crankstar.engine.records import Cylinder, Shaft, Valves, Weight
 from crankstar.mechanics.gas import Cycle
 
 INERTIAS = ("inertia_up", "inertia_right", "inertia_z")
@@ -96,6 +96,31 @@ def with_turning_masses(engine: Engine, ends: float | None, pins: float | None) 
         for shaft in engine.shafts
     ]
     return _with_weights_along(engine, with_values(engine, shafts=tuple(shafts)))
+
+
+def rods_at_one_place(engine: Engine) -> list[tuple[Cylinder, Cylinder]]:
+    """Pairs of cylinders whose rods, none articulated, stand on one crankpin at the same z."""
+    on: dict[tuple[str, int], list[Cylinder]] = {}
+    for cylinder in engine.cylinders:
+        on.setdefault((cylinder.shaft, cylinder.throw), []).append(cylinder)
+    pairs = [(own[0], own[1]) for own in on.values() if len(own) == PAIR]
+    return [
+        (one, other)
+        for one, other in pairs
+        if one.z == other.z and one.articulated is None and other.articulated is None
+    ]
+
+
+PAIR = 2
+
+
+def with_rods_apart(engine: Engine, apart: float) -> Engine:
+    """The engine with the first rod of each such pair `apart` (mm) in front of the second."""
+    places: dict[int, float] = {}
+    for one, other in rods_at_one_place(engine):
+        places |= {one.number: one.z + apart / 2e3, other.number: other.z - apart / 2e3}
+    cylinders = [with_values(own, z=places.get(own.number, own.z)) for own in engine.cylinders]
+    return with_values(engine, cylinders=tuple(cylinders))
 
 
 def with_rods_of(engine: Engine, ratio: float) -> Engine:
