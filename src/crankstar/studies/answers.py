@@ -271,7 +271,7 @@ def _evenness(
 def bearing_peaks(
     engine: Engine, make: MakeCycle, *, speed: float | None = None, model: Any = "determinate"
 ) -> Answer:
-    """The greatest load of a main bearing, of a crank pin and of a cylinder wall."""
+    """The maximum load of a main bearing, of a crankpin and of a cylinder wall."""
 
     def found(each: Engine, again: Cycle | None, model: Any) -> Any:
         from crankstar.dynamics.bearings import bearing_loads

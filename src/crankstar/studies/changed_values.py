@@ -19,6 +19,8 @@ from crankstar.engine.main_bearings import main_bearings
 from crankstar.engine.records import Cylinder, Shaft, Valves, Weight
 from crankstar.mechanics.gas import Cycle
 
+PAIR = 2
+"""Rods on one crankpin that stand side by side, or as fork and blade."""
 INERTIAS = ("inertia_up", "inertia_right", "inertia_z")
 """The moments of inertia of a block, by their keys."""
 Vary = Callable[[Engine, float], Engine]
@@ -109,9 +111,6 @@ def rods_at_one_place(engine: Engine) -> list[tuple[Cylinder, Cylinder]]:
         for one, other in pairs
         if one.z == other.z and one.articulated is None and other.articulated is None
     ]
-
-
-PAIR = 2
 
 
 def with_rods_apart(engine: Engine, apart: float) -> Engine:
