@@ -334,3 +334,20 @@ def test_rods_on_one_pin_that_may_stand_side_by_side_have_their_couple_named() -
     assert apart.moved.high == pytest.approx(amplitudes(wide).figures(wide)[key])
     given = [each.path for each in rests_on(wide, amplitudes(wide))]
     assert "layout.bank_offset" not in given
+
+
+def test_guide_force_moments_of_a_ship_without_gas_are_told_as_a_range(run: Run) -> None:
+    """Six even firings leave the sixth order; the upper end is that of a file with that load."""
+    ship = {key: value for key, value in SHIP.items() if key != "gas"}
+    typed = tree_text(ship).encode()
+    printed = run("marine", "-", stdin=typed).out
+    gas = rows_by_path(json.loads(run("marine", "-", "--json", stdin=typed).out))["gas"]
+    moved = gas["moves"]
+    assert (moved["quantity"], moved["order"]) == ("H moment", 6)
+    engine = engine_of({**ship, "gas": {"imep": f"{gas['high']} bar"}})
+    guide = crankstar.marine(engine).guide
+    assert guide is not None
+    [sixth] = abs(guide.h[guide.orders == 6])
+    assert moved["high"] == pytest.approx(sixth)
+    assert "H moment of order 6" in printed
+    assert "not 0" not in printed

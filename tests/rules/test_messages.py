@@ -63,8 +63,9 @@ def forms(text: str | tuple[str, ...] | list[str]) -> list[str]:
     return [text] if isinstance(text, str) else list(text)
 
 
-def placeholders(text: str) -> set[str]:
-    return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
+def placeholders(text: str) -> list[str]:
+    """In order of the alphabet, each as often as it stands there: a sentence is not said twice."""
+    return sorted(name for _, name, _, _ in string.Formatter().parse(text) if name is not None)
 
 
 def bare(sentence: str) -> str:

@@ -17,6 +17,7 @@ Figured = Callable[[Engine], Figures]
 TURNING = ("cylinder.rotating_mass", "cylinder.throw_mass", "crankshaft.weight")
 """What turns evenly: no pressure, torque or side thrust depends on it."""
 IN_VIBRATION = N_("Not in the forced vibration: {paths}.")
+IN_GUIDES = N_("Without guide-force moments: {paths}.")
 """What gas that is not known is missing in, by what an answer is about."""
 
 

@@ -33,6 +33,7 @@ from crankstar.mechanics.operating_points import GasError, operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Spectrum
 from crankstar.studies.answer_parts import (
+    IN_GUIDES,
     TURNING,
     gas_of,
     in_own_unit,
@@ -40,12 +41,14 @@ from crankstar.studies.answer_parts import (
     usual_gas,
     without_speed,
 )
+from crankstar.studies.assumed_gas import usual_load
 from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.assumptions import Answer, Assumption, moved
 from crankstar.studies.response_answers import felt, on_mounts, twist
 from crankstar.studies.tried_values import Figure, Figures
 
 if TYPE_CHECKING:
+    from crankstar.mechanics.guide_moments import GuideMoments
     from crankstar.studies.diagnosis import Diagnosis
 
 MakeCycle = Callable[[Engine], Cycle | None]
@@ -327,19 +330,11 @@ def external(engine: Engine, make: Callable[[Engine], Any]) -> Answer:
         for order in found.after.orders.tolist():
             sizes_there = [found.after.moment(order, side) for side in ("V", "H")]
             out["couple", order] = float(np.nanmax([0.0, *sizes_there]))
-        if found.guide is not None:
-            out |= {
-                ("H moment", float(order)): float(abs(size))
-                for order, size in zip(found.guide.orders, found.guide.h, strict=True)
-            }
-        if found.guide is not None and found.guide.pitch_known:
-            out |= {
-                ("X moment", float(order)): float(abs(size))
-                for order, size in zip(found.guide.orders, found.guide.x, strict=True)
-            }
-        return out
+        return out | _guide_sizes(found.guide)
 
     whole = make(engine)
+    usual = usual_gas(engine, speed=whole.after.speed)[0]
+    one_shaft = len({cylinder.shaft for cylinder in engine.cylinders}) == 1
     return Answer(
         figures=figures,
         unit=lambda quantity, each: (
@@ -347,7 +342,20 @@ def external(engine: Engine, make: Callable[[Engine], Any]) -> Answer:
         ),
         uses=("inertia", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
+        choices=[usual_load(usual, figures, IN_GUIDES)] if usual and one_shaft else [],
     )
+
+
+def _guide_sizes(found: GuideMoments | None) -> dict[Figure, float]:
+    """The moments of guide forces by order, N m; none where they are not computed."""
+    if found is None:
+        return {}
+    moments = {"H moment": found.h} | ({"X moment": found.x} if found.pitch_known else {})
+    return {
+        (name, float(order)): float(abs(size))
+        for name, sizes_of_all in moments.items()
+        for order, size in zip(found.orders, sizes_of_all, strict=True)
+    }
 
 
 def bobweights(engine: Engine, *, factor: float) -> Answer:

@@ -209,13 +209,20 @@ def _moving(each: Assumption) -> str:
     if each.named:
         return _with_other(each, words)
     if each.status == "left out" and each.low is not None:
+        ends = {"low": _value(each, each.low), "high": _value(each, each.high)}
+        ignition = _(FIRES[dict(each.values)["ignition"]])
+        if not own.now:  # what is not computed is not zero
+            return _(
+                "{path}: {reason}. With a usual cycle ({ignition}, imep {low} to {high}) the "
+                "{figure} is {sizes}.",
+                **words | ends,
+                ignition=ignition,
+            )
         return _(
             "{path}: {reason}. With a usual cycle ({ignition}, imep {low} to {high}) the {figure} "
             "is {sizes}, not {now}.",
-            **words,
-            ignition=_(FIRES[dict(each.values)["ignition"]]),
-            low=_value(each, each.low),
-            high=_value(each, each.high),
+            **words | ends,
+            ignition=ignition,
         )
     if each.status == "left out":
         return _("{path}: {reason}. With it the {figure} is {sizes}, not {now}.", **words)
