@@ -259,9 +259,9 @@ WITHOUT = ("rests_on", "assumed")
 """Of an answer in JSON: what the record is, and what it was."""
 
 
-@pytest.mark.many(first=6)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(
-    "verb", [("analyze",), ("torque",), ("bearings", "--gas"), ("mounts",), ("fault", "--cut", "3")]
+    "verb", [("analyze",), ("torque",), ("fault", "--cut", "3"), ("bearings", "--gas"), ("mounts",)]
 )
 @pytest.mark.parametrize("load", ["bmep", "imep"])
 def test_a_choice_is_in_the_record_where_it_moves_a_printed_number_and_nowhere_else(

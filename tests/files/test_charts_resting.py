@@ -100,12 +100,14 @@ ANSWERED_ALIKE = (
     "transmissibility",
 )
 """Charts whose answer is that of another one."""
+SLOW = ("torsion-response",)
+"""Charts of which another test of the gate varies the answer."""
 
 
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=[pytest.mark.release] if name in ANSWERED_ALIKE else [])
+        pytest.param(name, marks=[pytest.mark.release] if name in ANSWERED_ALIKE + SLOW else [])
         for name in charts.CHARTS
     ],
 )

@@ -34,6 +34,11 @@ COMMANDS = [
     ("isolate", "--stiffness", "100..400 N/mm"),
 ]
 
+SLOW = ("isolate", "mounts", "torsion")
+"""Those that compute long; the others are in the gate."""
+MARKED = [
+    pytest.param(each, marks=[pytest.mark.release] if each[0] in SLOW else []) for each in COMMANDS
+]
 TABLES = {"torsion": TWISTING, "mounts": MOUNTED, "fault": MOUNTED, "isolate": MOUNTED}
 """What a command needs beside the engine."""
 
@@ -48,7 +53,7 @@ def doubted(folder: Path, tables: str = "", ratio: str = "1.2") -> str:
 
 
 @pytest.mark.many(first=len(COMMANDS))
-@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command[0])
+@pytest.mark.parametrize("command", MARKED, ids=lambda command: command[0])
 @pytest.mark.parametrize("ratio", ["1.2", "60"])
 def test_an_impossible_compression_ratio_is_doubted_once_by_every_command_with_gas(
     command: tuple[str, ...], ratio: str, tmp_path: Path, run: Run

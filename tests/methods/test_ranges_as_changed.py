@@ -72,6 +72,7 @@ def test_a_natural_frequency_that_is_swept_rests_on_no_damping_and_no_gas() -> N
     assert not [path for path in record(found.engine, found.answer) if "gas" in path]
 
 
+@pytest.mark.release
 def test_a_crankshaft_is_twisted_by_the_range_of_a_usual_cycle_too() -> None:
     """A file without [gas] and one that has nothing but its compression ratio say the same."""
     whole = engine_of({**FIVE, "gas": {"compression_ratio": 10.0}, "torsion": TORSION}, name="a")
