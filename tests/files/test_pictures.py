@@ -15,9 +15,11 @@ from typing import Any
 
 import pytest
 from tests.charted import rows_drawn
+from tests.lacking import FIVE, RUBBER
 
 from crankstar.charts import CHARTS
 from crankstar.charts.sweeps import swept as chart
+from crankstar.files import tree_text
 from crankstar.studies.best_value import best
 from crankstar.studies.sweep import sweep as swept
 from crankstar.studies.sweep import watched
@@ -43,10 +45,29 @@ def test_a_chart_is_written_as_its_suffix_says(run: Run, tmp_path: Path, kind: s
         assert parameter["value"] == 30
 
 
+TWISTING = ("torsion-modes", "campbell", "torsion-response", "torsion-star")
+MOUNTED = ("mount-layout", "mount-modes", "mount-response", "transmissibility")
+"""Charts of what not every engine file has."""
+
+
 @pytest.mark.many(first=5)
 @pytest.mark.parametrize("chart", CHARTS)
-def test_every_chart_is_drawn_into_a_pipe(run: Run, chart: str) -> None:
-    assert run("plot", "gm-3800", chart, "-o", "-").out.startswith("<svg")
+def test_every_chart_is_drawn_into_a_pipe(run: Run, tmp_path: Path, chart: str) -> None:
+    engine = "cadillac-ld8" if chart in TWISTING else "gm-3800"
+    if chart in MOUNTED:
+        file = tmp_path / "mounted.toml"
+        block = '\n[block]\nmass = "150 kg"\n'
+        file.write_text(f"{tree_text(FIVE)}{block}{RUBBER}", encoding="utf-8")
+        engine = str(file)
+    assert run("plot", engine, chart, "-o", "-").out.startswith("<svg")
+
+
+@pytest.mark.many(first=1)
+@pytest.mark.parametrize("chart", [*TWISTING, *MOUNTED])
+def test_a_chart_of_what_the_file_lacks_is_refused(run: Run, tmp_path: Path, chart: str) -> None:
+    place = tmp_path / "nothing.svg"
+    refused = run("plot", "gm-3800", chart, "-o", str(place))
+    assert (refused.code, refused.out, place.exists()) == (2, "", False)
 
 
 @pytest.mark.release
