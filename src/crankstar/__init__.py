@@ -17,6 +17,8 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `exports/` | an engine for other tools: EXUDYN, glTF, STL |
 | `pictures/` | the engine itself, drawn at a crank angle or as a film |
 | `page/` | the page on which the engine turns: its data, one file, the notebook widget |
+| `analyses/` | the analyses, a folder each: what is asked, what computes it, how it is told |
+| `analysis/` | the record of an analysis, what reads its question, all of them by name |
 | `options/` | what is typed in a command line or a dialog, read as checked values |
 | `charts/` | figures, one function each |
 | `tables/` | every analysis as a table: terminal, HTML, CSV, JSON, spreadsheet; the verdict |

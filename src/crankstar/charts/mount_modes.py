@@ -15,7 +15,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.rigid_block import FREEDOMS
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
-from crankstar.tables.mounts import NAMES
+from crankstar.tables.mount_points import FREEDOM_NAMES
 
 TITLE = N_("Natural modes on the mounts")
 ROW = 34.0
@@ -35,7 +35,7 @@ def mount_mode_chart(engine: Engine) -> Chart:
         found = mounts(engine, orders=())
     except MountError as error:
         return without(engine, title=title, reason=str(error))
-    heads = [_(NAMES[name]) for name in FREEDOMS]
+    heads = [_(FREEDOM_NAMES[name]) for name in FREEDOMS]
     if found.block.freedoms > SIX:
         heads.append(_("foundation"))
     rows = []

@@ -12,10 +12,9 @@
 | `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
 | `torque` | torque |
 | `isolating` | isolate |
-| `mounts` | mounts |
+| `analyses` | the verbs of all analyses that are records |
 | `marine` | marine |
 | `genset` | genset |
-| `torsion` | torsion |
 | `estimating` | estimate |
 | `deriving` | derive, errata |
 | `firing` | orders, vees |

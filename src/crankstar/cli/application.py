@@ -12,6 +12,7 @@ from itertools import pairwise
 from cyclopts import App, CycloptsError
 
 from crankstar import __version__
+from crankstar.analysis.registry import names
 from crankstar.cli.complaints import complaint, unwritable
 from crankstar.cli.output import LOST, OutputError, abandon, complain, is_file
 from crankstar.cli.system_language import of_system
@@ -77,7 +78,6 @@ VERBS = {
     "list": "inspect:list_engines",
     "marine": "marine:marine",
     "match": "matching:match",
-    "mounts": "mounts:mounts",
     "new": "files:new",
     "orders": "firing:orders",
     "page": "showing:page",
@@ -93,7 +93,6 @@ VERBS = {
     "sweep": "sweeping:sweep",
     "tolerance": "tolerances:tolerance",
     "torque": "torque:torque",
-    "torsion": "torsion:torsion",
     "vees": "firing:vees",
     "verdict": "inspect:verdict",
 }
@@ -110,6 +109,7 @@ app = App(
 app.register_install_completion_command(
     COMPLETION, help="Install completion of commands and options in this shell."
 )
+VERBS |= {name: f"analyses:{name}" for name in names()}
 for _verb, _place in VERBS.items():
     app.command(f"crankstar.cli.{_place}", name=_verb)
 

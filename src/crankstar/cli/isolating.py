@@ -18,11 +18,11 @@ from crankstar.cli.options import (
     write_engine,
 )
 from crankstar.cli.output import display, progress, write
-from crankstar.cli.speed_ranges import speeds_of
 from crankstar.cli.tabulating import resting_on
 from crankstar.language.messages import _
 from crankstar.options import isolating as asked
 from crankstar.options import values as request
+from crankstar.options.ranges import speeds_of
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine

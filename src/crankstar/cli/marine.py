@@ -21,12 +21,12 @@ from crankstar.cli.options import (
     write_engine,
 )
 from crankstar.cli.output import working
-from crankstar.cli.speed_ranges import speeds_of
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
 from crankstar.options.gas import gas_orders
+from crankstar.options.ranges import speeds_of
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine

@@ -1,4 +1,4 @@
-"""The speeds of --speeds, and what `analyze` prints over them: amplitudes over the speed."""
+"""What `analyze --speeds` prints: amplitudes over the speed."""
 
 from __future__ import annotations
 
@@ -9,43 +9,11 @@ from typing import TYPE_CHECKING
 from crankstar.cli.options import command_text, engine_tree, loaded_values, together
 from crankstar.cli.tabulating import give, resting_on
 from crankstar.options import values as request
-from crankstar.options.values import RequestError, refusal
+from crankstar.options.ranges import refuse_one
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
     from crankstar.tables.table import Document
-
-
-MOST_SPEEDS = 2000
-"""Of torsion and mounts, whose tables have a row for each."""
-
-
-def speeds_of(text: str | None, *, beside_speed: bool = True) -> list[float]:
-    """The speeds of --speeds, rad/s. Raises RequestError or SweepError.
-
-    `beside_speed`: the verb has --speed too, which is named to who gives one speed.
-    """
-    if text is not None and beside_speed:
-        _refuse_one(text)
-    found = [] if text is None else request.speeds(text)
-    if len(found) > MOST_SPEEDS:
-        raise refusal("--speeds", text or "", "give up to {most} speeds", most=MOST_SPEEDS)
-    return found
-
-
-def _refuse_one(text: str) -> None:
-    """Refuse a text that is one speed. Raises RequestError."""
-    try:
-        turning = request.speed(text)
-    except RequestError:
-        return
-    if turning is not None:
-        raise refusal(
-            "--speeds",
-            text,
-            'this is one value, which --speed takes; give two or more here, as in "600..6000 rpm '
-            'by 200"',
-        )
 
 
 def over_speeds(
@@ -67,7 +35,7 @@ def over_speeds(
     from crankstar.tables import over_speeds as tables
     from crankstar.tables.ranges import ranged
 
-    _refuse_one(speeds)
+    refuse_one(speeds)
     request.speeds(speeds)
     (loaded, spread), _read = together(
         partial(loaded_values, engine, settings, estimate=estimate),

@@ -53,7 +53,7 @@ def give(
         return
     from crankstar.tables import machine
 
-    keyed = [table for table in document.tables if table.key]
+    keyed = [table for table in document.for_machines.tables if table.key]
     filled = [table for table in keyed if table.rows]
     table = machine.stacked(filled) if len(filled) > 1 else next(iter([*filled, *keyed]), None)
     if form == "json":

@@ -160,6 +160,11 @@ class TorsionChain:
         return f"{self.names[front]} - {self.names[rear]}"
 
     @property
+    def stressed(self) -> bool:
+        """Whether a shaft has a diameter, and so a shear stress."""
+        return any(each.diameter is not None for each in self.sections)
+
+    @property
     def along(self) -> tuple[int, ...]:
         """The indices of the sections from front to rear, in which tables list them."""
         ends = [sorted((each.before, each.after)) for each in self.sections]

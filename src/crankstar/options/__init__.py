@@ -12,6 +12,7 @@
 | `names` | the option that an unknown name stands for |
 | `refusals` | requests that cannot be met |
 | `values` | speeds, orders, angles, points of reference, settings |
+| `ranges` | the speeds of --speeds |
 | `gas` | a degree of irregularity, mean effective pressures |
 | `remedies` | weights, what they minimise, balance shafts |
 | `workshop` | a drill, a measured unbalance, a grade, as a balancing shop types them |

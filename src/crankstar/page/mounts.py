@@ -221,14 +221,20 @@ def mount_numbers(engine: Engine) -> MountNumbers | None:
     known = _standing(engine)
     if known is None:
         return None
+    from crankstar.analyses.mounts.document import document as mounts_document
+    from crankstar.analyses.mounts.question import Question
     from crankstar.dynamics.mount_response import rms
-    from crankstar.tables.mounts import mounts_document
 
     found, driven = known
-    plain = mounts_document(engine, found, point_told=False)
+    plain = mounts_document(engine, found, Question())
     forces = [float(rms(each.response.ground_force[..., :3])[0]) for each in driven]
     notes, doubts = (
-        tuple(line for part in plain.sentences if part.kind in kinds for line in part.lines)
+        tuple(
+            line
+            for part in plain.sentences
+            if part.kind in kinds and part.key != "point"  # which the reader chooses
+            for line in part.lines
+        )
         for kinds in (("note",), ("doubt", "assumed"))
     )
     return MountNumbers(
@@ -259,5 +265,5 @@ def _small(unit: str, count: float) -> Unit:
 
 
 def _table(document: Document, key: str) -> Table:
-    tables = printed(table for table in document.tables if table.key == key)
+    tables = printed(table for table in document.for_readers.tables if table.key == key)
     return tables[0] if tables else Table(title="", heads=(), rows=())

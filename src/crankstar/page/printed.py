@@ -13,14 +13,16 @@ from crankstar.tables.table import Table as Values
 
 
 def printed(parts: Iterable[Values | Remarks]) -> tuple[Table, ...]:
-    """The parts of a document as tables; remarks have notes only.
+    """The parts of a document for readers as tables; remarks have notes only.
 
     >>> from crankstar.tables.table import Column
     >>> (table,) = printed([Values("Throws", (Column("z", "mm"),), ((-40.0,),))])
     >>> table.heads, table.rows, table.numeric
     (('z [mm]',), (('−40',),), (True,))
     """
-    return tuple(_table(part) for part in parts)
+    return tuple(
+        _table(part) for part in parts if isinstance(part, Remarks) or part.audience != "machines"
+    )
 
 
 def _table(part: Values | Remarks) -> Table:

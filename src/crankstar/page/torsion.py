@@ -233,13 +233,16 @@ def torsion_numbers(engine: Engine) -> TorsionNumbers | None:
     known = _twist(engine)
     if known is None:
         return None
-    from crankstar.tables.torsion import torsion_document
+    from crankstar.analyses.torsion.document import document as torsion_document
+    from crankstar.analyses.torsion.question import Question
 
     found, driven, _places = known
-    plain = torsion_document(engine, found)
-    whole = torsion_document(engine, replace(found, response=None), machine=True)
+    plain = torsion_document(engine, found, Question())
+    every = (each for each in plain.for_machines.tables if each.key == "criticals")
     still = replace(found, response=None, criticals=())
-    at_speeds = [torsion_document(engine, replace(still, at=each.response)) for each in driven]
+    at_speeds = [
+        torsion_document(engine, replace(still, at=each.response), Question()) for each in driven
+    ]
     torques = [float(each.response.peak.max(initial=0.0)) for each in driven]
     torque, stress = (
         shown("N*m", max(torques, default=1.0) or 1.0),
@@ -254,7 +257,7 @@ def torsion_numbers(engine: Engine) -> TorsionNumbers | None:
         torque_unit=Unit(label=unit_text(torque.unit), factor=torque.factor),
         frequencies=_first(_tables(plain, "modes")),
         criticals=_first(printed(replace(each, notes=()) for each in _of(plain, "criticals"))),
-        every_critical=_first(_tables(whole, "criticals")),
+        every_critical=_first(printed(replace(each, audience="all") for each in every)),
         chain=_tables(plain, "masses", "sections", "shapes"),
         over_speeds=_tables(plain, "greatest", "barred"),
         vibrations=tuple(_tables(each, "sections_at_speed", "orders") for each in at_speeds),
@@ -265,7 +268,7 @@ def torsion_numbers(engine: Engine) -> TorsionNumbers | None:
 
 def _of(document: Document, *keys: str) -> Iterator[Values]:
     """The tables of a document with these keys."""
-    return (table for table in document.tables if table.key in keys)
+    return (table for table in document.for_readers.tables if table.key in keys)
 
 
 def _tables(document: Document, *keys: str) -> tuple[Table, ...]:

@@ -11,11 +11,10 @@
 | `front` | the front page for a reader in a hurry, and the contents |
 | `pages` | crankshaft, strokes, orders, vectors, derivations, comparison |
 | `gas` | the gas cycle, torque over it, how evenly the engine runs |
-| `torsion` | torsional vibration of the crankshaft |
-| `mounts` | the engine on its mounts |
 | `marine` | a large two-stroke engine in its ship: external and guide-force moments |
 | `tolerances` | how engines built to the tolerances of the file scatter |
 | `bearings` | loads on the main bearings, bending of the crankshaft |
+| `analyses` | the section of an analysis that is a record |
 | `whirling` | the paths of the crankshaft's ends in an unmounted engine |
 | `remedies` | counterweights and balance shafts: before and after |
 | `frame` | the drawing of axes, angles and signs |

@@ -4,25 +4,26 @@ from __future__ import annotations
 
 from base64 import b64encode
 from collections.abc import Callable
+from functools import partial
 from hashlib import sha256
 from importlib.resources import files
 
 from crankstar import __version__
+from crankstar.analysis.registry import analyses as all_analyses
 from crankstar.language.messages import N_, _, language
 from crankstar.report import (
+    analyses,
     bearings,
     front,
     gas,
     lettering,
     marine,
-    mounts,
     numbering,
     pages,
     remedies,
     sources,
     title,
     tolerances,
-    torsion,
     whirling,
 )
 from crankstar.report.gallery import Gallery
@@ -37,8 +38,7 @@ PAGES: tuple[tuple[str, pages.Page], ...] = (
     (N_("Writing the vector stars and polygons ..."), pages.vectors),
     (N_("Writing the forces over the crank angle ..."), pages.over_the_turn),
     (N_("Writing gas and torque ..."), gas.gas),
-    (N_("Writing torsional vibration ..."), torsion.torsion),
-    (N_("Writing the mounts ..."), mounts.mounts),
+    *((record.doing, partial(analyses.section_of, record)) for record in all_analyses()),
     (N_("Writing the moments on the hull ..."), marine.marine),
     (N_("Writing the loads on bearings ..."), bearings.bearings),
     (N_("Writing the free response ..."), whirling.free_response),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from crankstar.tables.html import kind_of, part_html, text, typeset
-from crankstar.tables.table import Remarks, Table
+from crankstar.tables.table import Document, Remarks, Table
 
 
 def parts_html(parts: Iterable[Table | Remarks]) -> str:
@@ -14,7 +14,7 @@ def parts_html(parts: Iterable[Table | Remarks]) -> str:
     >>> parts_html([Remarks(("none < one",), "Weights")])
     '<h3>Weights</h3><p>none &lt; one</p>'
     """
-    return "".join(map(part_html, parts))
+    return "".join(map(part_html, Document("", tuple(parts)).for_readers.parts))
 
 
 def section(title: str, body: str, *, name: str) -> str:

@@ -54,8 +54,6 @@
 | `meshes` | gears between crankshafts: what each mesh passes on |
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `mount_points` | how the named points of a block shake |
-| `mount_speeds` | an engine on its mounts speed by speed, with the worst of its mounts |
-| `mounts` | an engine on its mounts: modes, axes, vibration and forces by speed |
 | `marine_doubts` | what is missing in a marine analysis, and what is hardly right |
 | `marine` | external and guide-force moments, and compensators |
 | `large_engines` | what views tell of large engines: guide-force moments, all that a ship needs |
@@ -63,9 +61,7 @@
 | `generating_sets` | uneven running of a generating set, and several on one foundation |
 | `diagnoses` | what faults change, and which fault explains a measurement |
 | `matching` | parts matched to cylinders, and what is left |
-| `torsion_chain` | a chain that twists: masses, shafts, modes, Holzer's table |
 | `crank_fatigue` | the safety of a crankshaft against fatigue |
-| `torsion` | critical speeds, torsional vibration over the speeds, stress and heat |
 | `isolation` | the best mounts, beside those of the file |
 | `mount_facts` | what a verdict and a comparison say of mounts |
 | `torsion_facts` | torsion in a verdict and a comparison |

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import pi
+from typing import Literal
 
 from crankstar.dynamics.crank_fatigue import (
     ACCEPTED,
@@ -19,7 +20,7 @@ from crankstar.engine.fillets import fillet_ratios
 from crankstar.language.kept import as_given
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
-from crankstar.tables.table import Column, Table, Value
+from crankstar.tables.table import Column, Table, Value, for_each
 
 RPM = 30 / pi
 MPA = 1e-6
@@ -37,10 +38,23 @@ def fatigue_of(engine: Engine, found: TorsionAnalysis) -> tuple[Fatigue | None, 
         return None, str(error)
 
 
-def fatigue_table(engine: Engine, found: TorsionAnalysis, own: Fatigue, *, machine: bool) -> Table:
+def fatigue_tables(engine: Engine, found: TorsionAnalysis, own: Fatigue) -> tuple[Table, ...]:
     """The fillets of each throw; for readers throws that are alike as one."""
+    return for_each(
+        _table(own, _alike(own), kind="text", notes=_notes(engine, found, own)),
+        _table(own, [(each.throw, n) for n, each in enumerate(own.fillets)], kind="number"),
+    )
+
+
+def _table(
+    own: Fatigue,
+    throws: Sequence[tuple[int | str, int]],
+    *,
+    kind: Literal["text", "number"],
+    notes: Sequence[str] = (),
+) -> Table:
     columns = (
-        Column(_("throw"), kind="number" if machine else "text", key="throw", label=True),
+        Column(_("throw"), kind=kind, key="throw", label=True),
         Column(_("fillet"), kind="text", key="fillet", label=True),
         Column(_("nominal bending"), "MPa", key="bending", fixed=True, digits=4),
         Column(
@@ -70,22 +84,13 @@ def fatigue_table(engine: Engine, found: TorsionAnalysis, own: Fatigue, *, machi
         Column(_("fatigue strength"), "MPa", key="strength", fixed=True, digits=4),
         Column(_("acceptability factor"), key="acceptability", digits=4),
     )
-    rows = [
-        _row(names, place, own, machine=machine) for names, place in _throws(own, machine=machine)
-    ]
-    return Table(
-        _("Fatigue of the crankshaft"),
-        columns,
-        tuple(rows),
-        () if machine else tuple(_notes(engine, found, own)),
-        key="fatigue",
-    )
+    rows = tuple(_row(throw, index, own) for throw, index in throws)
+    title = _("Fatigue of the crankshaft")
+    return Table(title, columns, rows, tuple(notes), key="fatigue")
 
 
-def _throws(own: Fatigue, *, machine: bool) -> list[tuple[str, int]]:
-    """Each fillet by its index in `fillets`, with the throws that are like it."""
-    if machine:
-        return [(f"{each.throw}", index) for index, each in enumerate(own.fillets)]
+def _alike(own: Fatigue) -> list[tuple[int | str, int]]:
+    """Fillets by their index in `fillets`, with the throws that are like it."""
     groups: list[list[int]] = []
     for index, each in enumerate(own.fillets):
         alike = [g for g in groups if _are_alike(own.fillets[g[0]], each)]
@@ -109,13 +114,13 @@ def _listed(throws: Sequence[int]) -> str:
     return ", ".join(map(str, throws))
 
 
-def _row(throws: str, index: int, own: Fatigue, *, machine: bool) -> tuple[Value, ...]:
+def _row(throw: int | str, index: int, own: Fatigue) -> tuple[Value, ...]:
     each = own.fillets[index]
     used = own.factors[each.throw - 1]
     compression = None if each.place == "pin" else used["journal_compression"]
     return (
-        each.throw if machine else throws,
-        each.place if machine else _(FILLETS[each.place]),
+        throw,
+        _(FILLETS[each.place]) if isinstance(throw, str) else each.place,
         each.bending * MPA,
         None if each.place == "pin" else each.compression * MPA,
         each.torsion * MPA,

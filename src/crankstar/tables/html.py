@@ -58,7 +58,7 @@ def listing(items: Sequence[object]) -> str:
 def document_html(document: Document) -> str:
     """The parts of a document, under its title."""
     head = f"<h2>{text(document.title)}</h2>" if document.title else ""
-    return head + "".join(map(part_html, document.parts))
+    return head + "".join(map(part_html, document.for_readers.parts))
 
 
 def part_html(part: Table | Remarks) -> str:

@@ -37,7 +37,8 @@ def tree(document: Document) -> dict[str, Any]:
     >>> tree(Document("", (Table("", (column,), ((1 + 2j,),), key="orders"),), {"engine": "V8"}))
     {'format': 2, 'engine': 'V8', 'orders': [{'force': {'forward': [1.0, 2.0]}}]}
     """
-    lists = {table.key: _objects(table) for table in document.tables if table.key}
+    tables = document.for_machines.tables
+    lists = {table.key: _objects(table) for table in tables if table.key}
     return {"format": FORMAT, **document.facts, **lists}
 
 

@@ -11,13 +11,22 @@ import numpy as np
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_response import MountResponse, rms
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.tables.table import Column, Table, Value
 
 RPM = 30 / pi
 MM = 1e3
+FREEDOM_NAMES = {
+    "up": N_("up"),
+    "right": N_("right"),
+    "z": N_("along"),
+    "yaw": N_("yaw"),
+    "pitch": N_("pitch"),
+    "roll": N_("roll"),
+}
+"""The freedoms as headings."""
 
 
 def told_point(engine: Engine, point: Sequence[float]) -> str:

@@ -32,6 +32,7 @@ def spreadsheet_bytes(document: Document, engine: Sequence[Sheet] = ()) -> bytes
     """
     from openpyxl import Workbook
 
+    document = document.whole
     book = Workbook(write_only=True)
     sheets: list[Sheet] = []
     for table in document.tables:

@@ -36,6 +36,11 @@ Re(c exp(i k theta)); order: numbers joined by hyphens, as firing orders and int
 numbers with commas; span: two crank angles; unit: the unit of the row's numbers in the columns
 whose unit is ROW_UNIT.
 """
+Audience = Literal["all", "readers", "machines"]
+"""Who is shown a table: terminal, page, report and print, or JSON, CSV and Parquet, or both.
+
+A spreadsheet is for both: where a table has one form for each, it holds that of machines.
+"""
 ROW_UNIT = "row"
 """The unit of a Column whose unit stands in each row, in the column of the kind unit."""
 
@@ -79,7 +84,8 @@ class Table:
     """Rows of values under headings, with the sentences that belong to them.
 
     `key` is its name in JSON; `doubtful` are the rows that rest on unverified values; `usual` the
-    units that its readers expect, of each dimension of which none is chosen.
+    units that its readers expect, of each dimension of which none is chosen; `audience`: who is
+    shown it, so that it can have a short form and a whole one of the same key.
     """
 
     title: str
@@ -89,6 +95,7 @@ class Table:
     key: str = ""
     doubtful: frozenset[int] = frozenset()
     usual: Choice = field(default_factory=dict)
+    audience: Audience = "all"
 
     def __post_init__(self) -> None:
         """Refuse rows that do not fit the columns."""
@@ -106,14 +113,16 @@ class Table:
 
 @dataclass(frozen=True)
 class Remarks:
-    """Sentences outside tables: text, a faint note, a doubt, or a list of points.
+    """Sentences outside tables, for readers: text, a faint note, a doubt, or a list of points.
 
     What is `assumed` gives way to the record of all that an answer rests on, where that is printed.
+    By its `key` a host leaves one out that it answers itself.
     """
 
     lines: tuple[str, ...]
     title: str = ""
     kind: Literal["text", "note", "doubt", "assumed", "list"] = "text"
+    key: str = ""
 
 
 @dataclass(frozen=True)
@@ -137,6 +146,27 @@ class Document:
         """Its remarks in reading order."""
         return (part for part in self.parts if isinstance(part, Remarks))
 
+    @property
+    def for_readers(self) -> Document:
+        """The document without the tables that are for machines."""
+        kept = [
+            part for part in self.parts if isinstance(part, Remarks) or part.audience != "machines"
+        ]
+        return replace(self, parts=tuple(kept))
+
+    @property
+    def for_machines(self) -> Document:
+        """The tables that are for machines, with its facts."""
+        kept = [part for part in self.tables if part.audience != "readers"]
+        return replace(self, parts=tuple(kept))
+
+    @property
+    def whole(self) -> Document:
+        """The document with each table in the form that has all of it, as in a spreadsheet."""
+        if all(part.audience == "all" for part in self.tables):
+            return self
+        return with_tables(self.for_readers, self.for_machines)
+
 
 def with_tables(document: Document, machine: Document) -> Document:
     """A document with every table that programs read, in the place of its own of the same key.
@@ -148,6 +178,17 @@ def with_tables(document: Document, machine: Document) -> Document:
         whole.pop(part.key, part) if isinstance(part, Table) else part for part in document.parts
     ]
     return replace(document, parts=(*parts, *whole.values()))
+
+
+def for_each(readers: Table, machines: Table) -> tuple[Table, ...]:
+    """A table in the form for readers and in that for machines, or once where they are the same.
+
+    One without rows is not shown to readers.
+    """
+    if readers == machines:
+        return (readers if readers.rows else replace(readers, audience="machines"),)
+    shown = (replace(readers, audience="readers"),) if readers.rows else ()
+    return (*shown, replace(machines, audience="machines"))
 
 
 def remarks(*lines: str, **how: Any) -> tuple[Remarks, ...]:

@@ -44,7 +44,7 @@ def rendered(document: Document, *, width: int) -> RenderableType:
     if document.title:
         parts.append(Text(_shown(document.title), style="bold"))
     before: Table | Remarks | None = None
-    for part in document.parts:
+    for part in document.for_readers.parts:
         if isinstance(part, Table) and not (part.title or part.rows or part.notes):
             continue  # for machines only
         if isinstance(part, Remarks):

@@ -6,21 +6,27 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from crankstar.dynamics.torsion_modes import HolzerRow, Mode, Node
-from crankstar.dynamics.torsion_system import Section, TorsionChain
+from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.language.messages import _
-from crankstar.tables.table import Column, Table, Value
+from crankstar.tables.table import Column, Table, Value, for_each
 
 STIFFNESS = 1e-3
 """From N m/rad to the kN m/rad that tables have."""
 
 
-def mass_table(chain: TorsionChain, *, machine: bool = False) -> Table:
+def mass_table(chain: TorsionChain) -> Table:
     """The masses from front to rear, each with what damps it and how it is geared."""
     columns = (
         Column(_("mass"), kind="text", key="name", label=True),
         Column(_("inertia"), "kg*m^2", key="inertia"),
-        Column(_("speed ratio"), key="speed_ratio"),
-        Column(_("damping to ground"), "N*m*s/rad", key="absolute_damping", fixed=True),
+        Column(_("speed ratio"), key="speed_ratio", machine=bool((chain.ratio == 1).all())),
+        Column(
+            _("damping to ground"),
+            "N*m*s/rad",
+            key="absolute_damping",
+            fixed=True,
+            machine=not chain.absolute_damping.any(),
+        ),
     )
     rows = [
         (name, float(inertia), float(ratio), float(lost))
@@ -28,12 +34,7 @@ def mass_table(chain: TorsionChain, *, machine: bool = False) -> Table:
             chain.names, chain.inertia, chain.ratio, chain.absolute_damping, strict=True
         )
     ]
-    table = Table(_("Masses"), columns, tuple(rows), key="masses")
-    if machine:
-        return table
-    geared = any(ratio != 1 for ratio in chain.ratio.tolist())
-    lossy = bool(chain.absolute_damping.any())
-    return _only(table, (True, True, geared, lossy))
+    return Table(_("Masses"), columns, tuple(rows), key="masses")
 
 
 def pendulum_table(chain: TorsionChain) -> Table:
@@ -64,8 +65,8 @@ def pendulum_table(chain: TorsionChain) -> Table:
     return Table(_("Pendulums"), columns, rows, notes=(note,), key="pendulums")
 
 
-def section_table(chain: TorsionChain, *, machine: bool = False) -> Table:
-    """The shafts between the masses."""
+def section_tables(chain: TorsionChain) -> tuple[Table, ...]:
+    """The shafts between the masses, for readers along the chain."""
     columns = (
         Column(_("shaft"), kind="text", key="name", label=True),
         Column(_("stiffness"), "kN*m/rad", key="stiffness", fixed=True),
@@ -85,25 +86,18 @@ def section_table(chain: TorsionChain, *, machine: bool = False) -> Table:
         )
         for index, each in enumerate(chain.sections)
     ]
-    table = Table(_("Shafts between them"), columns, tuple(rows), key="sections")
-    if machine or not rows:
-        return table
-    shown = [any(row[place] for row in rows) for place in range(len(columns))]
-    table = replace(table, rows=tuple(rows[index] for index in chain.along))
-    return _only(table, (True, True, *shown[2:]))
-
-
-def _only(table: Table, shown: Sequence[bool]) -> Table:
-    """The table with the columns that say something."""
-    kept = [place for place, wanted in enumerate(shown) if wanted]
-    return replace(
-        table,
-        columns=tuple(table.columns[place] for place in kept),
-        rows=tuple(tuple(row[place] for place in kept) for row in table.rows),
+    columns = (
+        *columns[:2],
+        *(
+            replace(column, machine=not any(row[place] for row in rows))
+            for place, column in enumerate(columns[2:], 2)
+        ),
     )
+    table = Table(_("Shafts between them"), columns, tuple(rows), key="sections")
+    return for_each(replace(table, rows=tuple(rows[index] for index in chain.along)), table)
 
 
-def mode_table(chain: TorsionChain, modes: Sequence[Mode], *, machine: bool = False) -> Table:
+def mode_table(chain: TorsionChain, modes: Sequence[Mode]) -> Table:
     """Natural frequencies, with the shape [mass] and the nodes."""
     columns = (
         Column(_("mode"), key="mode", label=True),
@@ -124,8 +118,7 @@ def mode_table(chain: TorsionChain, modes: Sequence[Mode], *, machine: bool = Fa
         )
         for mode in modes
     ]
-    table = Table(_("Natural frequencies"), columns, tuple(rows), key="modes")
-    return table if machine else table.readable
+    return Table(_("Natural frequencies"), columns, tuple(rows), key="modes")
 
 
 def _node(chain: TorsionChain, node: Node) -> str:
@@ -178,8 +171,3 @@ def holzer_table(mode: Mode, rows: Sequence[HolzerRow]) -> Table:
     ]
     title = _("Holzer's table of mode {number}", number=mode.number)
     return Table(title, columns, tuple(values), key="holzer")
-
-
-def has_stress(sections: Sequence[Section]) -> bool:
-    """Whether a shaft has a diameter, and so a shear stress."""
-    return any(each.diameter is not None for each in sections)

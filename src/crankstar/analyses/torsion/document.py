@@ -9,8 +9,17 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analyses.torsion.chain_tables import (
+    holzer_table,
+    mass_table,
+    mode_table,
+    pendulum_table,
+    section_tables,
+    shape_table,
+)
+from crankstar.analyses.torsion.question import Question
 from crankstar.dynamics.torsion_analysis import SAME_ORDER, TorsionAnalysis
-from crankstar.dynamics.torsion_criticals import stresses
+from crankstar.dynamics.torsion_criticals import Critical, stresses
 from crankstar.dynamics.torsion_modes import holzer
 from crankstar.dynamics.torsion_response import Response
 from crankstar.engine.engine import Engine
@@ -19,7 +28,7 @@ from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.doubts import torsion_doubts
 from crankstar.spectra import Real
-from crankstar.tables.crank_fatigue import fatigue_of, fatigue_table
+from crankstar.tables.crank_fatigue import fatigue_of, fatigue_tables
 from crankstar.tables.gas_words import (
     cycle_state,
     range_facts,
@@ -28,18 +37,9 @@ from crankstar.tables.gas_words import (
     state_words,
 )
 from crankstar.tables.headings import heading
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, for_each, remarks
 from crankstar.tables.torque import assumed_notes
 from crankstar.tables.torque import notes as cycle_notes
-from crankstar.tables.torsion_chain import (
-    has_stress,
-    holzer_table,
-    mass_table,
-    mode_table,
-    pendulum_table,
-    section_table,
-    shape_table,
-)
 
 MODES = 4
 """How many are shown to readers, unless they ask."""
@@ -47,54 +47,37 @@ RPM = 30 / pi
 MPA = 1e-6
 
 
-def torsion_document(
-    source: Engine | Chain,
-    found: TorsionAnalysis,
-    *,
-    modes: int | None = None,
-    holzer_of: int | None = None,
-    orders: Sequence[float] | None = None,
-    machine: bool = False,
-) -> Document:
-    """All of an analysis; `holzer_of` is the mode whose table is wanted. Raises TorsionError.
+def document(source: Engine | Chain, found: TorsionAnalysis, asked: Question) -> Document:
+    """All of an analysis, with Holzer's table of a mode that is asked for.
 
-    `orders` are those that are told at one speed; by default all of note.
+    At one speed orders of note are told, else those asked for. Raises TorsionError.
     """
     chain = found.chain
-    shown = found.modes if machine and modes is None else found.modes[: modes or MODES]
-    parts: list[Table | Remarks] = []
-    if isinstance(source, Engine) and not machine:
-        parts.append(heading(source))
-    first = mode_table(chain, shown, machine=machine)
-    if machine:
-        parts.append(first)
-    parts.append(mass_table(chain, machine=machine))
-    parts.append(section_table(chain, machine=machine))
-    if chain.pendulums or machine:
-        parts.append(pendulum_table(chain))
-    parts += [] if machine else [first]
-    parts += [shape_table(chain, shown)] if shown else []
-    if holzer_of is not None:
-        mode = found.modes[holzer_of - 1]
+    told, every = found.modes[: asked.modes or MODES], found.modes[: asked.modes]
+    parts: list[Table | Remarks] = [heading(source)] if isinstance(source, Engine) else []
+    parts += [mass_table(chain), *section_tables(chain), *for_each(*[pendulum_table(chain)] * 2)]
+    parts += for_each(mode_table(chain, told), mode_table(chain, every))
+    parts += for_each(shape_table(chain, told), shape_table(chain, every)) if every else ()
+    if asked.holzer is not None:
+        mode = found.modes[asked.holzer - 1]
         parts.append(holzer_table(mode, holzer(chain, speed=mode.speed)))
-    if found.criticals or machine:
-        parts.append(_critical_table(found, machine=machine))
+    parts += _critical_tables(found)
     if found.response is not None:
-        parts += [_over_speeds(found, found.response)] if machine else []
+        parts.append(_over_speeds(found, found.response))
         parts += [_worst_table(found, found.response)] if chain.sections else []
     if found.at is not None:
-        parts += [_section_table_at(found.at, found.exact), _order_table(found, found.at, orders)]
+        parts += [
+            _section_table_at(found.at, found.exact),
+            _order_table(found, found.at, asked.orders),
+        ]
     heat = found.at or found.response
     if heat is not None:
         parts.append(_heat_table(heat))
-    if found.barred or machine:
-        parts.append(_barred_table(found))
+    parts += for_each(*[_barred_table(found)] * 2)
     fatigue, why = fatigue_of(source, found) if isinstance(source, Engine) else (None, "")
     if fatigue is not None and isinstance(source, Engine):
-        parts.append(fatigue_table(source, found, fatigue, machine=machine))
-    if not machine:
-        parts += [*remarks(*_notes(source, found), kind="note"), *_doubts(source, found, why)]
-        parts = [each for each in parts if isinstance(each, Remarks) or each.rows]
+        parts += fatigue_tables(source, found, fatigue)
+    parts += [*remarks(*_notes(source, found), kind="note"), *_doubts(source, found, why)]
     facts = _facts(source, found) | ({"without_fatigue": why} if why else {})
     return Document(source.name, tuple(parts), facts)
 
@@ -124,8 +107,8 @@ def _facts(source: Engine | Chain, found: TorsionAnalysis) -> dict[str, Any]:
     }
 
 
-def _critical_table(found: TorsionAnalysis, *, machine: bool) -> Table:
-    """Where orders meet modes."""
+def _critical_tables(found: TorsionAnalysis) -> tuple[Table, ...]:
+    """Where orders meet modes; for readers those of note."""
     columns = (
         Column(_("mode"), key="mode", label=True),
         Column(_("order"), key="order", label=True),
@@ -134,11 +117,8 @@ def _critical_table(found: TorsionAnalysis, *, machine: bool) -> Table:
         Column(_("torque of excitation"), "N*m", key="torque"),
         Column(_("equilibrium amplitude"), "deg", key="equilibrium_deg"),
     )
-    listed = list(found.criticals)
-    if not machine:
-        listed = sorted(found.noted, key=lambda each: (each.mode, -each.speed))
-    rows: list[tuple[Value, ...]] = [
-        (
+    rows: dict[Critical, tuple[Value, ...]] = {
+        each: (
             each.mode,
             each.order,
             each.speed * RPM,
@@ -146,9 +126,10 @@ def _critical_table(found: TorsionAnalysis, *, machine: bool) -> Table:
             each.torque,
             None if each.equilibrium is None else degrees(each.equilibrium),
         )
-        for each in listed
-    ]
-    left = len(found.criticals) - len(rows)
+        for each in found.criticals
+    }
+    told = sorted(found.noted, key=lambda each: (each.mode, -each.speed))
+    left = len(found.criticals) - len(told)
     said = _n(
         "{count} more is left out, in which the cylinders hardly join; --json has it.",
         "{count} more are left out, in which the cylinders hardly join; --json has them.",
@@ -157,8 +138,10 @@ def _critical_table(found: TorsionAnalysis, *, machine: bool) -> Table:
     )
     if found.cycle is None and found.chain.cylinders:
         said = _("Without gas those of the first mode are listed; --json has all.")
-    return Table(
-        _("Critical speeds"), columns, tuple(rows), (said,) if left else (), key="criticals"
+    title, notes = _("Critical speeds"), (said,) if left else ()
+    return for_each(
+        Table(title, columns, tuple(rows[each] for each in told), notes, key="criticals"),
+        Table(title, columns, tuple(rows.values()), key="criticals"),
     )
 
 
@@ -187,7 +170,8 @@ def _over_speeds(found: TorsionAnalysis, own: Response) -> Table:
         )
         for place in range(own.speeds.size)
     ]
-    return Table(_("Response"), columns, tuple(rows), key="response")
+    title = _("Response")
+    return Table(title, columns, tuple(rows), key="response", audience="machines")
 
 
 def _list(values: Real) -> tuple[float | None, ...]:
@@ -246,7 +230,7 @@ def _sections(
 ) -> Table:
     """Shafts with their torque over the cycle and the sum of the amplitudes of all orders."""
     chain = own.chain
-    with_stress = has_stress(chain.sections)
+    with_stress = chain.stressed
     columns = [
         Column(_("shaft"), kind="text", key="name", label=True),
         *([] if speeds is None else [Column(_("at speed"), "rpm", key="speed_rpm")]),

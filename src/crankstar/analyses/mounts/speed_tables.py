@@ -13,7 +13,7 @@ from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Real
-from crankstar.tables.table import Column, Table, Value
+from crankstar.tables.table import Column, Table, Value, for_each
 
 RPM = 30 / pi
 MM, UM = 1e3, 1e6
@@ -22,8 +22,8 @@ ROWS = 13
 """Speeds that are shown to readers; all are in JSON and CSV."""
 
 
-def speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Table:
-    """Vibration of the point, force on the ground and in the mounts, speed by speed."""
+def speed_tables(found: MountAnalysis, own: MountResponse) -> tuple[Table, ...]:
+    """Vibration of the point, force on the ground and in the mounts; for readers at few speeds."""
     names = tuple(own.block.mounts[index].name for index in range(own.block.of_block))
     columns = (
         Column(_("speed"), "rpm", key="speed_rpm", label=True),
@@ -57,14 +57,11 @@ def speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Tab
             rms(moment),
         ]
     )
-    chosen = range(own.speeds.size)
-    if not every:
-        asked = np.searchsorted(own.speeds, found.asked)
-        if asked.size > 2 * ROWS:
-            asked = asked[np.unique(np.linspace(0, asked.size - 1, ROWS).round().astype(int))]
-        chosen = asked.tolist()
+    asked = np.searchsorted(own.speeds, found.asked)
+    if asked.size > 2 * ROWS:
+        asked = asked[np.unique(np.linspace(0, asked.size - 1, ROWS).round().astype(int))]
     rows: list[tuple[Value, ...]] = []
-    for place in chosen:
+    for place in range(own.speeds.size):
         most = _first_greatest(each_rms[place])
         through = known(own.transmissibility[place])
         rows.append(
@@ -78,8 +75,13 @@ def speed_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Tab
                 through,
             )
         )
+    title = _("Vibration over the speeds")
     said = _worst_notes(cells) if len(rows) > 1 else ()
-    return Table(_("Vibration over the speeds"), columns, tuple(rows), said, key="speeds")
+    few = tuple(rows[place] for place in asked.tolist())
+    return for_each(
+        Table(title, columns, few, said if len(few) > 1 else (), key="speeds"),
+        Table(title, columns, tuple(rows), said, key="speeds"),
+    )
 
 
 def _greatest(

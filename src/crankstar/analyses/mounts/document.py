@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analyses.mounts.question import Question
+from crankstar.analyses.mounts.speed_tables import known, of_mounts, speed_tables
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_modes import Axis
 from crankstar.dynamics.mount_response import MountResponse
@@ -14,7 +16,7 @@ from crankstar.dynamics.mounted_block import SIX
 from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.rigid_block import FREEDOMS
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.mass_doubts import body_doubts
@@ -22,53 +24,29 @@ from crankstar.spectra import Complex
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.gas_words import range_facts, range_words, state_facts, state_words
 from crankstar.tables.headings import heading
-from crankstar.tables.mount_points import point_tables, told_point
-from crankstar.tables.mount_speeds import known, of_mounts, speed_table
+from crankstar.tables.mount_points import FREEDOM_NAMES, point_tables, told_point
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
 MM, UM = 1e3, 1e6
-NAMES = {
-    "up": N_("up"),
-    "right": N_("right"),
-    "z": N_("along"),
-    "yaw": N_("yaw"),
-    "pitch": N_("pitch"),
-    "roll": N_("roll"),
-}
-"""The freedoms as headings."""
 
 
-def mounts_document(
-    engine: Engine,
-    found: MountAnalysis,
-    *,
-    machine: bool = False,
-    every: bool = False,
-    every_order: bool = False,
-    point_told: bool = True,
-) -> Document:
-    """All of an analysis; `every` speed also for readers, else a few of many.
+def document(engine: Engine, found: MountAnalysis, asked: Question) -> Document:
+    """All of an analysis, for readers a few of many speeds.
 
-    `every_order`: also those of which next to nothing is left, because they are asked for.
-    `point_told`: with the point of which motion is told, which a page lets its reader choose.
+    Orders of which next to nothing is left are told where orders are asked for.
     """
-    parts: list[Table | Remarks] = [] if machine else [heading(engine)]
-    modes = _mode_table(found, machine=machine)
-    standing = _mount_table(found)
-    over = [] if found.over is None else [speed_table(found, found.over, every=every or machine)]
-    if machine:  # the first is that of CSV
-        parts += [*over, modes, standing, _axis_table(found)]
-    else:
-        parts += [standing, modes, _axis_table(found), *over]
+    parts: list[Table | Remarks] = [heading(engine)]
+    parts += [_mount_table(found), _mode_table(found), _axis_table(found)]
+    parts += () if found.over is None else speed_tables(found, found.over)
     parts += point_tables(engine, found)
     if found.at is not None:
-        parts += [_order_table(found, found.at, every=every_order), _force_table(found.at)]
-    if not machine:
-        parts += remarks(*_notes(engine, found, point_told=point_told), kind="note")
-        parts += remarks(*_doubts(engine, found), kind="doubt")
-        parts += remarks(*_assumed(found), kind="assumed")
-        parts += typical_remarks(engine)
+        parts += [
+            _order_table(found, found.at, every=asked.orders is not None),
+            _force_table(found.at),
+        ]
+    parts += [*_notes(engine, found), *remarks(*_doubts(engine, found), kind="doubt")]
+    parts += [*remarks(*_assumed(found), kind="assumed"), *typical_remarks(engine)]
     return Document(engine.name, tuple(parts), _facts(engine, found))
 
 
@@ -133,17 +111,16 @@ def _mount_table(found: MountAnalysis) -> Table:
     return Table(title, columns, rows, notes=(level,), key="mounts")
 
 
-def _mode_table(found: MountAnalysis, *, machine: bool) -> Table:
+def _mode_table(found: MountAnalysis) -> Table:
     """Natural frequencies, with the share of each freedom in the kinetic energy."""
     based = found.block.freedoms > SIX
-    shown = [Column(_(NAMES[name]), "%", digits=3, fixed=True) for name in FREEDOMS if not machine]
     columns = (
         Column(_("mode"), key="mode", label=True),
         Column(_("frequency"), "Hz", key="frequency_hz", fixed=True),
         Column(_("per minute"), "1/min", fixed=True),
         Column(_("damping ratio"), key="damping_ratio", digits=3),
-        *shown,
-        *([Column(_("foundation"), "%", digits=3, fixed=True)] if based and not machine else []),
+        *(Column(_(FREEDOM_NAMES[name]), "%", digits=3, fixed=True) for name in FREEDOMS),
+        *([Column(_("foundation"), "%", digits=3, fixed=True)] if based else []),
         Column("", kind="list", key="shape", machine=True),
         Column("", kind="list", key="energy", machine=True),
     )
@@ -157,7 +134,7 @@ def _mode_table(found: MountAnalysis, *, machine: bool) -> Table:
                 mode.frequency,
                 mode.frequency * 60,
                 mode.damping,
-                *(() if machine else shares),
+                *shares,
                 tuple(mode.shape.tolist()),
                 tuple(mode.energy.tolist()),
             )
@@ -252,29 +229,29 @@ def _force_table(own: MountResponse) -> Table:
     return Table(title, columns, rows, key="mounts_at_speed")
 
 
-def _notes(engine: Engine, found: MountAnalysis, *, point_told: bool) -> list[str]:
-    """What it rests on, and what is left out."""
+def _notes(engine: Engine, found: MountAnalysis) -> tuple[Remarks, ...]:
+    """What it rests on, of which point motion is told, and what is left out."""
     sag = quantity_text(float(f"{-found.sag[0] * MM:.4g}"), "mm")
     lines = [_("Under its weight the block sits down by {sag} at its centre of mass.", sag=sag)]
     if found.over is None and found.at is None:
         lines.append(_("Without a speed nothing shakes it: give --speeds, or speed in the file."))
-        return lines
+        return remarks(*lines, kind="note")
     if found.state is not None:
         lines.append(state_words(engine, found.state))
     if found.over is not None and not found.over.excitation.without_gas:
         lines.append(range_words(engine, found.operating_point))
-    if point_told:
-        point = told_point(engine, found.point)
-        lines.append(_("Vibration is that of the point {point}; see --at.", point=point))
-    if found.range_assumed:
-        lines.append(_("The range of speeds is taken about the one that is known; see --speeds."))
-    lines.append(
-        _(
-            "The block is rigid, its motion small; the crankshaft runs on evenly. The mean torque, "
-            "what the driveline does, and the gyroscopic moment of the crankshaft are left out."
-        )
+    point = told_point(engine, found.point)
+    told = _("Vibration is that of the point {point}; see --at.", point=point)
+    assumed = _("The range of speeds is taken about the one that is known; see --speeds.")
+    left_out = _(
+        "The block is rigid, its motion small; the crankshaft runs on evenly. The mean torque, "
+        "what the driveline does, and the gyroscopic moment of the crankshaft are left out."
     )
-    return lines
+    return (
+        *remarks(*lines, kind="note"),
+        *remarks(told, kind="note", key="point"),
+        *remarks(assumed if found.range_assumed else "", left_out, kind="note"),
+    )
 
 
 def _doubts(engine: Engine, found: MountAnalysis) -> list[str]:

@@ -1,0 +1,7 @@
+"""The analyses, a folder each: what is asked, what computes it, how it is told.
+
+| module, bottom to top | one line |
+|---|---|
+| `mounts/` | an engine on its mounts: natural modes, vibration, what the mounts pass on |
+| `torsion/` | how a crankshaft or a drive line twists |
+"""

@@ -1,0 +1,73 @@
+"""Torsional vibration: how a crankshaft or a drive line twists.
+
+| module, bottom to top | one line |
+|---|---|
+| `question` | what is asked |
+| `answer` | what answers it, and what that rests on |
+| `chain_tables` | masses and shafts, modes with their shapes and nodes, Holzer's table |
+| `document` | all of an analysis as tables and sentences |
+"""
+
+from __future__ import annotations
+
+from crankstar.analysis.record import Analysis, Figure, Later
+from crankstar.language.messages import N_
+
+RECORD = Analysis(
+    name="torsion",
+    about=N_(
+        "Compute torsional vibration: modes, critical speeds, response and stress of a crankshaft."
+    ),
+    takes=N_(
+        "Name from the catalog, engine file with a table [torsion], or file of a drive line with "
+        "discs alone; - for standard input."
+    ),
+    doing=N_("Computing torsional vibration ..."),
+    title=N_("Torsional vibration"),
+    question=Later("crankstar.analyses.torsion.question:Question"),
+    refuse=Later("crankstar.analyses.torsion.question:refuse"),
+    compute=Later("crankstar.analyses.torsion.answer:compute"),
+    answer=Later("crankstar.analyses.torsion.answer:answer"),
+    document=Later("crankstar.analyses.torsion.document:document"),
+    lacks=lambda engine: engine.torsion is None,
+    figures=(
+        Figure(
+            "torsion-modes",
+            N_("The first torsional modes: turn of each mass, and nodes."),
+            shows=lambda found: bool(found.modes),
+        ),
+        Figure(
+            "campbell",
+            N_("Natural frequencies and orders over the speed."),
+            shows=lambda found: bool(found.modes and found.speeds.size),
+        ),
+        Figure(
+            "torsion-response",
+            N_("Vibration of the free end over the speed."),
+            "amplitude",
+            shows=lambda found: found.response is not None,
+        ),
+        Figure(
+            "torsion-response",
+            N_("Shear stress of the most strained shaft over the speed."),
+            "stress",
+            shows=lambda found: found.response is not None and found.chain.stressed,
+        ),
+        Figure(
+            "torsion-star",
+            N_("Vectors of the cylinders in the first mode, by order."),
+            "mode-1",
+            more=True,
+            shows=lambda found: len(found.modes) > 0,
+        ),
+        Figure(
+            "torsion-star",
+            N_("Vectors of the cylinders in the second mode, by order."),
+            "mode-2",
+            more=True,
+            shows=lambda found: len(found.modes) > 1,
+        ),
+    ),
+    chains=("speeds", "orders", "modes", "holzer"),
+    estimates=True,
+)

@@ -1,0 +1,80 @@
+"""How one value of a question is read: its option, and what text or number may stand there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import MISSING, dataclass, fields, replace
+from typing import Any, NamedTuple, get_type_hints
+
+
+@dataclass(frozen=True)
+class Reader:
+    """The option of the vocabulary that gives a value, and what reads it where it is given.
+
+    `read` refuses with a RequestError that names the option; it also takes the engine where the
+    value depends on it (`of_source`), as places do. `more` is how one analysis uses the option, as
+    a sentence of the catalog of messages.
+
+    >>> percent = Reader("--factor", lambda text: float(text.rstrip("%")) / 100)
+    >>> percent.read("52%"), percent.saying("Default: that of the file.").more
+    (0.52, 'Default: that of the file.')
+    """
+
+    option: str
+    read: Callable[..., Any]
+    more: str = ""
+    of_source: bool = False
+
+    def saying(self, more: str) -> Reader:
+        """The same, with how an analysis uses it."""
+        return replace(self, more=more)
+
+
+class Asked(NamedTuple):
+    """A field of a question: its name, what reads it, and its value where nothing is given."""
+
+    name: str
+    reader: Reader
+    default: Any
+
+
+def asked(question: type[Any]) -> tuple[Asked, ...]:
+    """The fields of a question in their order; each is annotated with its Reader.
+
+    >>> from typing import Annotated
+    >>> @dataclass(frozen=True)
+    ... class Question:
+    ...     factor: Annotated[float, Reader("--factor", float)] = 0.5
+    >>> [(each.name, each.reader.option, each.default) for each in asked(Question)]
+    [('factor', '--factor', 0.5)]
+    """
+    hints = get_type_hints(question, include_extras=True)
+    out: list[Asked] = []
+    for field in fields(question):
+        reader = next(each for each in hints[field.name].__metadata__ if isinstance(each, Reader))
+        if field.default is MISSING:
+            raise TypeError(f"{question.__name__}.{field.name} has no default")
+        out.append(Asked(field.name, reader, field.default))
+    return tuple(out)
+
+
+def readings(
+    question: type[Any], given: Mapping[str, Any], source: Callable[[], Any]
+) -> dict[str, Callable[[], Any]]:
+    """What reads each field of a question: all are called, so that every refusal is told at once.
+
+    `given` are texts and numbers by field, None where there is none; `source` gives the engine.
+    """
+
+    def reading(one: Asked) -> Callable[[], Any]:
+        def read() -> Any:
+            value = given.get(one.name)
+            if value is None:
+                return one.default
+            return (
+                one.reader.read(value, source()) if one.reader.of_source else one.reader.read(value)
+            )
+
+        return read
+
+    return {one.name: reading(one) for one in asked(question)}

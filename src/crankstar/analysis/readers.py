@@ -1,0 +1,37 @@
+"""The quantities that several analyses are asked for: their options, and how they are read."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from crankstar.analysis.reader import Reader
+from crankstar.options import values
+from crankstar.options.gas import gas_orders
+from crankstar.options.ranges import speeds_of
+
+
+def _orders(text: str) -> list[float] | None:
+    """Orders as text; all is None."""
+    return None if not text or text.strip() == "all" else gas_orders(text)
+
+
+def count(option: str, most: int, more: str = "") -> Reader:
+    """A whole number from 1 to `most`."""
+    return Reader(option, partial(values.within, option, most=most), more)
+
+
+def _at(text: str, engine: Any) -> tuple[float, float, float] | None:
+    return values.block_point(text, engine)
+
+
+POINT = Reader("--point", str)
+"""An operating point by its name."""
+SPEED = Reader("--speed", values.speed)
+"""A speed, rad/s."""
+SPEEDS = Reader("--speeds", speeds_of)
+"""Speeds, rad/s."""
+ORDERS = Reader("--orders", _orders)
+"""Orders of a crankshaft with gas; None is all."""
+AT = Reader("--at", _at, of_source=True)
+"""A point of the block: up, right, along; m."""

@@ -1,0 +1,48 @@
+"""All analyses by name: those of the package, and those that other packages add.
+
+An analysis is a folder of `crankstar.analyses` whose `__init__` holds its RECORD. Another package
+adds one by an entry point of the group `crankstar.analyses` that names its record.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from importlib import import_module
+from importlib.metadata import entry_points
+
+from crankstar.analysis.record import Analysis
+
+NAMES = ("mounts", "torsion")
+"""The folders of `crankstar.analyses`."""
+GROUP = "crankstar.analyses"
+
+
+@cache
+def names() -> tuple[str, ...]:
+    """The names of all analyses, in the order of the alphabet.
+
+    >>> names()
+    ('mounts', 'torsion')
+    """
+    return tuple(sorted({*NAMES, *(point.name for point in entry_points(group=GROUP))}))
+
+
+@cache
+def analysis(name: str) -> Analysis:
+    """The record of an analysis. Raises KeyError for a name that none has.
+
+    >>> analysis("torsion").title
+    'Torsional vibration'
+    """
+    if name in NAMES:
+        return import_module(f"crankstar.analyses.{name}").RECORD
+    for point in entry_points(group=GROUP):
+        if point.name == name:
+            return point.load()
+    raise KeyError(name)
+
+
+def analyses() -> Iterator[Analysis]:
+    """The records of all analyses."""
+    return map(analysis, names())

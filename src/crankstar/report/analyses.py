@@ -1,0 +1,33 @@
+"""The section of an analysis: what the verdict says of it, its tables, its figures."""
+
+from __future__ import annotations
+
+from crankstar.analysis.record import Analysis
+from crankstar.language.messages import _
+from crankstar.report.gallery import Gallery
+from crankstar.report.markup import figures, parts_html, section
+from crankstar.report.subject import Subject
+from crankstar.tables.html import paragraph
+from crankstar.tables.table import Remarks, Table
+
+
+def section_of(record: Analysis, subject: Subject, gallery: Gallery) -> str:
+    """Empty where the engine file lacks what the analysis is of."""
+    if record.lacks(subject.engine):
+        return ""
+    question = record.question.value(speed=subject.at)
+
+    def tables(each: Subject) -> list[Table | Remarks]:
+        first, *parts = record.told(each.engine, record.question.value(speed=each.at)).parts
+        # the heading of the engine stands on the first page
+        return parts if isinstance(first, Remarks) else [first, *parts]
+
+    found = record.compute.value(subject.engine, question)
+    drawn = [
+        gallery.figure(each.chart, _(each.caption), **each.quantities)
+        for each in record.figures
+        if (subject.full or not each.more) and each.shows(found)
+    ]
+    lead = "".join(paragraph(fact.sentence) for fact in subject.facts if fact.about == record.name)
+    shown = parts_html(subject.parts(tables))
+    return section(_(record.title), lead + shown + figures(drawn), name=record.name)
