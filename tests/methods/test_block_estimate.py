@@ -104,9 +104,10 @@ def test_mounts_of_an_estimated_block_say_that_it_is(tmp_path: Path) -> None:
     made = estimated(spoilt(SHORT, block=BOX, mounts=THREE))
     place = tmp_path / "made.json"
     place.write_text(json.dumps(made.tree), encoding="utf-8")
-    from crankstar.tables.mounts import mounts_document
+    from crankstar.analyses.mounts.document import document as mounts_document
+    from crankstar.analyses.mounts.question import Question
 
     engine = crankstar.load(str(place))
-    document = mounts_document(engine, crankstar.mounts(engine))
+    document = mounts_document(engine, crankstar.mounts(engine), Question())
     assert "Estimated: " in str(document)
     assert "block.inertia_z" in str(document)

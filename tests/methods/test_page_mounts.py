@@ -10,6 +10,8 @@ from tests.mounted_engines import BLOCK, FOUNDATION, HEAVY, MOUNTS, SOFT, standi
 from tests.texts import SHORT, spoilt
 
 from crankstar import spectra
+from crankstar.analyses.mounts.document import document as mounts_document
+from crankstar.analyses.mounts.question import Question
 from crankstar.dynamics.mount_analysis import mounts
 from crankstar.dynamics.mount_excitation import mount_excitation
 from crankstar.dynamics.mount_response import MountResponse, mount_response, rms
@@ -26,7 +28,6 @@ from crankstar.page.mounts import mount_numbers, mounts_shown
 from crankstar.page.orders import free_response
 from crankstar.page.records import Vectors
 from crankstar.spectra import Complex, Real
-from crankstar.tables.mounts import mounts_document
 
 RPM = 30 / np.pi
 THETA = np.linspace(0, 4 * np.pi, 97)
@@ -168,7 +169,9 @@ def test_over_the_speed_the_page_draws_what_the_command_writes() -> None:
     engine = standing()
     shown, found = sent(engine), mounts(engine)
     table = next(
-        each for each in mounts_document(engine, found, machine=True).tables if each.key == "speeds"
+        each
+        for each in mounts_document(engine, found, Question()).for_machines.tables
+        if each.key == "speeds"
     )
     keys = [column.key for column in table.columns]
     rows: list[dict[str, Any]] = [dict(zip(keys, row, strict=True)) for row in table.rows]

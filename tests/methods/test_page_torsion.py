@@ -12,6 +12,8 @@ import pytest
 from tests.twisting_engines import CLOCKWISE, COUNTER_CLOCKWISE, FLYWHEEL, HUB, twisting
 
 from crankstar import spectra
+from crankstar.analyses.torsion.document import document as torsion_document
+from crankstar.analyses.torsion.question import Question
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_modes import holzer
 from crankstar.engine.engine import Engine
@@ -32,7 +34,6 @@ from crankstar.page.torsion import (
 )
 from crankstar.page.torsion_records import Torsion, Vibration
 from crankstar.spectra import Complex, Real
-from crankstar.tables.torsion import torsion_document
 
 RPM = 30 / np.pi
 
@@ -59,7 +60,7 @@ def told(engine: Engine, vibration: Vibration) -> dict[str, Any]:
     """The tables of the command at the speed of a vibration, for machines."""
     speed = vibration.speed_rpm / RPM
     found = torsion(engine, speed=speed, point=vibration.point)
-    document = torsion_document(engine, found, machine=True)
+    document = torsion_document(engine, found, Question()).for_machines
     return {table.key: table for table in document.tables}
 
 

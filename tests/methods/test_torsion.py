@@ -19,6 +19,8 @@ from tests.texts import SHORT, spoilt
 from tests.twisting import chains, pendulums, pushes, row
 
 from crankstar import load, spectra
+from crankstar.analyses.torsion.document import document
+from crankstar.analyses.torsion.question import Question
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_criticals import Critical, of_note, strength, stresses
@@ -38,7 +40,6 @@ from crankstar.mechanics.kinetic import inertia, mean_inertia, throw_inertia
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Real
 from crankstar.tables.table import Remarks
-from crankstar.tables.torsion import torsion_document
 from crankstar.tables.torsion_facts import torsion_sentences
 
 SPEED = 150.0
@@ -488,6 +489,6 @@ def test_an_undamped_chain_is_not_asked_at_its_critical_speeds() -> None:
     assert not found.chain.damped
     assert np.ptp(np.diff(found.speeds)) < 1e-9 * found.speeds[-1]
     assert torsion(six_that_twists()).chain.damped
-    told = torsion_document(engine, found).parts
+    told = document(engine, found, Question()).for_readers.parts
     words = " ".join(line for each in told if isinstance(each, Remarks) for line in each.lines)
     assert "Nothing damps" in words
