@@ -16,6 +16,7 @@ import pytest
 from tests.commands import Run
 
 from crankstar import files
+from crankstar.analysis.document import Document, Ranged
 from crankstar.engine import proportions
 from crankstar.engine.engine import Engine
 from crankstar.engine.weighed import ENGINES
@@ -29,7 +30,6 @@ from crankstar.mechanics.balance import balance
 from crankstar.tables import analysis, machine, verdict
 from crankstar.tables.balance_orders import answer
 from crankstar.tables.ranges import ranged
-from crankstar.tables.table import Document, Ranged
 
 SIZED = [name for name in names() if load(name).first.bore and name[:3] != "man"]
 SAMPLE = ("toyota-2jz", "kr250-racer", "pratt-whitney-wasp", "ford-coyote")

@@ -14,6 +14,7 @@ import pytest
 from tests.commands import Run
 from tests.files.test_estimate_results import spans_of, variants
 
+from crankstar.analysis.document import Document, Ranged, Table
 from crankstar.engine.engine import Engine
 from crankstar.files.box import spread
 from crankstar.files.estimate import estimated
@@ -25,7 +26,6 @@ from crankstar.tables.analysis import analysis, document
 from crankstar.tables.bearings import bearing_document
 from crankstar.tables.comparison import answer
 from crankstar.tables.ranges import ranged
-from crankstar.tables.table import Document, Ranged, Table
 
 TWIN = """
 format = 1

@@ -16,6 +16,7 @@ from tests.commands import Run
 from tests.files.test_estimate import tree_for
 
 from crankstar import bearing_loads, bending_moment, spectra
+from crankstar.analysis.document import Document, Ranged
 from crankstar.charts.resting import FOOT
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
@@ -29,7 +30,6 @@ from crankstar.remedy.counterweights import without_counterweights
 from crankstar.tables.bearings import bearing_document
 from crankstar.tables.ranges import ranged, sentence
 from crankstar.tables.remedies import balancing_sheet
-from crankstar.tables.table import Document, Ranged
 
 
 def variants(tree: dict[str, Any], *, count: int) -> list[Engine]:

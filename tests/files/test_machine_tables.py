@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 from tests.commands import Run
 
+from crankstar.analysis.document import Document, Table
 from crankstar.tables import machine, spreadsheet, terminal
-from crankstar.tables.table import Document, Table
 
 FOUR = """
 format = 1

@@ -13,11 +13,11 @@ from tests.methods.test_torsion_charts import tree
 from tests.twisting import pushes, row
 
 import crankstar
+from crankstar.analyses.torsion.measures import greatest_stress, torsion_peak
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_criticals import stresses
 from crankstar.dynamics.torsion_response import response
 from crankstar.files import changed, engine_of
-from crankstar.studies.torsion_results import greatest_stress, torsion_peak
 from crankstar.studies.variants import SweepError
 
 RPM = 30 / np.pi

@@ -20,6 +20,7 @@ from tests.claims import CLAIMS
 
 import crankstar
 from crankstar import charts, cli, spectra
+from crankstar.analysis.document import Table
 from crankstar.derive import derivation
 from crankstar.derive.algebra import evaluation, typeset
 from crankstar.derive.errata import (
@@ -36,7 +37,6 @@ from crankstar.engine import motion
 from crankstar.language.messages import spoken
 from crankstar.mechanics.balance import balance, total
 from crankstar.tables.errata import errata_document
-from crankstar.tables.table import Table
 
 ROOT = Path(__file__).parents[2]
 ALL = {one.id: one for one in errata()}

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crankstar.analysis.document import Document, Table
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files import read
@@ -15,7 +16,6 @@ from crankstar.options.balancing import BalanceOptions, balanced
 from crankstar.tables.gas_rolls import gas_roll_of
 from crankstar.tables.remedies import balancing_sheet
 from crankstar.tables.roll_cures import roll_left
-from crankstar.tables.table import Document, Table
 from crankstar.tables.verdict import verdict
 
 CASES = Path(__file__).parents[1] / "cases"

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Remarks, Table
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load, names
@@ -33,7 +34,6 @@ from crankstar.tables.conversion import in_units
 from crankstar.tables.engines import description
 from crankstar.tables.machine import columns
 from crankstar.tables.remedies import Job, balancing_sheet
-from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table
 from crankstar.tables.verdict import verdict
 
 REGISTRY: pint.UnitRegistry = pint.UnitRegistry()

@@ -20,7 +20,9 @@ from tests.twisting import chains, pendulums, pushes, row
 
 from crankstar import load, spectra
 from crankstar.analyses.torsion.document import document
+from crankstar.analyses.torsion.facts import sentences
 from crankstar.analyses.torsion.question import Question
+from crankstar.analysis.document import Remarks
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_criticals import Critical, of_note, strength, stresses
@@ -39,8 +41,6 @@ from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.kinetic import inertia, mean_inertia, throw_inertia
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Real
-from crankstar.tables.table import Remarks
-from crankstar.tables.torsion_facts import torsion_sentences
 
 SPEED = 150.0
 TORSION: dict[str, Any] = {
@@ -463,7 +463,7 @@ def test_without_gas_no_critical_speed_is_called_the_strongest() -> None:
     assert {each.mode for each in found.noted} == {1}
     assert max(found.noted, key=lambda each: each.vector_sum or 0).order in (3, 6)
     assert torsion(six_that_twists()).strongest is not None
-    said = " ".join(torsion_sentences(load("rolls-royce-six-1928")))
+    said = " ".join(sentences(load("rolls-royce-six-1928")))
     assert "depends on the gas" in said
     assert "strongest critical speed is that" not in said
 

@@ -9,6 +9,9 @@ import numpy as np
 import pytest
 from tests.mounted_engines import MOUNTS, standing
 
+from crankstar.analysis.assumptions import Answer, Assumption
+from crankstar.analysis.changed_values import with_turning_masses
+from crankstar.analysis.tried_values import Tried, Tuning
 from crankstar.dynamics.mount_analysis import mounts
 from crankstar.dynamics.mounted_block import borne, mounted_block, settled
 from crankstar.dynamics.whirl import body
@@ -16,11 +19,8 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load
 from crankstar.studies.answers import amplitudes, rests_on, summary
-from crankstar.studies.assumptions import Answer, Assumption
-from crankstar.studies.changed_values import with_turning_masses
 from crankstar.studies.response_answers import felt, on_mounts
 from crankstar.studies.single_faults import Fault, shaken
-from crankstar.studies.tried_values import Tried, Tuning
 from crankstar.tables.assumptions import assumption_facts, assumption_lines
 
 PLACES = {"left": (0.04, -0.32, 0.11), "right": (0.04, 0.31, 0.09), "rear": (-0.02, 0.0, -0.48)}

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from tests.commands import Run
 
+from crankstar.analysis.document import Ranged, Table
 from crankstar.files.box import spread
 from crankstar.files.catalog import load
 from crankstar.files.estimate import estimated
@@ -22,7 +23,6 @@ from crankstar.report.whirling import _table
 from crankstar.tables.engines import cylinders, rotors
 from crankstar.tables.ranges import ranged
 from crankstar.tables.remedies import balancing_sheet
-from crankstar.tables.table import Ranged, Table
 
 TWIN = """
 format = 1

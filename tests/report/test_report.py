@@ -13,6 +13,7 @@ from tests.report.reading import Reader, amplitude, plain, vouched
 
 import crankstar
 from crankstar import derive, spectra
+from crankstar.analysis.document import Column, Table
 from crankstar.files import catalog, engine_of
 from crankstar.mechanics.balance import balance
 from crankstar.report import Subject, report
@@ -21,7 +22,6 @@ from crankstar.tables import verdict
 from crankstar.tables.balance_orders import answer
 from crankstar.tables.html import part_html
 from crankstar.tables.machine import tree
-from crankstar.tables.table import Column, Table
 
 HOSTILE = "</script><img src=x onerror=alert(1)><style>*{}</style> & \"'`\\ 01"
 ENGINES = (

@@ -11,13 +11,13 @@ import openpyxl
 import pytest
 
 from crankstar import balance, load, spectra, total
+from crankstar.analysis.document import Column, Document, Table
 from crankstar.mechanics.excitation import rolling_moment
 from crankstar.tables.arrow import arrow_table, parquet_bytes
 from crankstar.tables.balance_orders import answer
 from crankstar.tables.html import document_html
 from crankstar.tables.machine import columns, csv_text, json_text, tree
 from crankstar.tables.spreadsheet import spreadsheet_bytes
-from crankstar.tables.table import Column, Document, Table
 
 NAMES = ("i4", "vw-vr6", "audi-25-tfsi", "kr250-racer", "napier-deltic")
 

@@ -14,6 +14,7 @@ from rich.console import Console
 from tests.catalog import EVERY_ENGINE
 
 from crankstar import load, names, spectra
+from crankstar.analysis.document import Remarks, Table
 from crankstar.engine.copies import with_values
 from crankstar.files import engine_of, explicit
 from crankstar.mechanics.balance import balance
@@ -24,7 +25,6 @@ from crankstar.tables.cells import cell, heading
 from crankstar.tables.conversion import in_units
 from crankstar.tables.machine import tree
 from crankstar.tables.peaks import part_peaks
-from crankstar.tables.table import Remarks, Table
 from crankstar.tables.terminal import rendered
 
 WAVE = re.compile(r"(\S+) ∠ (\S+)°")

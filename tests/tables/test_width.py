@@ -11,6 +11,7 @@ from rich.cells import cell_len
 from rich.console import Console
 
 from crankstar import load
+from crankstar.analysis.document import Column, Document, Table
 from crankstar.derive.errata import errata
 from crankstar.files import catalog
 from crankstar.firing import orders, vees
@@ -25,7 +26,6 @@ from crankstar.tables.comparison import comparison
 from crankstar.tables.conversion import in_units
 from crankstar.tables.errata import errata_document
 from crankstar.tables.strokes import strokes
-from crankstar.tables.table import Column, Document, Table
 from crankstar.tables.terminal import rendered
 from crankstar.tables.verdict import verdict, verdict_document
 

@@ -2,8 +2,11 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `document` | an analysis as tables of values and the remarks around them |
+| `tried_values` | the figures of an answer at values within a range |
+| `changed_values` | how one value of an engine is changed |
+| `assumptions` | what an answer rests on, and how much each of it matters |
 | `record` | what every host needs of a capability |
 | `registry` | all analyses by name, those of other packages too |
 | `reader` | how one value of a question is read |
-| `readers` | the quantities that several analyses are asked for |
 """

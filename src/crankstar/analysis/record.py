@@ -13,12 +13,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 if TYPE_CHECKING:
+    from crankstar.analysis.assumptions import Answer
+    from crankstar.analysis.document import Document, Table
     from crankstar.engine.engine import Engine
     from crankstar.engine.torsion import Chain
-    from crankstar.studies.assumptions import Answer
-    from crankstar.tables.table import Document
 
 T = TypeVar("T")
+Sizes = tuple[str, float | None, list[float | None], str]
+"""Quantity, order, the value of each engine (None where it has none), unit."""
 
 
 class Later(Generic[T]):
@@ -61,6 +63,21 @@ class Figure:
 
 
 @dataclass(frozen=True)
+class Measure:
+    """A number of an analysis that a sweep may watch: its name, and the unit that it has.
+
+    `figures` are those of the answer that say how far it moves; `orders`: it is also that of one
+    order; `natural`: of free vibration, which neither gas nor speed moves.
+    """
+
+    name: str
+    unit: str
+    figures: tuple[str, ...]
+    orders: bool = False
+    natural: bool = False
+
+
+@dataclass(frozen=True)
 class Analysis:
     """A capability, by what every host needs of it.
 
@@ -72,8 +89,16 @@ class Analysis:
     compute    (source, question) -> result
     document   (source, result, question) -> Document, for readers and machines
     answer     (engine, question) -> Answer: the figures that its assumptions move
-    lacks      (engine) -> what its file lacks, as a sentence; empty where it can be computed
+    lacks      (engine) -> whether its file lacks what the analysis is of
     figures    what is drawn of it
+    subject    what its sentences in a verdict are about
+    facts      (engine, speed=) -> those sentences
+    compared   (engines, names, speeds) -> tables of engines side by side
+    sizes      (engines, speeds) -> the same for machines: quantity, order, of each engine, unit
+    measures   what a sweep may watch
+    measured   (engine, name, speed, order, alone) -> one of these in its unit, over the speeds of
+               the file and `speed`, or `alone` at that speed (rad/s), of all orders or one
+    natural    () -> Answer: the figures of free vibration alone
 
     `chains` are the fields of the question that a drive line without an engine may be asked too;
     `estimates`: values that a file leaves out may be estimated, and results have ranges.
@@ -91,6 +116,13 @@ class Analysis:
     lacks: Callable[[Engine], bool]
     refuse: Later[Callable[[Engine | Chain, Any], None]] | None = None
     figures: tuple[Figure, ...] = ()
+    subject: str = ""
+    facts: Later[Callable[..., list[str]]] | None = None
+    compared: Later[Callable[..., tuple[Table, ...]]] | None = None
+    sizes: Later[Callable[..., list[Sizes]]] | None = None
+    measures: tuple[Measure, ...] = ()
+    measured: Later[Callable[..., float]] | None = None
+    natural: Later[Callable[[], Answer]] | None = None
     chains: tuple[str, ...] = ()
     estimates: bool = False
 

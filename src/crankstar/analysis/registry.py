@@ -11,21 +11,21 @@ from functools import cache
 from importlib import import_module
 from importlib.metadata import entry_points
 
-from crankstar.analysis.record import Analysis
+from crankstar.analysis.record import Analysis, Measure
 
-NAMES = ("mounts", "torsion")
-"""The folders of `crankstar.analyses`."""
+NAMES = ("torsion", "mounts")
+"""The folders of `crankstar.analyses`, in the order in which hosts go over them."""
 GROUP = "crankstar.analyses"
 
 
 @cache
 def names() -> tuple[str, ...]:
-    """The names of all analyses, in the order of the alphabet.
+    """The names of all analyses.
 
-    >>> names()
-    ('mounts', 'torsion')
+    >>> names()[:2]
+    ('torsion', 'mounts')
     """
-    return tuple(sorted({*NAMES, *(point.name for point in entry_points(group=GROUP))}))
+    return (*NAMES, *sorted(point.name for point in entry_points(group=GROUP)))
 
 
 @cache
@@ -46,3 +46,14 @@ def analysis(name: str) -> Analysis:
 def analyses() -> Iterator[Analysis]:
     """The records of all analyses."""
     return map(analysis, names())
+
+
+@cache
+def measures() -> dict[str, tuple[Analysis, Measure]]:
+    """What a sweep may watch of the analyses, by name.
+
+    >>> record, measure = measures()["mount_force"]
+    >>> record.name, measure.unit
+    ('mounts', 'N')
+    """
+    return {own.name: (record, own) for record in analyses() for own in record.measures}

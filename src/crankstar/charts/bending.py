@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.assumptions import Answer
 from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.drawing import (
     BLUE,
@@ -46,7 +47,6 @@ from crankstar.mechanics import bounds
 from crankstar.remedy.counterweights import RemedyError, with_web_weights, without_counterweights
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import in_own_unit, narrowed
-from crankstar.studies.assumptions import Answer
 from crankstar.studies.chart_answers import bent
 
 FACTOR = 0.5

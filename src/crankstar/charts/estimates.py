@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 
 from crankstar import spectra
+from crankstar.analysis.document import Ranged
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
 from crankstar.language.kept import values_kept
@@ -21,7 +22,6 @@ from crankstar.mechanics import bounds
 from crankstar.spectra import Spectrum
 from crankstar.tables.cells import rough
 from crankstar.tables.ranges import estimated_paths, number_range
-from crankstar.tables.table import Ranged
 
 _SPREADS: ContextVar[tuple[Spread, ...]] = ContextVar("spreads", default=())
 

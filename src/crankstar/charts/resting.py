@@ -15,6 +15,7 @@ from functools import partial
 from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from crankstar.analysis.assumptions import Answer, Assumption
 from crankstar.charts.canvas import shows_rests, speed_of
 from crankstar.charts.grammar import Layer, constant, field, of_rows
 from crankstar.charts.letters import SMALL, folded, text_width, words
@@ -25,7 +26,6 @@ from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle
 from crankstar.studies import answers, response_answers
 from crankstar.studies.answer_parts import TURNING, in_own_unit, narrowed, without_speed
-from crankstar.studies.assumptions import Answer, Assumption
 from crankstar.studies.chart_answers import vectors
 from crankstar.tables.assumptions import assumption_facts, assumption_remarks, leading_lines
 from crankstar.tables.field_names import field_name

@@ -77,7 +77,7 @@ def verb(record: Analysis) -> Callable[..., None]:
     ]
     run.__doc__ = record.about
     run.__annotations__ = {each.name: each.annotation for each in arguments}
-    run.__signature__ = Signature(arguments)  # pyright: ignore[reportFunctionMemberAccess]
+    run.__signature__ = Signature(arguments)
     return run
 
 
@@ -131,7 +131,7 @@ def _read(
 
 
 def _loaded(
-    record: Analysis, name: str, settings: Sequence[str] | None, *, estimate: bool
+    record: Analysis, name: str, settings: list[str] | None, *, estimate: bool
 ) -> Loaded | tuple[Chain, None]:
     if record.chains:
         return engine_or_chain(name, settings, estimate=estimate)

@@ -28,8 +28,8 @@ from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
 
 if TYPE_CHECKING:
+    from crankstar.analysis.assumptions import Answer
     from crankstar.engine.engine import Engine
-    from crankstar.studies.assumptions import Answer
 
 
 def balance(
@@ -44,6 +44,7 @@ def balance(
     output: Annotated[str | None, option("--output", "The balanced engine.")] = None,
 ) -> None:
     """Balance an engine with counterweights and balance shafts; print what remains."""
+    from crankstar.analysis.document import remarks
     from crankstar.derive import documents
     from crankstar.language.kept import values_kept
     from crankstar.mechanics.remains import OPTIMISED
@@ -51,7 +52,6 @@ def balance(
     from crankstar.remedy import needs
     from crankstar.tables import remedies
     from crankstar.tables.ranges import ranged, resting
-    from crankstar.tables.table import remarks
 
     own, ((loaded, spread), tree), _turning = together(
         partial(request.own_factor, engine, settings, otherwise=0.5),

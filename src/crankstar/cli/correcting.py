@@ -26,11 +26,11 @@ from crankstar.options.workshop import DrillOptions
 from crankstar.remedy.two_planes import Split
 
 if TYPE_CHECKING:
+    from crankstar.analysis.document import Document
     from crankstar.charts.grammar import Chart
     from crankstar.options.coefficients import Coefficients
     from crankstar.remedy.drilling import Drill
     from crankstar.spectra import Complex
-    from crankstar.tables.table import Document
     from crankstar.tables.two_planes import Corrections
 
 RUNS = "CSV file (or .xlsx) with an initial run, and one with a trial weight in each plane."

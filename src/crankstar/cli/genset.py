@@ -25,9 +25,9 @@ from crankstar.options.forms import TABLES, form_of
 from crankstar.options.gas import degree_of_irregularity, refuse_weak_beside_off, weaker_cylinders
 
 if TYPE_CHECKING:
+    from crankstar.analysis.document import Document
     from crankstar.engine.engine import Engine
     from crankstar.mechanics.gas import Cycle
-    from crankstar.tables.table import Document
 
 MOST_PAIRS = 200
 """Of poles: more than any slow hydroelectric generator has."""

@@ -42,9 +42,9 @@ from crankstar.options.forms import TABLES, form_of
 from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
+    from crankstar.analysis.document import Document
     from crankstar.engine.engine import Engine
     from crankstar.mechanics.gas import Cycle
-    from crankstar.tables.table import Document
 
 
 def list_engines(
@@ -310,12 +310,12 @@ def verdict(
     output: Output = None,
 ) -> None:
     """State in short sentences which orders balance, which remain, and what would cure them."""
+    from crankstar.analysis.document import remarks
     from crankstar.remedy.fitting import recommended
     from crankstar.studies.answers import summary
     from crankstar.tables import verdict as tables
     from crankstar.tables.built_facts import with_built
     from crankstar.tables.ranges import resting, with_doubt
-    from crankstar.tables.table import remarks
     from crankstar.tables.verdict_ranges import ranged_facts
 
     ((loaded, spread), tree), turning = together(

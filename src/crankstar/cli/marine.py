@@ -29,9 +29,9 @@ from crankstar.options.gas import gas_orders
 from crankstar.options.ranges import speeds_of
 
 if TYPE_CHECKING:
+    from crankstar.analysis.document import Document
     from crankstar.engine.engine import Engine
     from crankstar.studies.marine import MarineAnalysis
-    from crankstar.tables.table import Document
 
 
 def marine(

@@ -43,7 +43,7 @@ def display(shown: Any, place: str | None = None) -> None:
     """Print a Document, or what rich can print, in the width of the terminal; plain into a file."""
     from rich.console import Console
 
-    from crankstar.tables.table import Document
+    from crankstar.analysis.document import Document
     from crankstar.tables.terminal import rendered
 
     plain = {} if place is None else {"file": StringIO(), "force_terminal": False}

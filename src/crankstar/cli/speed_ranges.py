@@ -12,8 +12,8 @@ from crankstar.options import values as request
 from crankstar.options.ranges import refuse_one
 
 if TYPE_CHECKING:
+    from crankstar.analysis.document import Document
     from crankstar.engine.engine import Engine
-    from crankstar.tables.table import Document
 
 
 def over_speeds(

@@ -36,9 +36,9 @@ from crankstar.options.forms import PICTURES, TABLES, form_of
 from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
+    from crankstar.analysis.document import Document
     from crankstar.studies.best_pair import Unbeaten
     from crankstar.studies.sweep import Curve, Sweep
-    from crankstar.tables.table import Document
 
 
 def sweep(

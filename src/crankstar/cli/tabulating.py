@@ -10,9 +10,9 @@ from crankstar.cli.output import display, write, write_bytes
 from crankstar.language.messages import language, spoken
 
 if TYPE_CHECKING:
+    from crankstar.analysis.assumptions import Answer, Assumption
+    from crankstar.analysis.document import Document
     from crankstar.engine.engine import Engine
-    from crankstar.studies.assumptions import Answer, Assumption
-    from crankstar.tables.table import Document
 
 MACHINE = ("json", "csv", "parquet")
 """Forms of tables that programs read."""

@@ -36,11 +36,11 @@ from crankstar.options.values import RequestError
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from crankstar.analysis.document import Document
     from crankstar.dynamics.uneven import Running
     from crankstar.engine.engine import Engine
     from crankstar.mechanics.gas import Cycle
     from crankstar.mechanics.gas_loads import LoadedTorques
-    from crankstar.tables.table import Document
     from crankstar.tables.torque import Wheel
 
 

@@ -34,9 +34,9 @@ from crankstar.options.refusals import RequestError
 from crankstar.options.workshop import DrillOptions
 
 if TYPE_CHECKING:
+    from crankstar.analysis.document import Document
     from crankstar.engine.engine import Engine
     from crankstar.remedy.drilling import Drill
-    from crankstar.tables.table import Document
 
 AnyEngine = Annotated[str | None, Parameter(help=ENGINE)]
 Factor = Annotated[str | None, option("--factor")]

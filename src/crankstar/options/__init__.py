@@ -14,6 +14,7 @@
 | `values` | speeds, orders, angles, points of reference, settings |
 | `ranges` | the speeds of --speeds |
 | `gas` | a degree of irregularity, mean effective pressures |
+| `readers` | what the questions of several analyses have in common |
 | `remedies` | weights, what they minimise, balance shafts |
 | `workshop` | a drill, a measured unbalance, a grade, as a balancing shop types them |
 | `isolating` | what is minimised of mounts, and the limits of stiffness, place, sag, frequency |

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Document, Ranged, Table, Value
 from crankstar.dynamics.bearings import BearingError, BearingLoads, bearing_loads
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
@@ -25,7 +26,6 @@ from crankstar.tables.bearings import MODELS, gas_sentences, peaks, pins
 from crankstar.tables.cells import ranged_text
 from crankstar.tables.conversion import in_units
 from crankstar.tables.ranges import merged
-from crankstar.tables.table import Document, Ranged, Table, Value
 from crankstar.tables.wear import wear_table
 
 SMALL = 1e-4

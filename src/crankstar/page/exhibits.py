@@ -9,6 +9,7 @@ from math import lcm, pi
 from typing import Any, NamedTuple
 
 from crankstar import __version__, files
+from crankstar.analysis.document import Document
 from crankstar.charts.strokes import STROKE_COLOURS
 from crankstar.dynamics.bearings import BearingLoads, bearing_loads
 from crankstar.engine.copies import throws_of_weights, with_values
@@ -49,7 +50,6 @@ from crankstar.tables import headings, remedies, strokes
 from crankstar.tables.assumptions import assumption_lines
 from crankstar.tables.conditions import can_be_estimated, unit_sentence, unit_sizes
 from crankstar.tables.ranges import estimated_paths, merged, ranged_lines
-from crankstar.tables.table import Document
 from crankstar.tables.verdict import subjects, verdict
 from crankstar.tables.verdict_ranges import ranged_facts
 

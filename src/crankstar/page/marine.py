@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from crankstar.analysis.document import Document
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
 from crankstar.language.kept import alike
@@ -13,7 +14,6 @@ from crankstar.page.records import ChartKey
 from crankstar.page.unit_records import Table
 from crankstar.tables.large_engines import ship_engine, ship_parts
 from crankstar.tables.ranges import merged
-from crankstar.tables.table import Document
 
 FIGURE = "guide-moments"
 

@@ -33,10 +33,10 @@ from crankstar.page.unit_records import Table, Unit
 from crankstar.spectra import Real
 
 if TYPE_CHECKING:
+    from crankstar.analysis.document import Document
     from crankstar.dynamics.mount_analysis import MountAnalysis
     from crankstar.dynamics.mount_modes import Axis, MountMode
     from crankstar.dynamics.mount_response import MountResponse
-    from crankstar.tables.table import Document
 
 MOST_POINTS, MOST_PEAKS = 6, 4
 """Operating points, and resonances, that are offered."""

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Ranged
 from crankstar.dynamics import whirl
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import values_kept
@@ -21,7 +22,6 @@ from crankstar.spectra import Complex, Spectrum
 from crankstar.tables.cells import ranged_text
 from crankstar.tables.paths import shape
 from crankstar.tables.ranges import number_range
-from crankstar.tables.table import Ranged
 
 MINUS = "\N{MINUS SIGN}"
 ROUNDED = 7

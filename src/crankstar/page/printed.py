@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from crankstar.analysis.document import Remarks
+from crankstar.analysis.document import Table as Values
 from crankstar.page.unit_records import Table
 from crankstar.tables.cells import cells, head
 from crankstar.tables.conversion import in_units
 from crankstar.tables.html import MINUS
-from crankstar.tables.table import Remarks
-from crankstar.tables.table import Table as Values
 
 
 def printed(parts: Iterable[Values | Remarks]) -> tuple[Table, ...]:
     """The parts of a document for readers as tables; remarks have notes only.
 
-    >>> from crankstar.tables.table import Column
+    >>> from crankstar.analysis.document import Column
     >>> (table,) = printed([Values("Throws", (Column("z", "mm"),), ((-40.0,),))])
     >>> table.heads, table.rows, table.numeric
     (('z [mm]',), (('−40',),), (True,))

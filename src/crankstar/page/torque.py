@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Table
 from crankstar.dynamics import sound
 from crankstar.dynamics.uneven import Running, driven
 from crankstar.engine.engine import Engine
@@ -32,7 +33,6 @@ from crankstar.page.unit_records import Unit
 from crankstar.spectra import Complex, Real, Spectrum
 from crankstar.tables.large_engines import large_engine_table
 from crankstar.tables.meshes import mesh_table
-from crankstar.tables.table import Table
 from crankstar.tables.torque import assumed_notes, notes
 from crankstar.tables.torque_parts import side_thrust_table
 

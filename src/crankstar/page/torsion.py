@@ -35,13 +35,13 @@ from crankstar.page.unit_records import Table, Unit
 from crankstar.tables.gas_words import points_text
 
 if TYPE_CHECKING:
+    from crankstar.analysis.document import Document
+    from crankstar.analysis.document import Table as Values
     from crankstar.dynamics.torsion_analysis import TorsionAnalysis
     from crankstar.dynamics.torsion_criticals import Critical
     from crankstar.dynamics.torsion_response import Response
     from crankstar.dynamics.torsion_system import TorsionChain
     from crankstar.mechanics.gas import Cycle
-    from crankstar.tables.table import Document
-    from crankstar.tables.table import Table as Values
 
 MOST_POINTS, MOST_CRITICAL = 6, 4
 """Operating points and critical speeds whose vibration is sent."""

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from crankstar.analysis.document import Remarks, Table
 from crankstar.analysis.record import Analysis
 from crankstar.language.messages import _
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.html import paragraph
-from crankstar.tables.table import Remarks, Table
 
 
 def section_of(record: Analysis, subject: Subject, gallery: Gallery) -> str:

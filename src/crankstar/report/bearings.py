@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from crankstar.analysis.document import Remarks, Table
 from crankstar.charts.canvas import Canvas
 from crankstar.dynamics.bearings import BearingError, BearingLoads, bearing_loads
 from crankstar.language.messages import N_, _
@@ -14,7 +15,6 @@ from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.bearings import MODELS, peaks
 from crankstar.tables.html import paragraph
-from crankstar.tables.table import Remarks, Table
 from crankstar.tables.torque import load_sentence
 
 FEW = 5

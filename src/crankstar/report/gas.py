@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from crankstar.analysis.document import Remarks, Table
 from crankstar.dynamics.uneven import UnevenError, driven
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.gas import cycle
@@ -11,7 +12,6 @@ from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.html import paragraph
 from crankstar.tables.large_engines import large_engine_table, ship_engine
-from crankstar.tables.table import Remarks, Table
 from crankstar.tables.torque import torque_document
 
 FIGURES = (

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from crankstar.analysis.document import Remarks, Table
 from crankstar.language.messages import _
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.large_engines import ship_engine, ship_parts
-from crankstar.tables.table import Remarks, Table
 
 
 def marine(subject: Subject, gallery: Gallery) -> str:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from crankstar.analysis.document import Document, Remarks, Table
 from crankstar.tables.html import kind_of, part_html, text, typeset
-from crankstar.tables.table import Document, Remarks, Table
 
 
 def parts_html(parts: Iterable[Table | Remarks]) -> str:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from crankstar import derive
+from crankstar.analysis.document import Table
 from crankstar.firing.strokes import working_cycle
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import N_, _
@@ -21,7 +22,6 @@ from crankstar.tables.conditions import conditions, unit_sentence
 from crankstar.tables.headings import timing_lines
 from crankstar.tables.html import paragraph
 from crankstar.tables.ranges import ranged_side_by_side
-from crankstar.tables.table import Table
 
 BOTH: tuple[Quantity, Quantity] = ("force", "couple")
 STEP_BY_STEP = (1.0, 2.0)

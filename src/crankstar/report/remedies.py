@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from crankstar.analysis.document import Remarks, Table
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
@@ -14,7 +15,6 @@ from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.html import paragraph
 from crankstar.tables.remedies import Job, parts
-from crankstar.tables.table import Remarks, Table
 
 LONG_TABLE = 12
 """Rows above which a table of weights is in the full report only."""

@@ -8,6 +8,7 @@ from functools import cached_property, partial
 from typing import Any, Literal
 
 from crankstar import spectra
+from crankstar.analysis.document import Document, Remarks, Table
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
 from crankstar.language.kept import alike
@@ -18,7 +19,6 @@ from crankstar.studies.answers import rests_on, summary
 from crankstar.tables.analysis import Analysis, analysis
 from crankstar.tables.assumptions import assumption_lines
 from crankstar.tables.ranges import merged
-from crankstar.tables.table import Document, Remarks, Table
 from crankstar.tables.verdict import Fact, verdict
 from crankstar.tables.verdict_ranges import ranged_facts
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, number
@@ -21,7 +22,6 @@ from crankstar.report.subject import Subject
 from crankstar.spectra import Complex, Spectrum
 from crankstar.tables.html import paragraph, text
 from crankstar.tables.paths import shape
-from crankstar.tables.table import Column, Table, Value
 
 SIDE, MARGIN = 180.0, 40.0
 """px of the drawing of a path, and around it."""

@@ -14,7 +14,7 @@ from crankstar.server.refusal import refused
 from crankstar.server.tasks import Tree, engine_of, mistakes_refused, units_of
 
 if TYPE_CHECKING:
-    from crankstar.studies.assumptions import Assumption
+    from crankstar.analysis.assumptions import Assumption
 
 
 class _Asked(NamedTuple):

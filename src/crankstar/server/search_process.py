@@ -135,9 +135,9 @@ def _shown(
     answer: Any, engine: Engine | None
 ) -> tuple[list[str], list[tuple[list[str], dict[str, Any]]], list[str]]:
     """Heads, rows with the engine files that they make, and sentences."""
+    from crankstar.analysis.document import Table
     from crankstar.tables import search_stars
     from crankstar.tables.cells import cells, head
-    from crankstar.tables.table import Table
 
     stars, rows = answer.question.stars, answer.rows[:ROWS]
     made = [

@@ -9,11 +9,6 @@
 | `sums` | the sums of batches of engines, over speeds and closed ranges |
 | `study` | what is varied, in which units and about which point |
 | `gas_results` | torque, roll, pressure and irregularity of each engine of a sweep |
-| `mount_results` | modes, force and shake on the mounts of each engine of a sweep |
-| `torsion_results` | torsional frequency, stress and amplitude of each engine of a sweep |
-| `changed_values` | an engine with one of its values changed |
-| `tried_values` | the values of a range at which an answer is tried: ends, resonances, extremes |
-| `assumptions` | what an answer rests on that a file does not give, and how much it matters |
 | `assumed_masses` | what a file leaves out of the masses that inertia forces come from |
 | `assumed_gas` | what is assumed of gas and valves, and what gas an answer leaves out |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 
+from crankstar.analysis.assumptions import Answer
+from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_
 from crankstar.mechanics.gas import Cycle, computable, cycle, cycle_or_reason
 from crankstar.mechanics.operating_points import GasError
-from crankstar.studies.assumptions import Answer
-from crankstar.studies.tried_values import Figure, Figures
 
 Figured = Callable[[Engine], Figures]
 TURNING = ("cylinder.rotating_mass", "cylinder.throw_mass", "crankshaft.weight")

@@ -23,6 +23,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.assumptions import Answer, Assumption, moved
+from crankstar.analysis.registry import analyses
+from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
@@ -43,9 +46,7 @@ from crankstar.studies.answer_parts import (
 )
 from crankstar.studies.assumed_gas import usual_load
 from crankstar.studies.assumed_values import assumed_values
-from crankstar.studies.assumptions import Answer, Assumption, moved
-from crankstar.studies.response_answers import felt, on_mounts, twist
-from crankstar.studies.tried_values import Figure, Figures
+from crankstar.studies.response_answers import felt
 
 if TYPE_CHECKING:
     from crankstar.mechanics.guide_moments import GuideMoments
@@ -166,12 +167,12 @@ def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:
 
 
 def _driven(engine: Engine, speed: float | None) -> list[Answer]:
-    """Torsion and mounts, of an engine whose file has them and that can be computed."""
+    """The analyses of which a verdict tells, where the file has what they are of."""
     out: list[Answer] = []
-    for make, there in ((twist, engine.torsion), (on_mounts, engine.mounts)):
-        if there:
+    for record in analyses():
+        if record.facts is not None and not record.lacks(engine):
             with suppress(MessageError):
-                out.append(make(engine, speed=speed))
+                out.append(record.answer.value(engine, record.question.value(speed=speed)))
     return out
 
 

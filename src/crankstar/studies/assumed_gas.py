@@ -15,6 +15,14 @@ from typing import Any
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.assumptions import Assumption, Moved
+from crankstar.analysis.changed_values import (
+    Vary,
+    with_gas_choice,
+    with_gas_value,
+    with_valve_angle,
+)
+from crankstar.analysis.tried_values import Figures
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas
@@ -27,9 +35,6 @@ from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
 from crankstar.mechanics.operating_points import ASSUMED, GasError
 from crankstar.mechanics.remains import summed
-from crankstar.studies.assumptions import Assumption, Moved
-from crankstar.studies.changed_values import Vary, with_gas_choice, with_gas_value, with_valve_angle
-from crankstar.studies.tried_values import Figures
 
 OF_TRACE = (
     *("combustion_start", "combustion_duration", "wiebe_a", "wiebe_m"),

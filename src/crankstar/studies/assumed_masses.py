@@ -6,6 +6,14 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from crankstar.analysis.assumptions import Assumption
+from crankstar.analysis.changed_values import (
+    by_factor,
+    rods_at_one_place,
+    with_rods_apart,
+    with_rods_of,
+    with_turning_masses,
+)
 from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.engine import Engine
 from crankstar.engine.proportions import Look, Proportion, inferred, look_of, proportion
@@ -13,14 +21,6 @@ from crankstar.engine.weighed import EngineType
 from crankstar.language.messages import N_
 from crankstar.mechanics.operating_points import ignition
 from crankstar.remedy.fitting import quiet_cranks
-from crankstar.studies.assumptions import Assumption
-from crankstar.studies.changed_values import (
-    by_factor,
-    rods_at_one_place,
-    with_rods_apart,
-    with_rods_of,
-    with_turning_masses,
-)
 
 ROD_WIDTH = 0.3
 """Width of a big end over the bore, at most: 0.2 to 0.3 in vehicles. Our judgement."""

@@ -12,20 +12,8 @@ from dataclasses import replace
 from math import pi
 from typing import TYPE_CHECKING
 
-from crankstar.engine.basis import ROD_SOURCE
-from crankstar.engine.block import inertia_in_box
-from crankstar.engine.engine import Engine
-from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
-from crankstar.engine.torsion import LOSS_FACTOR, STEEL
-from crankstar.language.faults import Fault, where
-from crankstar.language.messages import N_
-from crankstar.mechanics.doubts import doubts_of
-from crankstar.mechanics.gas import Cycle
-from crankstar.mechanics.gas_torque import gas_torque
-from crankstar.studies.assumed_gas import gas_values, valves, without_gas
-from crankstar.studies.assumed_masses import masses
-from crankstar.studies.assumptions import Answer, Assumption
-from crankstar.studies.changed_values import (
+from crankstar.analysis.assumptions import Answer, Assumption
+from crankstar.analysis.changed_values import (
     SCALED,
     point_value,
     with_bearings_moved,
@@ -38,6 +26,18 @@ from crankstar.studies.changed_values import (
     with_rods_of,
     with_torsion_value,
 )
+from crankstar.engine.basis import ROD_SOURCE
+from crankstar.engine.block import inertia_in_box
+from crankstar.engine.engine import Engine
+from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
+from crankstar.engine.torsion import LOSS_FACTOR, STEEL
+from crankstar.language.faults import Fault, where
+from crankstar.language.messages import N_
+from crankstar.mechanics.doubts import doubts_of
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.studies.assumed_gas import gas_values, valves, without_gas
+from crankstar.studies.assumed_masses import masses
 
 if TYPE_CHECKING:
     from crankstar.dynamics.whirl import Body

@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.assumptions import Answer
+from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import pushed
 from crankstar.studies.answer_parts import TURNING
 from crankstar.studies.answers import IN_LOADS, MakeCycle
-from crankstar.studies.assumptions import Answer
-from crankstar.studies.tried_values import Figure, Figures
 
 
 def vectors(

@@ -15,6 +15,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.dynamics.bearings import BearingError, bearing_loads
+from crankstar.dynamics.torsion_peaks import torsion_peak
 from crankstar.dynamics.torsion_system import TorsionError
 from crankstar.engine.engine import Engine
 from crankstar.firing.numbering import with_order
@@ -24,7 +25,6 @@ from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.operating_points import GasError
 from crankstar.search.sequence_engines import with_fired
 from crankstar.search.shafts import Fired, Shaft
-from crankstar.studies.torsion_results import torsion_peak
 from crankstar.studies.variants import SweepError
 
 Judge = Literal["stress", "bearings"]

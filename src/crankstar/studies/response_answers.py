@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from crankstar.analysis.assumptions import LOAD_OF, Answer
+from crankstar.analysis.tried_values import Figure, Figures, Tuning
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import IN_VIBRATION, gas_of, usual_gas
 from crankstar.studies.assumed_gas import usual_load
-from crankstar.studies.assumptions import LOAD_OF, Answer
-from crankstar.studies.tried_values import Figure, Figures, Tuning
 
 if TYPE_CHECKING:
     from crankstar.dynamics.mount_analysis import MountAnalysis
@@ -101,8 +101,8 @@ def _forced_twist(rough: TorsionAnalysis, strongest: Critical | None) -> dict[Fi
     changed engine it may lie outside the speeds.
     """
     from crankstar.dynamics.torsion_analysis import peaked
+    from crankstar.dynamics.torsion_peaks import PeakOfSections
     from crankstar.dynamics.torsion_response import response
-    from crankstar.studies.torsion_results import PeakOfSections
 
     if rough.response is None:
         return {}

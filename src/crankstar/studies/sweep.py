@@ -25,6 +25,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.registry import measures
 from crankstar.engine.engine import Engine
 from crankstar.language.quoting import one_line
 from crankstar.mechanics import labelled
@@ -32,12 +33,10 @@ from crankstar.mechanics.balance import Units
 from crankstar.mechanics.excitation import Reference, Totals, rolling_moment
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.fields import Source, ends_of, source_of
-from crankstar.studies.gas_results import GAS_WATCHABLE, Case, gas_values
-from crankstar.studies.mount_results import MOUNT_WATCHABLE, mount_values
+from crankstar.studies.gas_results import GAS_WATCHABLE, Case, gas_values, one_by_one
 from crankstar.studies.ranges import over_requests
 from crankstar.studies.study import Study, check_apart, study
 from crankstar.studies.sums import GREATEST_ORDER, Group, joined
-from crankstar.studies.torsion_results import TORSION_WATCHABLE, torsion_values
 from crankstar.studies.variants import SweepError, Tell
 
 if TYPE_CHECKING:
@@ -53,7 +52,7 @@ WATCHABLE = (
     "torque",
 )
 
-EVERYTHING = (*WATCHABLE, *GAS_WATCHABLE, *TORSION_WATCHABLE, *MOUNT_WATCHABLE)
+EVERYTHING = (*WATCHABLE, *GAS_WATCHABLE, *measures())
 """All that a sweep can watch."""
 
 
@@ -340,8 +339,8 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
     axis_moment (of the forces, about the crank axis), torque; .up, .right, the component that way;
     .forward, .backward, the vectors that turn with and against the crankshaft; couple.pitch and
     couple.yaw, the moments about the right and the up axis, as large as couple.up and couple.right.
-    Or one of GAS_WATCHABLE: what gas does at the load of each engine's file; or one of
-    TORSION_WATCHABLE or MOUNT_WATCHABLE: how its crankshaft vibrates, how it shakes on its mounts.
+    Or one of GAS_WATCHABLE: what gas does at the load of each engine's file; or a measure of an
+    analysis: how its crankshaft vibrates, how it shakes on its mounts.
     All orders together over their period, or one `order`. Raises SweepError.
 
     >>> sweep = swept("single", over="balance_factor", values=[0, 0.5, 1])
@@ -365,13 +364,9 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
     if what in GAS_WATCHABLE:
         values, unit = gas_values(sweep.cases, what, order=order, shape=sweep.shape)
         return Curve(what, order, values, unit, label)
-    if what in (*TORSION_WATCHABLE, *MOUNT_WATCHABLE):
-        swept_speed = sweep.highest_speed is not None
-        computed = torsion_values if what in TORSION_WATCHABLE else mount_values
-        values, unit = computed(
-            sweep.cases, what, order=order, shape=sweep.shape, speed_swept=swept_speed
-        )
-        return Curve(what, order, values, unit, label)
+    if what in measures():
+        unit = measures()[what][1].unit
+        return Curve(what, order, _measured(sweep, what, order), unit, label)
     peaks = np.zeros(int(np.prod(sweep.shape)))
     for group in sweep.groups:
         spectrum = spectrum_of(group.sums, what)
@@ -382,6 +377,21 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
             peaks[group.rows] = spectra.peaks(spectrum)
     unit = getattr(sweep.units, what.partition(".")[0], sweep.units.moment)
     return Curve(what, order, peaks.reshape(sweep.shape), unit, label)
+
+
+def _measured(sweep: Sweep, what: str, order: float | None) -> Real:
+    """A measure of every variant, of all orders or one. Raises SweepError."""
+    record, measure = measures()[what]
+    if order is not None and not measure.orders:
+        raise SweepError("{what} has no orders; leave --orders out", what=what)
+    assert record.measured is not None  # noqa: S101  # it has measures
+    value = record.measured.value
+    alone = sweep.highest_speed is not None
+
+    def of_engine(engine: Engine, speed: float | None) -> float:
+        return value(engine, what, speed=speed, order=order, alone=alone)
+
+    return one_by_one(sweep.cases, of_engine, what, shape=sweep.shape)
 
 
 def spectrum_of(sums: Totals, what: str) -> Spectrum:

@@ -11,24 +11,23 @@ from functools import cached_property, partial
 
 import numpy as np
 
+from crankstar.analysis.assumptions import Answer
+from crankstar.analysis.registry import analysis, measures, names
 from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import cycle
 from crankstar.studies.answer_parts import joined, narrowed
 from crankstar.studies.answers import amplitudes, torques
-from crankstar.studies.assumptions import Answer
 from crankstar.studies.fields import instead
 from crankstar.studies.gas_results import GAS_WATCHABLE
-from crankstar.studies.mount_results import MODES, MOUNT_WATCHABLE
-from crankstar.studies.response_answers import mounted_modes, on_mounts, twist, twisting_modes
 from crankstar.studies.study import SPEED_PATH
 from crankstar.studies.sweep import Curve, Sweep
-from crankstar.studies.torsion_results import TORSION_WATCHABLE
 from crankstar.studies.variants import SweepError
 
+NATURAL = " modes"
+"""Behind the name of an analysis: free vibration alone."""
 HIGHEST = (SPEED_PATH, BALANCE_FACTOR)
 """Numbers of which the highest value is judged."""
-EVERY_MODE = tuple(f"mode {number}" for number in range(1, 13))
 FIGURES: Mapping[str, Sequence[str]] = {
     "force": ["force"],
     "couple": ["couple"],
@@ -40,14 +39,7 @@ FIGURES: Mapping[str, Sequence[str]] = {
     "mean_torque": ["mean torque"],
     "peak_pressure": ["peak pressure"],
     "irregularity": ["irregularity"],
-    "torsion_frequency": ["natural frequency"],
-    "torsion_stress": ["torsional stress"],
-    "torsion_amplitude": ["torsional amplitude"],
-    **{name: [f"mode {number}"] for number, name in enumerate(MODES, 1)},
-    "mount_roll_mode": EVERY_MODE,
-    "mount_roll_share": EVERY_MODE,
-    "mount_force": ["mount force"],
-    "mount_velocity": ["velocity at the point"],
+    **{name: measure.figures for name, (_record, measure) in measures().items()},
 }
 """The quantities of an answer that say how far a result of a sweep moves."""
 
@@ -104,10 +96,9 @@ def kind_of(what: str) -> str:
     """Of which analysis a result is; modes are apart from what is forced."""
     if what in GAS_WATCHABLE:
         return "running" if what == "irregularity" else "gas"
-    if what in TORSION_WATCHABLE:
-        return "torsion modes" if what == "torsion_frequency" else "torsion"
-    if what in MOUNT_WATCHABLE:
-        return "mounts" if what in ("mount_force", "mount_velocity") else "mount modes"
+    if what in measures():
+        record, measure = measures()[what]
+        return f"{record.name}{NATURAL}" if measure.natural else record.name
     return "roll" if what.partition(".")[0] in ("roll", "torque", "axis_moment") else "inertia"
 
 
@@ -115,15 +106,14 @@ def _answer(engine: Engine, speed: float | None, kind: str, curves: Sequence[Cur
     """The answer of one kind, about the results that are watched and their orders."""
     if kind in ("gas", "running"):
         whole = torques(engine, partial(cycle, speed=speed), running=kind == "running")
-    elif kind.endswith("modes"):
-        whole = twisting_modes() if kind.startswith("torsion") else mounted_modes()
-    elif kind == "torsion":
-        whole = twist(engine, speed=speed)
-    elif kind == "mounts":
-        whole = on_mounts(engine, speed=speed)
+    elif kind.removesuffix(NATURAL) in names():
+        record = analysis(kind.removesuffix(NATURAL))
+        asked = record.question.value(speed=speed)
+        natural = record.natural if kind.endswith(NATURAL) else None
+        whole = record.answer.value(engine, asked) if natural is None else natural.value()
     else:
         whole = amplitudes(engine, speed=speed, gas=kind == "inertia")
-    names = [name for curve in curves for name in FIGURES[curve.what.partition(".")[0]]]
+    watched = [name for curve in curves for name in FIGURES[curve.what.partition(".")[0]]]
     orders = [curve.order for curve in curves if curve.order is not None]
     by_order = len(orders) == len(curves) and kind in ("inertia", "roll")
-    return narrowed(whole, [*dict.fromkeys(names)], orders=orders if by_order else None)
+    return narrowed(whole, [*dict.fromkeys(watched)], orders=orders if by_order else None)

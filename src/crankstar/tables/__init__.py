@@ -2,7 +2,6 @@
 
 | module, bottom to top | one line |
 |---|---|
-| `table` | the records: Column, Table, Remarks, Document |
 | `cells` | values and headings as text |
 | `conversion` | a Table in the units of the context |
 | `terminal` | a Document in a terminal of a given width |
@@ -61,10 +60,7 @@
 | `generating_sets` | uneven running of a generating set, and several on one foundation |
 | `diagnoses` | what faults change, and which fault explains a measurement |
 | `matching` | parts matched to cylinders, and what is left |
-| `crank_fatigue` | the safety of a crankshaft against fatigue |
 | `isolation` | the best mounts, beside those of the file |
-| `mount_facts` | what a verdict and a comparison say of mounts |
-| `torsion_facts` | torsion in a verdict and a comparison |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
 | `placings` | the places of balance shafts, and what they leave of the roll |
 | `remedies` | the balancing sheet |

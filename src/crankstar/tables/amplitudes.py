@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Kind, Table
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import are_kept
 from crankstar.mechanics.balance import Balance, Grouping, grouped, total
@@ -20,7 +21,6 @@ from crankstar.mechanics.bounds import lengths
 from crankstar.mechanics.excitation import Totals
 from crankstar.mechanics.labelled import AXIAL, columns
 from crankstar.mechanics.remains import orders_turning, summed
-from crankstar.tables.table import ROW_UNIT, Column, Document, Kind, Table
 
 WHOLE = "engine"
 """Name of the part that is all of them; `no bank` are parts that belong to none."""

@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Column, Document, Remarks, Table, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
@@ -35,7 +36,6 @@ from crankstar.tables.conditions import conditions, missing_parts
 from crankstar.tables.headings import heading
 from crankstar.tables.peaks import peak_lines
 from crankstar.tables.summary import summary
-from crankstar.tables.table import Column, Document, Remarks, Table, remarks
 
 SHARES = {
     "cylinder": (N_("Greatest value of each order by cylinder"), N_("cylinder")),

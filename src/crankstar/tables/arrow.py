@@ -5,8 +5,8 @@ from __future__ import annotations
 import io
 from typing import TYPE_CHECKING
 
+from crankstar.analysis.document import Table
 from crankstar.tables.machine import columns
-from crankstar.tables.table import Table
 
 if TYPE_CHECKING:
     import pyarrow

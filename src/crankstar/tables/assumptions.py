@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 from math import inf
 from typing import Any
 
+from crankstar.analysis.assumptions import LOAD_OF, TOLD, Assumption, Moved
+from crankstar.analysis.document import Remarks
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
-from crankstar.studies.assumptions import LOAD_OF, TOLD, Assumption, Moved
-from crankstar.tables.table import Remarks
 
 PAIRED = 2
 """Sentences on each of two engines that find room on the first screen; on each of more, one."""

@@ -7,6 +7,7 @@ from math import degrees, pi
 from typing import Any
 
 from crankstar import spectra
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import first_harmonic
 from crankstar.language.messages import _
@@ -17,7 +18,6 @@ from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.mechanics.remains import orders_pushed, orders_turning, summed
 from crankstar.tables.paths import shape
 from crankstar.tables.peaks import part_peaks
-from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value
 
 PARTS = (spectra.vertical, spectra.horizontal)
 """Of the couple: pitch, M_V, and yaw, M_H."""

@@ -8,6 +8,7 @@ from math import degrees, pi
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Column, Document, Table, Value, remarks
 from crankstar.dynamics.bearings import BearingLoads, Model, bearing_loads, bending_moment
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
@@ -24,7 +25,6 @@ from crankstar.tables.headings import heading
 from crankstar.tables.oil_films import film_table
 from crankstar.tables.paths import shape
 from crankstar.tables.scales import scales
-from crankstar.tables.table import Column, Document, Table, Value, remarks
 from crankstar.tables.wear import wear_table
 
 NOTED = 0.02

@@ -5,6 +5,7 @@ from __future__ import annotations
 from cmath import exp
 from collections.abc import Iterator, Sequence
 
+from crankstar.analysis.document import Column, Document, Table, Value, remarks
 from crankstar.engine.cylinder_parts import RECIPROCATING, ROTATING, Parts
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import plain
@@ -14,7 +15,6 @@ from crankstar.remedy.counterweights import RemedyError
 from crankstar.remedy.loads import Load, bobweight, loads
 from crankstar.tables.conditions import missing_parts
 from crankstar.tables.scales import scales
-from crankstar.tables.table import Column, Document, Table, Value, remarks
 
 NAMES = {
     "piston": N_("piston"),

@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import first_harmonic
 from crankstar.language.kept import as_given, bounded, of_any
@@ -23,7 +24,6 @@ from crankstar.mechanics.balance import Units
 from crankstar.mechanics.remains import Sums, ranked
 from crankstar.spectra import Spectrum
 from crankstar.tables.paths import shape
-from crankstar.tables.table import Column, Table, Value
 
 QUANTITIES = {
     "force": N_("force"),

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from crankstar.analysis.document import ROW_UNIT, Column, Ranged, Table, Value
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, unit_text, wave
-from crankstar.tables.table import ROW_UNIT, Column, Ranged, Table, Value
 
 
 def cell(column: Column, value: Value) -> str:

@@ -8,6 +8,9 @@ from itertools import chain, count
 from math import pi
 from typing import Any, NamedTuple
 
+from crankstar.analysis.assumptions import Assumption
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Ranged, Table, Value
+from crankstar.analysis.registry import analyses
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any, plain
 from crankstar.language.messages import _
@@ -16,13 +19,11 @@ from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.bounds import peak, size
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import Sums, summed
-from crankstar.studies.assumptions import Assumption
 from crankstar.tables.analysis import Analysis, analysis
 from crankstar.tables.assumptions import assumption_facts, side_by_side
 from crankstar.tables.by_order import QUANTITIES, none_line, sums_size
 from crankstar.tables.conditions import unverified
 from crankstar.tables.headings import firing_text
-from crankstar.tables.table import ROW_UNIT, Column, Document, Ranged, Table, Value
 
 PLANE = ("force", "couple")
 """Vectors across the crankshaft; the others turn about it."""
@@ -87,7 +88,7 @@ def comparison(shown: Sequence[Analysis], names: Sequence[str] | None = None) ->
         if real
         else _("Greatest value of each order, each engine in its own m r ω²")
     )
-    responses = (*_torsion(compared), *_mounts(compared))
+    responses = _of_analyses(compared)
     return Document(title, (*parts, *_with_gas(compared), *responses, _engines(compared)))
 
 
@@ -101,24 +102,15 @@ def _with_gas(compared: _Compared) -> tuple[Table, ...]:
     return gas_comparison(engines, compared.names, _speeds(compared))
 
 
-def _torsion(compared: _Compared) -> tuple[Table, ...]:
-    """Torsional frequencies of those engines whose files have them."""
+def _of_analyses(compared: _Compared) -> tuple[Table, ...]:
+    """The analyses of those engines whose files have what they are of."""
     engines = [shown.engine for shown in compared.shown]
-    if all(engine.torsion is None for engine in engines):
-        return ()
-    from crankstar.tables.torsion_facts import torsion_comparison
-
-    return torsion_comparison(engines, compared.names, _speeds(compared))
-
-
-def _mounts(compared: _Compared) -> tuple[Table, ...]:
-    """How those engines shake on their mounts whose files have them."""
-    engines = [shown.engine for shown in compared.shown]
-    if not any(engine.mounts for engine in engines):
-        return ()
-    from crankstar.tables.mount_facts import mount_comparison
-
-    return mount_comparison(engines, compared.names, _speeds(compared))
+    return tuple(
+        table
+        for record in analyses()
+        if record.compared is not None and not all(map(record.lacks, engines))
+        for table in record.compared.value(engines, compared.names, _speeds(compared))
+    )
 
 
 def _speeds(compared: _Compared) -> list[float | None]:
@@ -346,18 +338,8 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
 
 
 def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
-    """Torsion and mounts of those engines that have these."""
+    """The analyses of those engines that have what they are of."""
     engines = [shown.engine for shown in compared.shown]
-    sizes = []
-    if any(engine.torsion is not None for engine in engines):
-        from crankstar.tables.torsion_facts import torsion_sizes
-
-        sizes += torsion_sizes(engines, _speeds(compared))
-    if any(engine.mounts for engine in engines):
-        from crankstar.tables.mount_facts import mount_sizes
-
-        sizes += mount_sizes(engines, _speeds(compared))
-
     return [
         (
             what,
@@ -368,11 +350,13 @@ def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
             unit,
             _share(cell, cells[0] or 0.0, 1) if cell else None,
         )
-        for what, order, cells, unit in sizes
+        for record in analyses()
+        if record.sizes is not None and not all(map(record.lacks, engines))
+        for what, order, cells, unit in record.sizes.value(engines, _speeds(compared))
         for own, engine, result, cell in zip(
             engines, compared.names, compared.results, cells, strict=True
         )
-        if (own.torsion is not None if what.startswith("torsion") else own.mounts)
+        if not record.lacks(own)
     ]
 
 

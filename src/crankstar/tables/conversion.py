@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
+from crankstar.analysis.document import ROW_UNIT, Column, Ranged, Table, Value
 from crankstar.language.shown_units import Shown, choice, dimension, shown, shown_in
 from crankstar.language.units import measured
-from crankstar.tables.table import ROW_UNIT, Column, Ranged, Table, Value
 
 
 def in_units(table: Table, *, prefixed: bool = True) -> Table:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.dynamics.whirl import body
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
@@ -16,7 +17,6 @@ from crankstar.studies.diagnosis import EXPLAINS, FEW, Diagnosis, Suspect
 from crankstar.studies.readings import AXES
 from crankstar.studies.single_faults import Fault, Shaken, fault_text, limits
 from crankstar.tables.gas_words import state_facts, state_words
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
 ROWS = 12

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import pi
 from typing import Any
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
@@ -15,7 +16,6 @@ from crankstar.studies.engine_family import ChainDrive, Member
 from crankstar.studies.published_orders import Published
 from crankstar.tables.gas_words import at_points, cycle_state, state_facts
 from crankstar.tables.marine import OF_GUIDES
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
 CHOSEN = {"best": N_("best"), "given": N_("given"), "published": N_("published")}

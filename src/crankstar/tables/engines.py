@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from math import degrees
 from typing import Literal
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine import motion
 from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
@@ -20,7 +21,6 @@ from crankstar.tables.headings import heading, timing_lines
 from crankstar.tables.mount_places import mount_places
 from crankstar.tables.ranges import estimated_paths
 from crankstar.tables.scales import Scale, scales
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 HIGHEST_HARMONIC = 8
 

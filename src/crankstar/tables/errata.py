@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from crankstar.analysis.document import Column, Document, Table
 from crankstar.derive.algebra.typeset import text
 from crankstar.derive.errata import Erratum, sources
 from crankstar.language.messages import N_, _
-from crankstar.tables.table import Column, Document, Table
 
 TITLES = {
     N_("{source}: results"): ("result", "series", "angle"),

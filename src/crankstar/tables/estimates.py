@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, remarks
 from crankstar.engine.engine import Engine
 from crankstar.files import units
 from crankstar.language.messages import N_, _
 from crankstar.tables.ranges import estimated_paths
-from crankstar.tables.table import Column, Document, Remarks, Table, remarks
 
 if TYPE_CHECKING:
     from crankstar.files.estimate import Estimate

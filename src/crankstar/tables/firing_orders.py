@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.firing.orders import Order, place_of
 from crankstar.firing.succession import Follower
@@ -14,7 +15,6 @@ from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.studies.judged_orders import UNITS, Judge
 from crankstar.tables.headings import heading
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 if TYPE_CHECKING:
     from crankstar.dynamics.torsion_modes import Mode

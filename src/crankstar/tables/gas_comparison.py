@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import _
@@ -16,7 +17,6 @@ from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.operating_points import GasError
 from crankstar.studies.gas_results import torque_of
 from crankstar.tables.gas_words import cycle_state, state_facts, state_words
-from crankstar.tables.table import Column, Table, Value
 
 NOTED = 0.01
 """Share of the greatest amplitude of any engine from which an order is shown."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import degrees, pi
 from typing import Any
 
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 from crankstar.dynamics.generator_angle import GeneratorAngle
 from crankstar.dynamics.uneven import Running
 from crankstar.language.messages import N_, _
@@ -18,7 +19,6 @@ from crankstar.tables.gas_words import (
     weaker_facts,
 )
 from crankstar.tables.headings import heading
-from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
 NAMES = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import degrees
 
+from crankstar.analysis.document import Remarks
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import EVENTS, Timing, timing
 from crankstar.firing.intervals import firing
@@ -11,7 +12,6 @@ from crankstar.firing.strokes import without_common_cycle
 from crankstar.language.faults import listed
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
-from crankstar.tables.table import Remarks
 
 ROTATIONS = {
     (False, True): N_("clockwise seen from the front"),

@@ -6,10 +6,10 @@ import re
 from collections.abc import Sequence
 from html import escape
 
+from crankstar.analysis.document import Document, Remarks, Table
 from crankstar.language.quoting import CONTROL
 from crankstar.tables.cells import cells, heading
 from crankstar.tables.conversion import in_units
-from crankstar.tables.table import Document, Remarks, Table
 
 MINUS = re.compile(r"(?<![\w.\])°-])-(?=\d)")
 """A hyphen that is a sign; the one in 1-5-3 or V6-60 is none."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_worst import ROLL, roll_mode
 from crankstar.engine.mounts import Mount
@@ -12,7 +13,6 @@ from crankstar.remedy.isolation import KEPT, Isolation, MountLimits
 from crankstar.tables.gas_words import range_words
 from crankstar.tables.headings import heading
 from crankstar.tables.mount_points import told_point
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 MM = 1e3
 AIMS = {

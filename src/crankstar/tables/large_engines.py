@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+from crankstar.analysis.document import Remarks, Table
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.guide_moments import MarineError, guide_moments
 from crankstar.studies.marine import MarineAnalysis, marine
 from crankstar.tables.marine import guide_table, marine_document
-from crankstar.tables.table import Remarks, Table
 
 LARGE_BORE = 0.2
 """m, of engines that stand in ships and power plants: their guide-force moments matter."""

@@ -17,9 +17,9 @@ from dataclasses import replace
 from math import degrees
 from typing import Any
 
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Ranged, Table, Value
 from crankstar.language.quoting import CONTROL
 from crankstar.tables.conversion import in_units
-from crankstar.tables.table import ROW_UNIT, Column, Document, Ranged, Table, Value
 
 FORMAT = 2
 """Version of the JSON objects."""

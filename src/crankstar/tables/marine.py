@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text
 from crankstar.mechanics import guide_moments as guides
@@ -24,7 +25,6 @@ from crankstar.studies.marine import MarineAnalysis
 from crankstar.tables.gas_words import cycle_state, state_facts, state_words
 from crankstar.tables.headings import heading
 from crankstar.tables.marine_doubts import doubts, power_text
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
 MM = 1e3

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import pi
 from typing import Any
 
+from crankstar.analysis.document import Column, Document, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text
@@ -13,7 +14,6 @@ from crankstar.language.shown_units import quantity_text
 from crankstar.studies.matched_sets import Division
 from crankstar.studies.matching import Matched, Place, labels
 from crankstar.studies.part_weights import Batch
-from crankstar.tables.table import Column, Document, Table, Value, remarks
 
 PARTS = {
     "piston": N_("piston"),

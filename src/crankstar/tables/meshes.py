@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import degrees
 
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.dynamics.meshes import Mesh, meshes, shares
 from crankstar.dynamics.uneven import Running
 from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.mechanics.gas import Cycle
-from crankstar.tables.table import Column, Table, Value
 
 
 def mesh_table(engine: Engine, cycle: Cycle, *, running: Running | None = None) -> Table | None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import degrees
 
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import BlockPoint
 from crankstar.language.messages import _
-from crankstar.tables.table import Column, Table, Value
 
 MM = 1e3
 DOUBTFUL = ("unverified", "placeholder")

@@ -8,13 +8,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_response import MountResponse, rms
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
-from crankstar.tables.table import Column, Table, Value
 
 RPM = 30 / pi
 MM = 1e3

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.dynamics.bearings import BearingLoads
 from crankstar.dynamics.oil_film import SAMPLES, OilFilmError, Orbit, orbit
 from crankstar.engine.engine import Engine
@@ -16,7 +17,6 @@ from crankstar.engine.oil import PlainBearing
 from crankstar.language.messages import _
 from crankstar.mechanics.side_thrust import rod_speeds
 from crankstar.spectra import Real, Spectrum
-from crankstar.tables.table import Column, Table, Value
 
 
 class _Loaded(NamedTuple):

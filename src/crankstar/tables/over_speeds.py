@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _, passage
@@ -40,7 +41,6 @@ from crankstar.tables.conditions import (
     unverified_sentence,
 )
 from crankstar.tables.sweeps import facts, speed_note
-from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value, remarks
 
 
 class Component(NamedTuple):

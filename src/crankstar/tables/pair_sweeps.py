@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Remarks, Table
 from crankstar.language.messages import _, _n, passage
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
@@ -22,7 +23,6 @@ from crankstar.tables.sweeps import (
     facts,
     notes,
 )
-from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table
 
 ACROSS = 7
 """Values of the second number in a table for readers."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from crankstar.analysis.document import Remarks, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given
 from crankstar.language.messages import _
@@ -12,7 +13,6 @@ from crankstar.mechanics.balance import scales as scales_of
 from crankstar.remedy import Placing, clashes
 from crankstar.remedy.clearance import beyond_ends, raised
 from crankstar.tables.scales import scales
-from crankstar.tables.table import Remarks, remarks
 
 
 def placing_lines(

@@ -26,17 +26,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from crankstar.analysis.document import Column, Document, Ranged, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.files.box import MOST_RANGES, Spread
 from crankstar.language.kept import NUMBER, Size, alike, plain, value_of
 from crankstar.language.messages import _, passage
 from crankstar.tables.cells import rough
 from crankstar.tables.hulls import distances, greatest_sum
-from crankstar.tables.table import Column, Document, Ranged, Remarks, Table, Value, remarks
 from crankstar.tables.tops import tops
 
 if TYPE_CHECKING:
-    from crankstar.studies.assumptions import Assumption
+    from crankstar.analysis.assumptions import Assumption
 
 SAME = 1e-7
 """Share of the greatest value of a column below which values are the same."""

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
@@ -30,7 +31,6 @@ from crankstar.tables.cures import cure_lines, none_remains
 from crankstar.tables.gas_rolls import gas_roll_of
 from crankstar.tables.placings import placing_lines
 from crankstar.tables.scales import Scale, scales
-from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 from crankstar.tables.turning import bearing, turning
 
 LOADS = {

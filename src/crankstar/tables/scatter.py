@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import pi
 from typing import Any
 
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.files.tolerances import Tolerance
 from crankstar.files.units import text
@@ -18,7 +19,6 @@ from crankstar.studies.scatter import SIGNALS, OrderScatter, Scatter
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.headings import heading
 from crankstar.tables.ranges import estimated_paths
-from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 
 NAMES = {
     "force": N_("force"),

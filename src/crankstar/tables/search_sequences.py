@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
@@ -13,7 +14,6 @@ from crankstar.search.shafts import Fired, followed
 from crankstar.search.vector_sums import OrderSum, SequenceQuestion, couple, force, shares
 from crankstar.tables.firing_orders import JUDGEMENTS, judge_column, mode_sentence
 from crankstar.tables.sequence_verdicts import Judged, judged_by, judgement, placed, uneven, verdict
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 if TYPE_CHECKING:
     from crankstar.dynamics.torsion_modes import Mode

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.derive.algebra import radicals as radical
 from crankstar.derive.algebra.formula import has_decimal
 from crankstar.derive.algebra.typeset import text as formula_text
@@ -19,7 +20,6 @@ from crankstar.search.question import All, Best, Front, Question
 from crankstar.search.stars import Stars
 from crankstar.search.sums import Limit, Objective, VectorSum, couple
 from crankstar.tables.estimates import typical_remarks
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 ZERO = 1e-6
 """Length up to which a region that holds an exact zero is named as that."""

@@ -12,6 +12,7 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
+from crankstar.analysis.document import Column, Document, Remarks, Table
 from crankstar.files.sheets import MAIN, Sheet
 from crankstar.files.workbook import add_sheets
 from crankstar.language.messages import _
@@ -19,7 +20,6 @@ from crankstar.language.quoting import CONTROL
 from crankstar.tables.cells import cell, head
 from crankstar.tables.conversion import in_units
 from crankstar.tables.machine import columns, plain_values
-from crankstar.tables.table import Column, Document, Remarks, Table
 
 LONGEST_NAME = 31
 """Letters that a sheet may have in its name."""

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import EVENTS
 from crankstar.firing.exhaust_orders import exhaust_orders, firing_rate
@@ -29,7 +30,6 @@ from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
 from crankstar.spectra import Complex, Real
 from crankstar.tables.headings import heading, timing_lines
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 HIGHEST = 4.0
 """The highest order of the exhaust that is listed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from crankstar.analysis.document import Remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _, passage
@@ -16,7 +17,6 @@ from crankstar.tables.cures import cure_lines, left_by_counterweights, none_rema
 from crankstar.tables.gas_rolls import largest_sentence
 from crankstar.tables.peaks import FELT, part_peaks
 from crankstar.tables.roll_cures import largest_roll
-from crankstar.tables.table import Remarks
 from crankstar.tables.verdict import largest_sentences
 
 GRAVITY = 9.80665

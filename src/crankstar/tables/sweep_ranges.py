@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Ranged, Remarks
 from crankstar.language.messages import _
 from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import shown
@@ -23,7 +24,6 @@ from crankstar.tables.cells import rough
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.hulls import greatest_sum
 from crankstar.tables.ranges import doubt, real_range
-from crankstar.tables.table import Ranged, Remarks
 
 ENDS = ("typical", "low", "high")
 MOST_VALUES = 2000

@@ -9,21 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from crankstar.language.messages import _, passage
-from crankstar.language.numbers import NEGLIGIBLE, number
-from crankstar.language.shown_units import quantity_text
-from crankstar.mechanics.balance import balance
-from crankstar.mechanics.labelled import AXIAL, VECTORS
-from crankstar.spectra import Real
-from crankstar.studies.best_value import Best
-from crankstar.studies.gas_results import GAS_WATCHABLE
-from crankstar.studies.mount_results import MOUNT_WATCHABLE
-from crankstar.studies.sweep import Curve, Sweep
-from crankstar.studies.torsion_results import TORSION_WATCHABLE
-from crankstar.tables import ranges
-from crankstar.tables.conditions import missing_sentence, unit_sentence
-from crankstar.tables.sweep_ranges import Band, estimate_remarks, ranged_text
-from crankstar.tables.table import (
+from crankstar.analysis.document import (
     ROW_UNIT,
     Column,
     Document,
@@ -34,6 +20,19 @@ from crankstar.tables.table import (
     Value,
     remarks,
 )
+from crankstar.analysis.registry import measures
+from crankstar.language.messages import _, passage
+from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.balance import balance
+from crankstar.mechanics.labelled import AXIAL, VECTORS
+from crankstar.spectra import Real
+from crankstar.studies.best_value import Best
+from crankstar.studies.gas_results import GAS_WATCHABLE
+from crankstar.studies.sweep import Curve, Sweep
+from crankstar.tables import ranges
+from crankstar.tables.conditions import missing_sentence, unit_sentence
+from crankstar.tables.sweep_ranges import Band, estimate_remarks, ranged_text
 
 FOUND = 1e-7
 """Share of the greatest value of a curve to which its best value is found; less is zero."""
@@ -81,9 +80,9 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
         "them."
     )
     more = (_estimates_note(sweep), added if sweep.adds else "")
-    if curves and all(curve.what in (*TORSION_WATCHABLE, *MOUNT_WATCHABLE) for curve in curves):
+    if curves and all(curve.what in measures() for curve in curves):
         return remarks(_estimates_note(sweep), kind="note")
-    own = (*GAS_WATCHABLE, *TORSION_WATCHABLE, *MOUNT_WATCHABLE)
+    own = (*GAS_WATCHABLE, *measures())
     gas = bool(curves) and all(curve.what in own for curve in curves)
     return remarks(counted, "" if gas else speed_note(sweep), *more, kind="note")
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from crankstar.analysis.document import Column, Document, Remarks, Table
 from crankstar.language.messages import _
 from crankstar.language.quoting import CONTROL
 from crankstar.tables.cells import cells, heading
 from crankstar.tables.conversion import in_units
-from crankstar.tables.table import Column, Document, Remarks, Table
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from crankstar.tables.table import ROW_UNIT, Column, Table, Value
+from crankstar.analysis.document import ROW_UNIT, Column, Table, Value
 
 
 def tops(table: Table, others: Sequence[Table]) -> list[Callable[[tuple[Value, ...]], float]]:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value, remarks
 from crankstar.dynamics.uneven import Running
 from crankstar.engine.dead_centres import pistons
 from crankstar.engine.engine import Engine
@@ -32,7 +33,6 @@ from crankstar.tables.gas_words import (
 )
 from crankstar.tables.headings import heading
 from crankstar.tables.meshes import mesh_table
-from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value, remarks
 from crankstar.tables.torque_orders import Orders, by_order, order_table, orders_of_note, roll_table
 from crankstar.tables.torque_parts import (
     changes_table,

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import _
@@ -19,7 +20,6 @@ from crankstar.mechanics.gas_torque import GasTorque, added, gas_roll, gas_torqu
 from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Complex, Spectrum
 from crankstar.tables.gas_words import at_points
-from crankstar.tables.table import Column, Table, Value
 
 NOTED = 0.01
 """Share of the greatest amplitude from which an order is shown to readers."""

@@ -7,6 +7,7 @@ from math import degrees
 
 import numpy as np
 
+from crankstar.analysis.document import ROW_UNIT, Column, Table
 from crankstar.dynamics.uneven import Running
 from crankstar.dynamics.uneven_forces import HIGHEST as HIGHEST_UNEVEN
 from crankstar.dynamics.uneven_forces import changes, worth_telling
@@ -19,7 +20,6 @@ from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
 from crankstar.mechanics.side_thrust import greatest_side_thrust
 from crankstar.spectra import Real
-from crankstar.tables.table import ROW_UNIT, Column, Table
 
 TANGENTIAL = 12.0
 """The highest order of tangential pressures that is listed."""

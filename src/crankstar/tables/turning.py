@@ -9,6 +9,7 @@ from math import degrees
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
 from crankstar.language.messages import _
@@ -16,7 +17,6 @@ from crankstar.mechanics.balance import balance, default_reference, scales, tota
 from crankstar.mechanics.remains import OPTIMISED
 from crankstar.remedy import changes
 from crankstar.remedy.kept import vectors
-from crankstar.tables.table import Column, Table, Value
 
 
 def turning(before: Engine, after: Engine, *, speed: float | None) -> Iterator[Table]:

@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.language.messages import _, passage
 from crankstar.language.numbers import number
 from crankstar.remedy.two_planes import HOLDS, LEAST_EFFECT, Split, static_and_couple
 from crankstar.spectra import Complex, Real
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 MM2 = 1e9
 """g mm^2 in kg m^2."""

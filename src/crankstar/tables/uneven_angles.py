@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from crankstar.analysis.document import Column, Document, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.mechanics.remains import SOLVED
@@ -13,7 +14,6 @@ from crankstar.search.faults import error
 from crankstar.search.question import Question
 from crankstar.search.stars import Star, Stars
 from crankstar.search.sums import VectorSum, force
-from crankstar.tables.table import Column, Document, Table, Value
 
 FREE_FORCE = 1e-3
 """The weight of a free force beside a couple.

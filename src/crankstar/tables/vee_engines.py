@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value
 from crankstar.firing.vees import ORDERS, Vee, interval_deg
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
-from crankstar.tables.table import Column, Document, Remarks, Table, Value
 
 FORCE, COUPLE = "m*r*w^2*A_k", "m*r*w^2*A_k*a"
 SPLIT_EXAMPLES = (60.0, 90.0, 72.0)

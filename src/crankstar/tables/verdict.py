@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.document import Column, Document, Table
+from crankstar.analysis.registry import analyses
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _, passage
@@ -34,7 +36,6 @@ from crankstar.tables.firing_facts import layout_sentence, succession_lines
 from crankstar.tables.gas_rolls import largest_sentence
 from crankstar.tables.paths import course, vector_name
 from crankstar.tables.relatives import relative_lines
-from crankstar.tables.table import Column, Document, Table
 
 NONE = {
     "force": N_("No force of any order up to {order}."),
@@ -62,7 +63,7 @@ MOMENTS = {
 class Fact(NamedTuple):
     """A sentence and its subject.
 
-    One of layout, firing, units, force, couple, roll, torsion, mounts, tolerances, cure, relatives.
+    One of layout, firing, units, force, couple, roll, tolerances, cure, relatives, or an analysis.
     """
 
     about: str
@@ -93,8 +94,7 @@ def verdict(
         ("couple", _vector_sentences("couple", result, sums)),
         ("roll", largest_sentence(engine, speed=speed)),
         ("roll", _moment_sentences(result, sums)),
-        *(("torsion", sentence) for sentence in _torsion(engine, speed)),
-        *(("mounts", sentence) for sentence in _mounts(engine, speed)),
+        *_of_analyses(engine, speed),
         *(("cure", sentence) for sentence in _cures(engine, speed)),
         *(("relatives", sentence) for sentence in (relative_lines(engine) if relatives else [])),
     ]
@@ -132,8 +132,7 @@ def subjects() -> dict[str, str]:
         "force": _("force"),
         "couple": _("couple"),
         "roll": _("rolling moment"),
-        "torsion": _("torsion"),
-        "mounts": _("mounts"),
+        **{record.name: _(record.subject) for record in analyses() if record.facts},
         "tolerances": _("as built"),
         "cure": _("remedy"),
         "relatives": _("comparison"),
@@ -243,22 +242,12 @@ def _moment_sentences(result: Balance, sums: Sums) -> str:
     return passage(out) or _("No rolling moment from inertia.")
 
 
-def _torsion(engine: Engine, speed: float | None) -> list[str]:
-    """How the crankshaft of an engine with a table [torsion] vibrates."""
-    if engine.torsion is None:
-        return []
-    from crankstar.tables.torsion_facts import torsion_sentences  # with scipy, for these alone
-
-    return torsion_sentences(engine, speed=speed)
-
-
-def _mounts(engine: Engine, speed: float | None) -> list[str]:
-    """How an engine with [[mounts]] shakes on them."""
-    if not engine.mounts:
-        return []
-    from crankstar.tables.mount_facts import mount_sentences  # with scipy, for these alone
-
-    return mount_sentences(engine, speed=speed)
+def _of_analyses(engine: Engine, speed: float | None) -> Iterator[tuple[str, str]]:
+    """What the analyses say whose tables the engine file has."""
+    for record in analyses():
+        if record.facts is not None and not record.lacks(engine):
+            for sentence in record.facts.value(engine, speed=speed):
+                yield record.name, sentence
 
 
 def _cures(engine: Engine, speed: float | None) -> list[str]:

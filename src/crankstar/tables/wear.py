@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from math import degrees
 
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.dynamics.bearings import BearingLoads
 from crankstar.dynamics.wear import Wear, wear
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
-from crankstar.tables.table import Column, Table, Value
 
 
 def wear_table(engine: Engine, loads: BearingLoads) -> Table:

@@ -7,13 +7,13 @@ from dataclasses import replace
 from math import degrees, pi
 from typing import NamedTuple
 
+from crankstar.analysis.document import Column, Document, Table, Value, remarks
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.remedy.drilling import Drill, Holes
 from crankstar.remedy.grades import GRADES, grade_met, grade_of, grade_of_planes, permissible
 from crankstar.tables.scales import Scale
-from crankstar.tables.table import Column, Document, Table, Value, remarks
 
 USUAL = tuple(grade for grade in GRADES if 1 <= grade <= 40)
 """Grades that are listed where none is asked for."""

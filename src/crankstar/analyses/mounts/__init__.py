@@ -2,6 +2,8 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `facts` | what a verdict and a comparison say of it |
+| `measures` | what a sweep may watch of it |
 | `question` | what is asked |
 | `answer` | what answers it, and what that rests on |
 | `speed_tables` | vibration and forces speed by speed |
@@ -10,8 +12,10 @@
 
 from __future__ import annotations
 
-from crankstar.analysis.record import Analysis, Figure, Later
+from crankstar.analysis.record import Analysis, Figure, Later, Measure
 from crankstar.language.messages import N_
+
+EVERY_MODE = tuple(f"mode {number}" for number in range(1, 13))
 
 
 def _turns(found: object) -> bool:
@@ -53,4 +57,20 @@ RECORD = Analysis(
             shows=_turns,
         ),
     ),
+    subject=N_("mounts"),
+    facts=Later("crankstar.analyses.mounts.facts:sentences"),
+    compared=Later("crankstar.analyses.mounts.facts:compared"),
+    sizes=Later("crankstar.analyses.mounts.facts:sizes"),
+    measures=(
+        *(
+            Measure(f"mount_mode_{number}", "Hz", (f"mode {number}",), natural=True)
+            for number in range(1, 7)
+        ),
+        Measure("mount_roll_mode", "Hz", EVERY_MODE, natural=True),
+        Measure("mount_roll_share", "", EVERY_MODE, natural=True),
+        Measure("mount_force", "N", ("mount force",), orders=True),
+        Measure("mount_velocity", "mm/s", ("velocity at the point",), orders=True),
+    ),
+    measured=Later("crankstar.analyses.mounts.measures:measured"),
+    natural=Later("crankstar.studies.response_answers:mounted_modes"),
 )

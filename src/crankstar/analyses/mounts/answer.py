@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from crankstar.analyses.mounts.question import Question
+from crankstar.analysis.assumptions import Answer
 from crankstar.dynamics.mount_analysis import MountAnalysis, mounts
 from crankstar.engine.engine import Engine
-from crankstar.studies.assumptions import Answer
 from crankstar.studies.response_answers import on_mounts
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from crankstar.analyses.mounts.question import Question
 from crankstar.analyses.mounts.speed_tables import known, of_mounts, speed_tables
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_modes import Axis
 from crankstar.dynamics.mount_response import MountResponse
@@ -25,7 +26,6 @@ from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.gas_words import range_facts, range_words, state_facts, state_words
 from crankstar.tables.headings import heading
 from crankstar.tables.mount_points import FREEDOM_NAMES, point_tables, told_point
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 RPM = 30 / pi
 MM, UM = 1e3, 1e6

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
-from crankstar.analysis import readers
+from crankstar.options import readers
 
 
 @dataclass(frozen=True)

@@ -7,13 +7,13 @@ from math import pi
 
 import numpy as np
 
+from crankstar.analysis.document import Column, Table, Value, for_each
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_response import MountResponse, peak, rms
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Real
-from crankstar.tables.table import Column, Table, Value, for_each
 
 RPM = 30 / pi
 MM, UM = 1e3, 1e6

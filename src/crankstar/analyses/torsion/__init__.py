@@ -2,6 +2,9 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `measures` | what a sweep may watch of it |
+| `fatigue_tables` | fatigue of the crankshaft |
+| `facts` | what a verdict and a comparison say of it |
 | `question` | what is asked |
 | `answer` | what answers it, and what that rests on |
 | `chain_tables` | masses and shafts, modes with their shapes and nodes, Holzer's table |
@@ -10,7 +13,7 @@
 
 from __future__ import annotations
 
-from crankstar.analysis.record import Analysis, Figure, Later
+from crankstar.analysis.record import Analysis, Figure, Later, Measure
 from crankstar.language.messages import N_
 
 RECORD = Analysis(
@@ -68,6 +71,17 @@ RECORD = Analysis(
             shows=lambda found: len(found.modes) > 1,
         ),
     ),
+    subject=N_("torsion"),
+    facts=Later("crankstar.analyses.torsion.facts:sentences"),
+    compared=Later("crankstar.analyses.torsion.facts:compared"),
+    sizes=Later("crankstar.analyses.torsion.facts:sizes"),
+    measures=(
+        Measure("torsion_frequency", "Hz", ("natural frequency",), natural=True),
+        Measure("torsion_stress", "MPa", ("torsional stress",), orders=True),
+        Measure("torsion_amplitude", "deg", ("torsional amplitude",), orders=True),
+    ),
+    measured=Later("crankstar.analyses.torsion.measures:measured"),
+    natural=Later("crankstar.studies.response_answers:twisting_modes"),
     chains=("speeds", "orders", "modes", "holzer"),
     estimates=True,
 )

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from crankstar.analyses.torsion.question import Question
+from crankstar.analysis.assumptions import Answer
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import _n
 from crankstar.options.refusals import refusal
-from crankstar.studies.assumptions import Answer
 from crankstar.studies.response_answers import twist
 
 

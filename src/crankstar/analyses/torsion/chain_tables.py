@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from crankstar.analysis.document import Column, Table, Value, for_each
 from crankstar.dynamics.torsion_modes import HolzerRow, Mode, Node
 from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.language.messages import _
-from crankstar.tables.table import Column, Table, Value, for_each
 
 STIFFNESS = 1e-3
 """From N m/rad to the kN m/rad that tables have."""

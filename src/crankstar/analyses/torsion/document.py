@@ -17,7 +17,9 @@ from crankstar.analyses.torsion.chain_tables import (
     section_tables,
     shape_table,
 )
+from crankstar.analyses.torsion.fatigue_tables import fatigue_of, fatigue_tables
 from crankstar.analyses.torsion.question import Question
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, for_each, remarks
 from crankstar.dynamics.torsion_analysis import SAME_ORDER, TorsionAnalysis
 from crankstar.dynamics.torsion_criticals import Critical, stresses
 from crankstar.dynamics.torsion_modes import holzer
@@ -28,7 +30,6 @@ from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.doubts import torsion_doubts
 from crankstar.spectra import Real
-from crankstar.tables.crank_fatigue import fatigue_of, fatigue_tables
 from crankstar.tables.gas_words import (
     cycle_state,
     range_facts,
@@ -37,7 +38,6 @@ from crankstar.tables.gas_words import (
     state_words,
 )
 from crankstar.tables.headings import heading
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, for_each, remarks
 from crankstar.tables.torque import assumed_notes
 from crankstar.tables.torque import notes as cycle_notes
 

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
-from crankstar.analysis import readers
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
+from crankstar.options import readers
 from crankstar.options.refusals import RequestError
 
 MOST_MODES = 300

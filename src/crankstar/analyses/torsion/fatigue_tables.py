@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import pi
 from typing import Literal
 
+from crankstar.analysis.document import Column, Table, Value, for_each
 from crankstar.dynamics.crank_fatigue import (
     ACCEPTED,
     Fatigue,
@@ -20,7 +21,6 @@ from crankstar.engine.fillets import fillet_ratios
 from crankstar.language.kept import as_given
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
-from crankstar.tables.table import Column, Table, Value, for_each
 
 RPM = 30 / pi
 MPA = 1e-6

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import pi
 from typing import NamedTuple
 
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.dynamics.mount_analysis import MountAnalysis, mounts
 from crankstar.dynamics.mount_worst import ROLL, Worst, roll_mode, worst
 from crankstar.dynamics.mounted_block import MountError
@@ -14,7 +15,6 @@ from crankstar.language.kept import as_given
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
-from crankstar.tables.table import Column, Table, Value
 
 RPM = 30 / pi
 MM = 1e3
@@ -30,7 +30,7 @@ class _Told(NamedTuple):
     velocity: Worst | None
 
 
-def mount_sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
+def sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
     """The natural modes, the worst force on the ground, the worst shake of the point; or nothing.
 
     >>> from crankstar.files.catalog import load
@@ -39,7 +39,7 @@ def mount_sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
     >>> about = {"inertia_up": "8 kg*m^2", "inertia_right": "9 kg*m^2", "inertia_z": "4 kg*m^2"}
     >>> block = {"mass": "150 kg", "z": "0 m", **about}
     >>> five = load("audi-25-tfsi", changes={"mounts": rubber, "block": block})
-    >>> mount_sentences(five)[0]  # sqrt(2 * 50 N/mm * (0.5 m)^2 / 4 kg m^2)/2 pi
+    >>> sentences(five)[0]  # sqrt(2 * 50 N/mm * (0.5 m)^2 / 4 kg m^2)/2 pi
     'Roll on the mounts: 12.58 Hz, all six modes between 2.621 and 12.58 Hz.'
     """
     if not engine.mounts:
@@ -118,7 +118,7 @@ def _point(engine: Engine) -> str:
     return _("The centre of mass")
 
 
-def mount_comparison(
+def compared(
     engines: Sequence[Engine], names: Sequence[str], speeds: Sequence[float | None]
 ) -> tuple[Table, ...]:
     """Modes, force on the ground and shake of the engines that have mounts."""
@@ -154,7 +154,7 @@ def _cells(told: _Told) -> tuple[Value, ...]:
     return force.size, force.speed * RPM, velocity.size * MM, velocity.speed * RPM
 
 
-def mount_sizes(
+def sizes(
     engines: Sequence[Engine], speeds: Sequence[float | None]
 ) -> list[tuple[str, float | None, list[float | None], str]]:
     """The same for machines: quantity, order, the value of each engine, unit.

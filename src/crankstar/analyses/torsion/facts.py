@@ -5,26 +5,26 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import pi
 
+from crankstar.analyses.torsion.fatigue_tables import fatigue_sentence
+from crankstar.analysis.document import Column, Table, Value
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
 from crankstar.dynamics.torsion_criticals import Critical
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
-from crankstar.tables.crank_fatigue import fatigue_sentence
-from crankstar.tables.table import Column, Table, Value
 
 RPM = 30 / pi
 MODES = 3
 
 
-def torsion_sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
+def sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
     """The first torsional mode, the critical speed that counts for most, fatigue; or nothing.
 
     >>> from crankstar.files.catalog import load
     >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
     >>> own = {"inertia": "0.02 kg*m^2", "stiffness": "0.6 MN*m/rad", "disc": [disc]}
-    >>> torsion_sentences(load("audi-25-tfsi", changes={"torsion": own}))[0]
+    >>> sentences(load("audi-25-tfsi", changes={"torsion": own}))[0]
     'First torsional mode: 278.1 Hz.'
     """
     if engine.torsion is None:
@@ -73,7 +73,7 @@ def _strongest(found: TorsionAnalysis) -> Critical | None:
     return next((each for each in found.criticals if each[:2] == place), top)
 
 
-def torsion_comparison(
+def compared(
     engines: Sequence[Engine], names: Sequence[str], speeds: Sequence[float | None]
 ) -> tuple[Table, ...]:
     """The first frequencies and the strongest critical speed of engines with a table [torsion]."""
@@ -103,7 +103,7 @@ def torsion_comparison(
     return (Table(_("Torsion"), columns, tuple(rows)),)
 
 
-def torsion_sizes(
+def sizes(
     engines: Sequence[Engine], speeds: Sequence[float | None]
 ) -> list[tuple[str, float | None, list[float | None], str]]:
     """The same for machines: quantity, order, the value of each engine, unit.

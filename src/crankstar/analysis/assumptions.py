@@ -21,12 +21,12 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Literal
 
+from crankstar.analysis.changed_values import Vary
+from crankstar.analysis.tried_values import Figure, Figures, Tried, Tuning
 from crankstar.engine.engine import Engine
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import MessageError
 from crankstar.mechanics.gas import Cycle
-from crankstar.studies.changed_values import Vary
-from crankstar.studies.tried_values import Figure, Figures, Tried, Tuning
 
 Status = Literal["doubtful", "missing", "left out", "assumed", "estimated", "unverified"]
 Uses = Literal["inertia", "gas", "running", "bearings", "torsion", "mounts", "valves", "fitted"]
