@@ -14,7 +14,7 @@ from tests.lacking import RUBBER
 
 import crankstar
 from crankstar import spectra
-from crankstar.charts.mount_responses import mount_response_chart
+from crankstar.analyses.mounts.charts.responses import mount_response_chart
 from crankstar.dynamics.mounted_block import mounted_block, settled
 from crankstar.files.catalog import path_of
 from crankstar.mechanics.gas import cycle
@@ -238,8 +238,8 @@ def test_gas_is_left_out_of_the_numbers_that_it_belongs_to(mounted: str, run: Ru
     assert "Not in the rolling moment: gas." in run("analyze", "i4").out
     assert "Not in the loads: gas." in run("bearings", "i4").out
     bare = crankstar.load(mounted).model_copy(update={"gas": None})
+    from crankstar.analyses.mounts.figures import on_mounts
     from crankstar.studies.answers import rests_on
-    from crankstar.studies.response_answers import on_mounts
 
     [gas] = [each for each in rests_on(bare, on_mounts(bare)) if each.path == "gas"]
     assert "forced vibration" in gas.sentence

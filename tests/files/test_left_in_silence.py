@@ -107,7 +107,7 @@ def test_crankpins_that_new_counterweights_do_not_balance_are_named(
 
 
 def test_axes_are_as_uncertain_of_an_estimated_block_as_of_a_given_one() -> None:
-    from crankstar.studies.response_answers import on_mounts
+    from crankstar.analyses.mounts.figures import on_mounts
 
     engine = standing()
     assert engine.block is not None
@@ -272,7 +272,7 @@ def test_where_a_charge_is_kept_that_a_run_by_hand_would_change_it_is_said() -> 
 
 
 def test_gas_that_a_file_does_not_give_has_its_size_on_the_mounts() -> None:
-    from crankstar.studies.response_answers import on_mounts
+    from crankstar.analyses.mounts.figures import on_mounts
 
     tree = tomllib.loads(tree_text(FIVE) + f'\n[block]\nmass = "150 kg"\n{RUBBER}')
     engine, speeds = engine_of(tree), [3000 * pi / 30]

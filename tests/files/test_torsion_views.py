@@ -13,9 +13,9 @@ from tests.methods.test_torsion_charts import tree
 from tests.twisting import pushes, row
 
 import crankstar
-from crankstar.analyses.torsion.measures import greatest_stress, torsion_peak
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_criticals import stresses
+from crankstar.dynamics.torsion_peaks import greatest_stress, torsion_peak
 from crankstar.dynamics.torsion_response import response
 from crankstar.files import changed, engine_of
 from crankstar.studies.variants import SweepError

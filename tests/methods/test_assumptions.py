@@ -13,6 +13,8 @@ from tests.commands import Run
 from tests.files.conftest import run
 
 from crankstar import spectra
+from crankstar.analyses.mounts.figures import on_mounts
+from crankstar.analyses.torsion.figures import twist
 from crankstar.analysis.assumptions import Assumption
 from crankstar.analysis.changed_values import with_bearings_moved
 from crankstar.dynamics.bearings import bearing_loads
@@ -25,7 +27,6 @@ from crankstar.files.catalog import load, names
 from crankstar.mechanics.gas import cycle
 from crankstar.studies.answer_parts import narrowed
 from crankstar.studies.answers import amplitudes, bearing_peaks, rests_on, torques
-from crankstar.studies.response_answers import on_mounts, twist
 from crankstar.tables.assumptions import assumption_lines
 
 __all__ = ["run"]

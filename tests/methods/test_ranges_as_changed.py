@@ -12,6 +12,7 @@ import pytest
 from tests.lacking import FIVE, GENSET
 from tests.twisting_engines import TORSION
 
+from crankstar.analyses.torsion.figures import twist
 from crankstar.analysis.assumptions import Answer, Assumption
 from crankstar.dynamics.mount_analysis import mounts
 from crankstar.dynamics.torsion_analysis import torsion
@@ -20,7 +21,6 @@ from crankstar.files import engine_of
 from crankstar.files.catalog import load
 from crankstar.mechanics.gas import cycle
 from crankstar.studies.answers import amplitudes, rests_on, torques
-from crankstar.studies.response_answers import twist
 from crankstar.studies.sweep import sweep, watched
 from crankstar.studies.sweep_answers import judged
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from crankstar.analyses.torsion.figures import twist
 from crankstar.analysis.assumptions import Assumption
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.engine.engine import Engine
@@ -15,7 +16,6 @@ from crankstar.files import engine_of
 from crankstar.mechanics.doubts import torsion_doubts
 from crankstar.studies.answers import rests_on
 from crankstar.studies.assumed_values import assumed_values
-from crankstar.studies.response_answers import twist
 
 BARE, SHAFT, REAR, FLYWHEEL = 0.009, 1.2e6, 1.6e6, 0.45
 SIX: dict[str, Any] = {

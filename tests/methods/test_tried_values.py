@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from tests.mounted_engines import MOUNTS, standing
 
+from crankstar.analyses.mounts.figures import on_mounts
 from crankstar.analysis.assumptions import Answer, Assumption
 from crankstar.analysis.changed_values import with_turning_masses
 from crankstar.analysis.tried_values import Tried, Tuning
@@ -19,7 +20,7 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load
 from crankstar.studies.answers import amplitudes, rests_on, summary
-from crankstar.studies.response_answers import felt, on_mounts
+from crankstar.studies.response_answers import felt
 from crankstar.studies.single_faults import Fault, shaken
 from crankstar.tables.assumptions import assumption_facts, assumption_lines
 

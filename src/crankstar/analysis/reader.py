@@ -41,12 +41,9 @@ class Asked(NamedTuple):
 def asked(question: type[Any]) -> tuple[Asked, ...]:
     """The fields of a question in their order; each is annotated with its Reader.
 
-    >>> from typing import Annotated
-    >>> @dataclass(frozen=True)
-    ... class Question:
-    ...     factor: Annotated[float, Reader("--factor", float)] = 0.5
-    >>> [(each.name, each.reader.option, each.default) for each in asked(Question)]
-    [('factor', '--factor', 0.5)]
+    >>> from crankstar.analysis.registry import analysis
+    >>> [each.reader.option for each in asked(analysis("mounts").question.value)]
+    ['--point', '--speed', '--speeds', '--at', '--orders']
     """
     hints = get_type_hints(question, include_extras=True)
     out: list[Asked] = []

@@ -10,7 +10,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, get_args
 
 if TYPE_CHECKING:
     from crankstar.analysis.assumptions import Answer
@@ -44,8 +45,47 @@ class Later(Generic[T]):
 
 
 @dataclass(frozen=True)
+class Chart:
+    """A chart: the module and name of its function, a line about it, the type of `quantity`."""
+
+    name: str
+    path: str
+    about: str
+    kind: str = ""
+
+    @cached_property
+    def _module(self) -> ModuleType:
+        return import_module(self.path.partition(":")[0])
+
+    @property
+    def draw(self) -> Callable[..., Any]:
+        """Its function, loaded on first use."""
+        return getattr(self._module, self.path.partition(":")[2])
+
+    @property
+    def quantities(self) -> tuple[str, ...]:
+        """The values of `quantity`."""
+        return get_args(getattr(self._module, self.kind)) if self.kind else ()
+
+    @property
+    def options(self) -> tuple[str, ...]:
+        """The options of its function."""
+        return tuple(self.draw.__kwdefaults__ or ())
+
+    @property
+    def compares(self) -> bool:
+        """Whether several engines can be drawn side by side."""
+        return self.draw.__annotations__.get("engine") == "Engines"
+
+    @property
+    def of_chains(self) -> bool:
+        """Whether it also draws a drive line without cylinders."""
+        return "source" in self.draw.__annotations__
+
+
+@dataclass(frozen=True)
 class Figure:
-    """A figure of an analysis: its name among the charts, which quantity, and its caption.
+    """A figure of a report: the name of the chart, of which quantity, and its caption.
 
     `shows` tells of a result whether there is something to draw; `more`: in the full report alone.
     """
@@ -90,7 +130,8 @@ class Analysis:
     document   (source, result, question) -> Document, for readers and machines
     answer     (engine, question) -> Answer: the figures that its assumptions move
     lacks      (engine) -> whether its file lacks what the analysis is of
-    figures    what is drawn of it
+    charts     what can be plotted of it
+    figures    which of these a report has
     subject    what its sentences in a verdict are about
     facts      (engine, speed=) -> those sentences
     compared   (engines, names, speeds) -> tables of engines side by side
@@ -115,6 +156,7 @@ class Analysis:
     answer: Later[Callable[[Engine, Any], Answer]]
     lacks: Callable[[Engine], bool]
     refuse: Later[Callable[[Engine | Chain, Any], None]] | None = None
+    charts: tuple[Chart, ...] = ()
     figures: tuple[Figure, ...] = ()
     subject: str = ""
     facts: Later[Callable[..., list[str]]] | None = None

@@ -19,6 +19,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `choices` | the quantity and the order of a figure where none is named |
 | `labels` | where labels stand, and their leaders |
 | `plane` | the clock plane as a picture with equal scales |
+| `vector_panels` | the vectors of cylinders and their sum as a panel |
 | `themes` | the colours of light and dark screens and of paper |
 | `paper` | a chart at a stated size, with letters of a stated size |
 | `fonts` | free fonts for Japanese and Cyrillic letters |
@@ -51,15 +52,6 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `contour_lines` | lines along which a result has one value, with their labels |
 | `pair_sweeps` | results over two numbers of the engine, and the front of two results |
 | `amplitude_curves` | amplitudes over the speed |
-| `torsion_words` | what figures of torsion say, and why there are none |
-| `modes` | the shapes of torsional modes along the chain |
-| `campbell_diagrams` | natural frequencies and orders over the speed |
-| `torsion_responses` | torsional vibration over the speed |
-| `torsion_stars` | the vectors of the cylinders of an order in a mode |
-| `mount_words` | what figures of an engine on its mounts say |
-| `mount_layouts` | the mounts in three views, with the block's axes |
-| `mount_modes` | the natural modes on the mounts, freedom by freedom |
-| `mount_responses` | vibration and forces on the mounts over the speed |
 | `errata` | a printed formula beside the true one |
 | `front_axes` | the axes of a front, straight or logarithmic |
 | `search_values` | the values and firing orders of found stars as text |
@@ -84,7 +76,6 @@ if TYPE_CHECKING:
     from crankstar.charts.amplitude_curves import amplitudes
     from crankstar.charts.balance_shafts import balance_shaft_chart
     from crankstar.charts.bending import bending_chart
-    from crankstar.charts.campbell_diagrams import campbell
     from crankstar.charts.canvas import Canvas, drawn_on
     from crankstar.charts.crank_stars import crank_star
     from crankstar.charts.curve_names import names_of
@@ -99,15 +90,11 @@ if TYPE_CHECKING:
     from crankstar.charts.fronts import pareto_front, sequence_chart
     from crankstar.charts.guide_moment_bars import guide_moment_chart
     from crankstar.charts.hodographs import hodograph
-    from crankstar.charts.modes import mode_shapes
-    from crankstar.charts.mount_layouts import mount_layout_chart
-    from crankstar.charts.mount_modes import mount_mode_chart
-    from crankstar.charts.mount_responses import mount_response_chart, transmissibility_chart
     from crankstar.charts.pair_sweeps import contours
     from crankstar.charts.paper import Paper, Print, printed
     from crankstar.charts.polar_diagrams import polar_loads
     from crankstar.charts.pressures import pressure_chart
-    from crankstar.charts.registry import CHARTS, Figure, side_by_side
+    from crankstar.charts.registry import CHARTS, side_by_side
     from crankstar.charts.saving import SUFFIXES, saved, saved_print
     from crankstar.charts.scatter import scatter_chart
     from crankstar.charts.search_stars import best_stars
@@ -118,8 +105,6 @@ if TYPE_CHECKING:
     from crankstar.charts.sweeps import swept
     from crankstar.charts.torque import torque_chart
     from crankstar.charts.torsion_fronts import sequence_stars
-    from crankstar.charts.torsion_responses import torsion_response_chart
-    from crankstar.charts.torsion_stars import torsion_star
     from crankstar.charts.vector_diagrams import Diagram, Named, polar_vectors
     from crankstar.charts.vector_stars import polygon, vector_star
 
@@ -130,7 +115,6 @@ __all__ = [
     "Canvas",
     "ChartError",
     "Diagram",
-    "Figure",
     "Named",
     "Paper",
     "Print",
@@ -138,7 +122,6 @@ __all__ = [
     "balance_shaft_chart",
     "bending_chart",
     "best_stars",
-    "campbell",
     "contours",
     "crank_star",
     "drawn_on",
@@ -148,10 +131,6 @@ __all__ = [
     "guide_moment_chart",
     "hodograph",
     "judged",
-    "mode_shapes",
-    "mount_layout_chart",
-    "mount_mode_chart",
-    "mount_response_chart",
     "names_of",
     "over_ranges",
     "over_rods",
@@ -176,9 +155,6 @@ __all__ = [
     "svg",
     "swept",
     "torque_chart",
-    "torsion_response_chart",
-    "torsion_star",
-    "transmissibility_chart",
     "vector_star",
 ]
 
@@ -186,7 +162,6 @@ _HOMES = {
     "amplitude_curves": ("amplitudes",),
     "balance_shafts": ("balance_shaft_chart",),
     "bending": ("bending_chart",),
-    "campbell_diagrams": ("campbell",),
     "canvas": ("Canvas", "drawn_on"),
     "crank_stars": ("crank_star",),
     "curve_names": ("names_of",),
@@ -200,15 +175,11 @@ _HOMES = {
     "firing_rings": ("firing_ring",),
     "fronts": ("pareto_front", "sequence_chart"),
     "hodographs": ("hodograph",),
-    "modes": ("mode_shapes",),
-    "mount_layouts": ("mount_layout_chart",),
-    "mount_modes": ("mount_mode_chart",),
-    "mount_responses": ("mount_response_chart", "transmissibility_chart"),
     "pair_sweeps": ("contours",),
     "paper": ("Paper", "Print", "printed"),
     "polar_diagrams": ("polar_loads",),
     "pressures": ("pressure_chart",),
-    "registry": ("CHARTS", "Figure", "side_by_side"),
+    "registry": ("CHARTS", "side_by_side"),
     "saving": ("SUFFIXES", "saved", "saved_print"),
     "scatter": ("scatter_chart",),
     "search_stars": ("best_stars",),
@@ -220,8 +191,6 @@ _HOMES = {
     "suspects": ("suspect_chart",),
     "sweeps": ("swept",),
     "torque": ("torque_chart",),
-    "torsion_responses": ("torsion_response_chart",),
-    "torsion_stars": ("torsion_star",),
     "vector_diagrams": ("Diagram", "Named", "polar_vectors"),
     "vector_stars": ("polygon", "vector_star"),
 }
@@ -235,9 +204,22 @@ def __getattr__(name: str) -> Any:
             globals()[name] = getattr(import_module(f"{__name__}.{module}"), name)
             import_module("crankstar.engine.arguments").of_engines(globals(), [name])
             return globals()[name]
+    for path in _of_analyses():
+        module, _colon, function = path.partition(":")
+        if function == name:
+            globals()[name] = getattr(import_module(module), name)
+            import_module("crankstar.engine.arguments").of_engines(globals(), [name])
+            return globals()[name]
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:
     """Names for completion, those not yet loaded included."""
-    return sorted({*globals(), *__all__})
+    return sorted({*globals(), *__all__, *(path.partition(":")[2] for path in _of_analyses())})
+
+
+def _of_analyses() -> list[str]:
+    """The functions of the charts that analyses have: module and name."""
+    from crankstar.analysis.registry import analyses
+
+    return [chart.path for record in analyses() for chart in record.charts]

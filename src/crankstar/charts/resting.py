@@ -20,11 +20,10 @@ from crankstar.charts.canvas import shows_rests, speed_of
 from crankstar.charts.grammar import Layer, constant, field, of_rows
 from crankstar.charts.letters import SMALL, folded, text_width, words
 from crankstar.engine.engine import Engine
-from crankstar.engine.torsion import Chain
 from crankstar.language.messages import _, passage
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle
-from crankstar.studies import answers, response_answers
+from crankstar.studies import answers
 from crankstar.studies.answer_parts import TURNING, in_own_unit, narrowed, without_speed
 from crankstar.studies.chart_answers import vectors
 from crankstar.tables.assumptions import assumption_facts, assumption_remarks, leading_lines
@@ -48,9 +47,6 @@ LAYOUT = ("layout", "cylinder.stroke", "cylinders", "rotation", "shaft", "cranks
 """Key paths from which the shape of a crankshaft comes."""
 FIRING = ("layout", "firing_order", "cylinders", "shaft", "rotation")
 """Key paths from which the crank angles come at which cylinders fire."""
-TWISTING = ("natural frequency", "torsional amplitude", "resonant amplitude")
-TWISTED = ("torsional stress", "torsional torque")
-"""Of these an engine has the one that can be computed."""
 OF_COMPONENT = {
     "vertical": "force", "horizontal": "force", "pitch": "couple", "yaw": "couple"
 }  # fmt: skip
@@ -266,32 +262,6 @@ def of_loads(
         return narrowed(made, [quantity])
 
     return Rests([engine], answer, "bearings")
-
-
-def of_twist(
-    source: Engine | Chain, *, quantities: Sequence[str] = (), **options: Any
-) -> Rests | None:
-    """Of a figure of torsion, none of a drive line; `options` as of `response_answers.twist`."""
-    if not isinstance(source, Engine):
-        return None
-
-    def answer(each: Engine) -> Answer:
-        if not quantities:
-            return response_answers.twisting_modes()
-        return narrowed(response_answers.twist(each, **options), quantities)
-
-    return Rests([source], answer, "torsion")
-
-
-def on_mounts(engine: Engine, quantity: str = "", **options: Any) -> Rests:
-    """Of a figure of the engine on its mounts: a quantity of `answers.ON_MOUNTS`, or its modes."""
-
-    def answer(each: Engine) -> Answer:
-        if not quantity:
-            return response_answers.mounted_modes()
-        return narrowed(response_answers.on_mounts(each, **options), [quantity])
-
-    return Rests([engine], answer, "mounts")
 
 
 def of_speeds(

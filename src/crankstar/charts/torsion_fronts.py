@@ -11,7 +11,7 @@ from crankstar.charts.crank_stars import crank_panel
 from crankstar.charts.drawing import ChartError, Panel, brief, figure
 from crankstar.charts.grammar import Chart
 from crankstar.charts.search_values import FrontPoints, order_lines, sequence_points, units_text
-from crankstar.charts.torsion_stars import vectors_panel
+from crankstar.charts.vector_panels import vectors_panel
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
 from crankstar.search.sequence_engines import engine_of

@@ -56,10 +56,10 @@ def isolate(
     output: Annotated[str | None, option("--output", "The engine on the best mounts.")] = None,
 ) -> None:
     """Find the stiffness and place of mounts, within limits, that pass on or shake least."""
+    from crankstar.analyses.mounts.figures import on_mounts
     from crankstar.dynamics.mount_analysis import mounts as analysis
     from crankstar.remedy.isolation import STARTS, MountLimits, isolated
     from crankstar.search.interrupts import ended_once
-    from crankstar.studies.response_answers import on_mounts
     from crankstar.tables import machine
     from crankstar.tables.isolation import isolation_document
     from crankstar.tables.ranges import resting

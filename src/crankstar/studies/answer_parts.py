@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 
 from crankstar.analysis.assumptions import Answer
-from crankstar.analysis.tried_values import Figure, Figures
+from crankstar.analysis.tried_values import Figure, Figures, Tuning
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_
@@ -136,3 +136,19 @@ def usual_gas(engine: Engine, *, speed: float | None) -> tuple[Cycle | None, str
         return cycle(engine, speed=speed), ""
     except GasError:
         return None, ""
+
+
+def gas_as_in(engine: Engine, changed: Engine) -> Engine:
+    """A changed engine, without gas where the file has none: a usual cycle may have been varied."""
+    return with_values(changed, gas=None) if engine.gas is None else changed
+
+
+def tuned_on_mounts(orders: Sequence[float], low: float, high: float) -> Tuning:
+    """The natural frequencies of an engine on its mounts and the orders of some speeds, rad/s."""
+    from crankstar.dynamics.mount_modes import mount_modes
+    from crankstar.dynamics.mounted_block import mounted_block
+
+    def natural(each: Engine) -> list[float]:
+        return [mode.speed for mode in mount_modes(mounted_block(each))]
+
+    return Tuning(natural, orders, (low, high))

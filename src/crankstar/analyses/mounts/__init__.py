@@ -5,14 +5,16 @@
 | `facts` | what a verdict and a comparison say of it |
 | `measures` | what a sweep may watch of it |
 | `question` | what is asked |
-| `answer` | what answers it, and what that rests on |
 | `speed_tables` | vibration and forces speed by speed |
+| `figures` | what an answer rests on moves them |
+| `answer` | what answers it, and what that rests on |
+| `charts/` | what is plotted of it |
 | `document` | all of an analysis as tables and sentences |
 """
 
 from __future__ import annotations
 
-from crankstar.analysis.record import Analysis, Figure, Later, Measure
+from crankstar.analysis.record import Analysis, Chart, Figure, Later, Measure
 from crankstar.language.messages import N_
 
 EVERY_MODE = tuple(f"mode {number}" for number in range(1, 13))
@@ -36,6 +38,33 @@ RECORD = Analysis(
     answer=Later("crankstar.analyses.mounts.answer:answer"),
     document=Later("crankstar.analyses.mounts.document:document"),
     lacks=lambda engine: not engine.mounts,
+    charts=(
+        Chart(
+            "mount-layout",
+            "crankstar.analyses.mounts.charts.layouts:mount_layout_chart",
+            N_(
+                "the mounts from the front, from above and from the side, with centre of mass and axes"
+            ),
+        ),
+        Chart(
+            "mount-modes",
+            "crankstar.analyses.mounts.charts.modes:mount_mode_chart",
+            N_("the natural modes on the mounts, with the share of each freedom in their energy"),
+        ),
+        Chart(
+            "mount-response",
+            "crankstar.analyses.mounts.charts.responses:mount_response_chart",
+            N_(
+                "vibration on the mounts over the speed, by order and of all: a point, or the forces"
+            ),
+            "MountView",
+        ),
+        Chart(
+            "transmissibility",
+            "crankstar.analyses.mounts.charts.responses:transmissibility_chart",
+            N_("how much of what shakes the engine goes through each mount, over the speed"),
+        ),
+    ),
     figures=(
         Figure("mount-layout", N_("The mounts from the front, from above and from the side.")),
         Figure("mount-modes", N_("Natural modes: share of each freedom in the kinetic energy.")),
@@ -72,5 +101,5 @@ RECORD = Analysis(
         Measure("mount_velocity", "mm/s", ("velocity at the point",), orders=True),
     ),
     measured=Later("crankstar.analyses.mounts.measures:measured"),
-    natural=Later("crankstar.studies.response_answers:mounted_modes"),
+    natural=Later("crankstar.analyses.mounts.figures:mounted_modes"),
 )

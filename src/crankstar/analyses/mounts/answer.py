@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from crankstar.analyses.mounts.figures import on_mounts
 from crankstar.analyses.mounts.question import Question
 from crankstar.analysis.assumptions import Answer
 from crankstar.dynamics.mount_analysis import MountAnalysis, mounts
 from crankstar.engine.engine import Engine
-from crankstar.studies.response_answers import on_mounts
 
 
 def compute(engine: Engine, asked: Question) -> MountAnalysis:

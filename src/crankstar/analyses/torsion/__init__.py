@@ -6,14 +6,16 @@
 | `fatigue_tables` | fatigue of the crankshaft |
 | `facts` | what a verdict and a comparison say of it |
 | `question` | what is asked |
-| `answer` | what answers it, and what that rests on |
 | `chain_tables` | masses and shafts, modes with their shapes and nodes, Holzer's table |
+| `figures` | what an answer rests on moves them |
+| `answer` | what answers it, and what that rests on |
+| `charts/` | what is plotted of it |
 | `document` | all of an analysis as tables and sentences |
 """
 
 from __future__ import annotations
 
-from crankstar.analysis.record import Analysis, Figure, Later, Measure
+from crankstar.analysis.record import Analysis, Chart, Figure, Later, Measure
 from crankstar.language.messages import N_
 
 RECORD = Analysis(
@@ -33,6 +35,32 @@ RECORD = Analysis(
     answer=Later("crankstar.analyses.torsion.answer:answer"),
     document=Later("crankstar.analyses.torsion.document:document"),
     lacks=lambda engine: engine.torsion is None,
+    charts=(
+        Chart(
+            "torsion-modes",
+            "crankstar.analyses.torsion.charts.mode_shapes:mode_shapes",
+            N_("how far each mass turns in the first torsional modes, with their nodes"),
+        ),
+        Chart(
+            "campbell",
+            "crankstar.analyses.torsion.charts.campbell_diagrams:campbell",
+            N_("torsional frequencies and orders over the speed, and where they meet"),
+        ),
+        Chart(
+            "torsion-response",
+            "crankstar.analyses.torsion.charts.responses:torsion_response_chart",
+            N_(
+                "torsional vibration over the speed, by order and of all: free end, stress or torque"
+            ),
+            "TorsionView",
+        ),
+        Chart(
+            "torsion-star",
+            "crankstar.analyses.torsion.charts.stars:torsion_star",
+            N_("the vectors of the cylinders of orders in a torsional mode, with their sum"),
+            "TorsionMode",
+        ),
+    ),
     figures=(
         Figure(
             "torsion-modes",
@@ -81,7 +109,7 @@ RECORD = Analysis(
         Measure("torsion_amplitude", "deg", ("torsional amplitude",), orders=True),
     ),
     measured=Later("crankstar.analyses.torsion.measures:measured"),
-    natural=Later("crankstar.studies.response_answers:twisting_modes"),
+    natural=Later("crankstar.analyses.torsion.figures:twisting_modes"),
     chains=("speeds", "orders", "modes", "holzer"),
     estimates=True,
 )

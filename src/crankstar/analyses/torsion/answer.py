@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from crankstar.analyses.torsion.figures import twist
 from crankstar.analyses.torsion.question import Question
 from crankstar.analysis.assumptions import Answer
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
@@ -9,7 +10,6 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import _n
 from crankstar.options.refusals import refusal
-from crankstar.studies.response_answers import twist
 
 
 def compute(source: Engine | Chain, asked: Question) -> TorsionAnalysis:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+from crankstar.analyses.mounts.charts.words import about, rests
 from crankstar.charts.canvas import panel_width
 from crankstar.charts.drawing import DEEP, GREY, PALE, figure, layered
 from crankstar.charts.gas_curves import without
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
 from crankstar.charts.letters import SMALL, text_width
-from crankstar.charts.mount_words import about
-from crankstar.charts.resting import on_mounts
 from crankstar.dynamics.mount_analysis import mounts
 from crankstar.dynamics.mounted_block import SIX, MountError
 from crankstar.engine.engine import Engine
@@ -87,4 +86,4 @@ def mount_mode_chart(engine: Engine) -> Chart:
         *about(engine, found, shaken=False),
         _("share of each freedom in the kinetic energy, %, about the centre of mass"),
     ]
-    return figure([[panel]], title=title, subtitle=told, rests=on_mounts(engine))
+    return figure([[panel]], title=title, subtitle=told, rests=rests(engine))

@@ -6,20 +6,21 @@ from collections.abc import Sequence
 from math import pi
 from typing import Any, NamedTuple
 
-from crankstar.charts.canvas import curve_height, panel_width
-from crankstar.charts.drawing import BLUE, GREY, VERMILION, checked_order, figure, layered
-from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, own, span
-from crankstar.charts.letters import SMALL
-from crankstar.charts.resting import TWISTING, of_twist
-from crankstar.charts.torsion_words import (
+from crankstar.analyses.torsion.charts.words import (
     NO_SPEED,
     RPM,
+    TWISTING,
     hertz,
     load_lines,
     named_lines,
     refused,
+    rests,
     strongest_line,
 )
+from crankstar.charts.canvas import curve_height, panel_width
+from crankstar.charts.drawing import BLUE, GREY, VERMILION, checked_order, figure, layered
+from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, own, span
+from crankstar.charts.letters import SMALL
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
 from crankstar.dynamics.torsion_criticals import Critical, strength
 from crankstar.dynamics.torsion_system import TorsionError
@@ -94,8 +95,8 @@ def campbell(
         layers.append(_marks(marks, x, y))
     layers.append(values)  # last, so that no ray crosses them
     panel = layered(layers, width=panel_width(), height=curve_height(HEIGHT))
-    rests = of_twist(source, quantities=TWISTING, point=point or "", speeds=[*(speeds or ())])
-    return figure([[panel]], title=title, subtitle=subtitle, rests=rests)
+    rests_on = rests(source, quantities=TWISTING, point=point or "", speeds=[*(speeds or ())])
+    return figure([[panel]], title=title, subtitle=subtitle, rests=rests_on)
 
 
 def _area(found: TorsionAnalysis, marks: Sequence[Critical]) -> _Field:

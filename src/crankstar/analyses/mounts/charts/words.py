@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import pi
+from typing import Any
 
+from crankstar.analyses.mounts.figures import mounted_modes, on_mounts
+from crankstar.analysis.assumptions import Answer
 from crankstar.charts.canvas import shows_rests
 from crankstar.charts.drawing import heading
+from crankstar.charts.resting import Rests, narrowed
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
@@ -41,3 +45,14 @@ def place_text(point: Sequence[float]) -> str:
     """
     up, right, along = (quantity_text(round(each * 1e3, 1) + 0.0, "mm") for each in point)
     return _("at {up} up, {right} to the right, {along} along", up=up, right=right, along=along)
+
+
+def rests(engine: Engine, quantity: str = "", **options: Any) -> Rests:
+    """Of a figure of the engine on its mounts: a quantity of `figures.ON_MOUNTS`, or its modes."""
+
+    def answer(each: Engine) -> Answer:
+        if not quantity:
+            return mounted_modes()
+        return narrowed(on_mounts(each, **options), [quantity])
+
+    return Rests([engine], answer, "mounts")

@@ -8,6 +8,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.mounts.charts.words import NO_SPEED, RPM, about, place_text, rests
 from crankstar.charts.canvas import curve_height, panel_width, relative_width
 from crankstar.charts.drawing import (
     GREY,
@@ -22,8 +23,6 @@ from crankstar.charts.drawing import (
 from crankstar.charts.gas_curves import ROOM, without
 from crankstar.charts.grammar import Chart, field, of_rows, own, span
 from crankstar.charts.letters import text_width
-from crankstar.charts.mount_words import NO_SPEED, RPM, about, place_text
-from crankstar.charts.resting import on_mounts
 from crankstar.charts.sums import checked_quantity
 from crankstar.dynamics.mount_analysis import mounts
 from crankstar.dynamics.mount_response import MountResponse, rms
@@ -69,7 +68,7 @@ FIGURES = {
     "force": "mount force",
     "mounts": "one mount",
 }
-"""What each view shows, as `studies.response_answers.on_mounts` names it."""
+"""What each view shows, as `figures.on_mounts` names it."""
 FACTORS = {"velocity": 1e3, "displacement": 1e6}
 """Of what is not drawn in SI."""
 THROUGH = N_("Transmissibility of the mounts over the speed")
@@ -145,8 +144,8 @@ def mount_response_chart(
         )
     )
     options = {"point": point or "", "speeds": [*(speeds or ())], "at": at}
-    rests = on_mounts(engine, FIGURES[wanted], **options)
-    return figure([[panel]], title=title, subtitle=told, rests=rests)
+    rests_on = rests(engine, FIGURES[wanted], **options)
+    return figure([[panel]], title=title, subtitle=told, rests=rests_on)
 
 
 def transmissibility_chart(
@@ -174,8 +173,8 @@ def transmissibility_chart(
     told = [*about(engine, found), _("force in a mount over that without inertia of the block")]
     panel = _panel(over, [*lines, one], _("transmissibility"))
     options = {"point": point or "", "speeds": [*(speeds or ())]}
-    rests = on_mounts(engine, "transmissibility", **options)
-    return figure([[panel]], title=title, subtitle=told, rests=rests)
+    rests_on = rests(engine, "transmissibility", **options)
+    return figure([[panel]], title=title, subtitle=told, rests=rests_on)
 
 
 def _by_order(

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import pi
+from typing import Any
 
+from crankstar.analyses.torsion.figures import twist, twisting_modes
+from crankstar.analysis.assumptions import Answer
 from crankstar.charts.canvas import names_engine
 from crankstar.charts.drawing import heading
 from crankstar.charts.gas_curves import refusal, without
 from crankstar.charts.grammar import Chart
+from crankstar.charts.resting import Rests, narrowed
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
@@ -17,6 +22,9 @@ from crankstar.tables.gas_words import points_text, range_points
 
 RPM = 30 / pi
 NO_SPEED = N_("Without a speed nothing is driven: give --speeds, or speed in the file.")
+TWISTING = ("natural frequency", "torsional amplitude", "resonant amplitude")
+TWISTED = ("torsional stress", "torsional torque")
+"""Of these an engine has the one that can be computed."""
 
 
 def refused(source: Engine | Chain, *, title: str, reason: str) -> Chart:
@@ -79,3 +87,18 @@ def strongest_line(found: TorsionAnalysis) -> list[str]:
             mode=top.mode,
         )
     ]
+
+
+def rests(
+    source: Engine | Chain, *, quantities: Sequence[str] = (), **options: Any
+) -> Rests | None:
+    """Of a figure of torsion, none of a drive line; `options` as of `figures.twist`."""
+    if not isinstance(source, Engine):
+        return None
+
+    def answer(each: Engine) -> Answer:
+        if not quantities:
+            return twisting_modes()
+        return narrowed(twist(each, **options), quantities)
+
+    return Rests([source], answer, "torsion")

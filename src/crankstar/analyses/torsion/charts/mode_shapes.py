@@ -7,12 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analyses.torsion.charts.words import hertz, named_lines, refused, rests
 from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.drawing import BLUE, GREY, VERMILION, Panel, figure, layered
 from crankstar.charts.grammar import DISC, Channel, Chart, field, of_rows, own, span
 from crankstar.charts.letters import TEXT, text_width
-from crankstar.charts.resting import of_twist
-from crankstar.charts.torsion_words import hertz, named_lines, refused
 from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
 from crankstar.dynamics.torsion_system import TorsionChain, TorsionError
@@ -59,7 +58,7 @@ def mode_shapes(source: Engine | Chain) -> Chart:
             _("The stiffness between the throws is estimated from their dimensions by a formula.")
         )
     panels = [[_panel(chain, mode, foot=mode is modes[-1])] for mode in modes]
-    return figure(panels, title=title, subtitle=subtitle, rests=of_twist(source))
+    return figure(panels, title=title, subtitle=subtitle, rests=rests(source))
 
 
 def _panel(chain: TorsionChain, mode: Mode, *, foot: bool) -> Panel:

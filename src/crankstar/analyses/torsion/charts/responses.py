@@ -8,6 +8,17 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.torsion.charts.words import (
+    NO_SPEED,
+    RPM,
+    TWISTED,
+    TWISTING,
+    load_lines,
+    named_lines,
+    refused,
+    rests,
+    rpm_text,
+)
 from crankstar.charts.canvas import curve_height, panel_width, relative_width
 from crankstar.charts.drawing import (
     GREY,
@@ -21,9 +32,7 @@ from crankstar.charts.drawing import (
 )
 from crankstar.charts.gas_curves import ROOM
 from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, own, span
-from crankstar.charts.resting import TWISTED, TWISTING, of_twist
 from crankstar.charts.sums import checked_quantity
-from crankstar.charts.torsion_words import NO_SPEED, RPM, load_lines, named_lines, refused, rpm_text
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
 from crankstar.dynamics.torsion_criticals import stresses
 from crankstar.dynamics.torsion_response import Response
@@ -110,9 +119,9 @@ def torsion_response_chart(
     panel = _panel(found, own_response, courses, asked)
     subtitle = [*named_lines(engine), courses.where, *_words(found, courses)]
     drawn = TWISTING if wanted == "amplitude" else TWISTED
-    rests = of_twist(engine, quantities=drawn, point=point or "", speeds=[*(speeds or ())])
+    rests_on = rests(engine, quantities=drawn, point=point or "", speeds=[*(speeds or ())])
     lines = [*subtitle, *load_lines(engine, found)]
-    return figure([[panel]], title=title, subtitle=lines, rests=rests)
+    return figure([[panel]], title=title, subtitle=lines, rests=rests_on)
 
 
 def _courses(found: TorsionAnalysis, response: Response, view: str) -> _Courses | None:

@@ -11,24 +11,12 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.torsion.charts.words import hertz, named_lines, refused, rests, rpm_text
 from crankstar.charts.canvas import half_width, panel_width
-from crankstar.charts.drawing import BLUE, ORANGE, Panel, brief, checked_order, figure
+from crankstar.charts.drawing import Panel, brief, checked_order, figure
 from crankstar.charts.grammar import Chart
-from crankstar.charts.labels import Label, gathered
-from crankstar.charts.plane import (
-    BAR,
-    Arrow,
-    Frame,
-    Plane,
-    Stroke,
-    label_margin,
-    picture,
-    round_frame,
-    scale_bar,
-)
-from crankstar.charts.resting import of_twist
 from crankstar.charts.sums import checked_quantity
-from crankstar.charts.torsion_words import hertz, named_lines, refused, rpm_text
+from crankstar.charts.vector_panels import vectors_panel
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_criticals import of_note
@@ -38,15 +26,13 @@ from crankstar.dynamics.torsion_system import TorsionChain, TorsionError
 from crankstar.engine.engine import Engine
 from crankstar.firing.weighing import NOTHING, vector_sums
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import numbers_text, order_text
+from crankstar.language.numbers import order_text
 from crankstar.spectra import Complex, Real
 
 TorsionMode = Literal["mode-1", "mode-2", "mode-3"]
 TITLE = N_("Vectors of the cylinders in mode {number}, {size} Hz")
 MOST = 4
 HIGHEST = 12.0
-NEAR = 0.03
-"""Share of the longest vector within which heads share a label."""
 
 
 class _Star(NamedTuple):
@@ -103,7 +89,7 @@ def torsion_star(
         _("orange: their sum, in turns of the first mass that a shaft holds"),
     ]
     title = _(TITLE, number=mode.number, size=hertz(mode.speed))
-    return figure(rows, title=title, subtitle=subtitle, rests=of_twist(engine))
+    return figure(rows, title=title, subtitle=subtitle, rests=rests(engine))
 
 
 def _stars(
@@ -149,47 +135,3 @@ def _panel(star: _Star, numbers: Sequence[int], width: float) -> Panel:
         rpm=rpm_text(star.speed),
     )
     return vectors_panel(star.vectors, star.sum, numbers, width=width, title=title)
-
-
-def vectors_panel(
-    vectors: Complex, total: complex, numbers: Sequence[int], *, width: float, title: str
-) -> Panel:
-    """Vectors of cylinders, 1 up and i to the right, with their numbers, and their sum."""
-    longest = float(np.abs(vectors).max())
-    groups = [  # cylinders whose vectors end at one place; those without length are left out
-        group
-        for group in gathered(vectors.tolist(), NEAR * longest)
-        if abs(vectors[group[0]]) > NEAR * longest
-    ]
-    words = [numbers_text([numbers[n] for n in group]) for group in groups]
-    frame = _frame(vectors, total, width, max(0.6 * label_margin(words), 24.0))
-    cross = [
-        Stroke((complex(frame.bottom, 0), complex(frame.top, 0)), width=0.6),
-        Stroke((1j * frame.left, 1j * frame.right), width=0.6),
-    ]
-    bar, text = scale_bar(frame, "")
-    arrows = [Arrow(v, colour=BLUE) for v in sorted(vectors.tolist(), key=lambda v: -abs(v))]
-    labels: list[Label] = []
-    for group, said in zip(groups, words, strict=True):
-        tip = complex(vectors[group[0]])
-        labels.append(Label(said, tip, tip / abs(tip), colour=BLUE))
-    if total:
-        arrows.insert(0, Arrow(total, colour=ORANGE, width=4))
-    plane = Plane(tuple(arrows), (*cross, bar), labels=tuple(labels), notes=(text,))
-    return picture(plane, frame, title=title)
-
-
-def _frame(vectors: Complex, total: complex, width: float, margin: float) -> Frame:
-    """A square picture with all heads and the head of the sum in it."""
-    ends = np.array([0j, *vectors, total])
-    ups, rights = np.real(ends), np.imag(ends)
-    middle = complex(ups.max() + ups.min(), rights.max() + rights.min()) / 2
-    reach = max(np.ptp(ups), np.ptp(rights)) / 2 or 1.0
-    own = round_frame(float(reach), width=width, margin=margin, below=BAR)
-    return Frame(
-        own.left + middle.imag,
-        own.right + middle.imag,
-        own.bottom + middle.real,
-        own.top + middle.real,
-        own.scale,
-    )

@@ -11,14 +11,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.mounts.charts.words import about, place_text, rests
 from crankstar.charts.canvas import panel_width
 from crankstar.charts.drawing import BLUE, GREEN, GREY, ORANGE, SKY, VERMILION, Panel, figure
 from crankstar.charts.gas_curves import without
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label
-from crankstar.charts.mount_words import about, place_text
 from crankstar.charts.plane import BAR, Dot, Frame, Plane, Stroke, picture, scale_bar
-from crankstar.charts.resting import on_mounts
 from crankstar.dynamics.mount_analysis import MountAnalysis, mounts
 from crankstar.dynamics.mount_modes import Axis
 from crankstar.dynamics.mounted_block import SIX, MountError
@@ -76,7 +75,7 @@ def mount_layout_chart(engine: Engine, *, at: Sequence[float] | None = None) -> 
         _View(_("from its right, the front of the engine at the left"), UP, REAR),
     )
     rows = [[_panel(engine, found, view, named=at is not None)] for view in views]
-    return figure(rows, title=title, subtitle=told, rests=on_mounts(engine))
+    return figure(rows, title=title, subtitle=told, rests=rests(engine))
 
 
 def _places(engine: Engine, found: MountAnalysis, *, named: bool) -> list[Real]:
