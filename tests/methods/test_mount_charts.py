@@ -150,7 +150,7 @@ def test_what_is_missing_of_mounts_is_said() -> None:
         notes = charts.mount_response_chart(still, speeds=[100.0]).notes
     assert any("mounts.loss_factor" in line for line in notes)
     with pytest.raises(ChartError):
-        charts.mount_response_chart(still, quantity="speed")  # type: ignore[arg-type]
+        charts.mount_response_chart(still, quantity="speed")
 
 
 def test_many_mounts_on_a_foundation_are_drawn_apart() -> None:

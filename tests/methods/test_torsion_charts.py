@@ -253,7 +253,7 @@ def test_shaded_speeds_are_those_at_which_the_stress_passes_the_limit(six: Any) 
 
 @pytest.mark.parametrize("mode", [1, 2])
 def test_the_star_has_the_vectors_of_the_cylinders_and_their_sum(six: Any, mode: int) -> None:
-    drawn = charts.torsion_star(six, quantity=f"mode-{mode}", orders=[5.5])  # type: ignore[arg-type]
+    drawn = charts.torsion_star(six, quantity=f"mode-{mode}", orders=[5.5])
     arrows = [row for row in rows_of(drawn.to_dict()) if "endUp" in row and "head" in row]
     ends = [complex(row["endUp"], row["endRight"]) for row in arrows if row["width"] < 3]
     [whole] = {complex(row["endUp"], row["endRight"]) for row in arrows if row["width"] > 3}

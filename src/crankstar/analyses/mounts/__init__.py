@@ -43,7 +43,8 @@ RECORD = Analysis(
             "mount-layout",
             "crankstar.analyses.mounts.charts.layouts:mount_layout_chart",
             N_(
-                "the mounts from the front, from above and from the side, with centre of mass and axes"
+                "the mounts from the front, from above and from the side, with centre of mass "
+                "and axes"
             ),
         ),
         Chart(
@@ -55,7 +56,8 @@ RECORD = Analysis(
             "mount-response",
             "crankstar.analyses.mounts.charts.responses:mount_response_chart",
             N_(
-                "vibration on the mounts over the speed, by order and of all: a point, or the forces"
+                "vibration on the mounts over the speed, by order and of all: a point, or the "
+                "forces"
             ),
             "MountView",
         ),

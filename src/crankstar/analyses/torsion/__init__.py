@@ -50,7 +50,8 @@ RECORD = Analysis(
             "torsion-response",
             "crankstar.analyses.torsion.charts.responses:torsion_response_chart",
             N_(
-                "torsional vibration over the speed, by order and of all: free end, stress or torque"
+                "torsional vibration over the speed, by order and of all: free end, stress or "
+                "torque"
             ),
             "TorsionView",
         ),
