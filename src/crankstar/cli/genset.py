@@ -99,7 +99,7 @@ def genset(
             request.refuse_unused(of_running, why=lacking)
         if lacking := missing_sums(found):
             request.refuse_unused({"--engines": engines}, why=lacking)
-        return generating_set_document(found, machine=form not in ("txt", "xlsx"))
+        return generating_set_document(found)
 
     def burnt(each: Engine) -> Cycle | None:
         load = {"off": silent, "weaker": dict(weak)}

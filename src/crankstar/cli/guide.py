@@ -90,7 +90,6 @@ def guide(
             goals="; ".join([minimise or GOALS, *(limit or [])]),
             horizontal_share=share,
             drive=drive,
-            machine=form not in ("txt", "xlsx"),
         )
         answered = partial(amplitudes, loaded, point=point or "", speed=turning)
         document = resting(document, resting_on(form, loaded, answered))

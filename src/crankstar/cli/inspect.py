@@ -224,7 +224,6 @@ def bearings(
             speed=each.speed if turning is None else turning,
             model=cast("Model", model),
             orders=lambda present: request.orders(orders, present),
-            machine=form != "txt",
             cycle=burnt(each),
         )
 

@@ -106,7 +106,7 @@ def marine(
         if lacking := missing_units(made):
             still = {} if made.after.speed is not None else {"--speeds": speeds}
             request.refuse_unused(still | {"--rated-power": rated_power}, why=lacking)
-        return marine_document(made, bracing=braced, machine=form not in ("txt", "xlsx"))
+        return marine_document(made, bracing=braced)
 
     with working(_("Computing the moments ...")), words_for(form):
         rests = resting_on(form, loaded, partial(external, loaded, found))

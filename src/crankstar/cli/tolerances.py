@@ -106,7 +106,7 @@ def tolerance(
     with words_for(form):
         every = orders is not None
         signals = names or None
-        document = scatter_document(found, signals=signals, machine=form != "txt", every=every)
+        document = scatter_document(found, signals=signals, every=every)
         answered = partial(amplitudes, found.engine, speed=found.speed, reference=found.reference)
         document = resting(document, resting_on(form, found.engine, answered))
         if form == "xlsx":

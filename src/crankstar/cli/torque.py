@@ -120,7 +120,6 @@ def torque(
             orders=wanted,
             wheel=_wheel(each, found, even),
             loads=_loads(each, found, levels),
-            machine=form not in ("txt", "xlsx"),
         )
 
     with working(_("Computing the cycle ...")), words_for(form):

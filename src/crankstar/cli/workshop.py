@@ -72,7 +72,7 @@ def bobweight(
     )
 
     def card(each: Engine) -> Document:
-        return card_document(each, factor=share, machine=form != "txt")
+        return card_document(each, factor=share)
 
     rests = resting_on(form, loaded, partial(bobweights, loaded, factor=share))
     give(ranged(card, spread, loaded, rests=rests), output, form=form)

@@ -34,7 +34,7 @@ from crankstar.spectra import Complex, Real, Spectrum
 from crankstar.tables.large_engines import large_engine_table
 from crankstar.tables.meshes import mesh_table
 from crankstar.tables.torque import assumed_notes, notes
-from crankstar.tables.torque_parts import side_thrust_table
+from crankstar.tables.torque_parts import side_thrust_tables
 
 MOST_LOADS = 12
 """Operating points that are sent; the command line has all."""
@@ -222,7 +222,7 @@ def _tables(engine: Engine, burning: Cycle, running: Running | None) -> Iterator
     gears = mesh_table(engine, burning, running=running)
     if gears is not None:
         yield gears
-    yield side_thrust_table(engine, burning, machine=False)
+    yield from side_thrust_tables(engine, burning)
     guide = large_engine_table(engine, burning)
     if guide is not None:
         yield guide

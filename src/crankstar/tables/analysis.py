@@ -9,6 +9,7 @@ textbook's vector stars; they stand below those in the units of the analysis.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import degrees
 from typing import NamedTuple
 
@@ -126,7 +127,8 @@ def _with_gas(shown: Analysis) -> tuple[Table, ...]:
     from crankstar.tables.torque_orders import gas_tables
 
     speed = None if shown.real is None else shown.real.speed
-    return gas_tables(shown.engine, speed=speed, orders=shown.orders if shown.asked else ())
+    found = gas_tables(shown.engine, speed=speed, orders=shown.orders if shown.asked else ())
+    return tuple(replace(table, audience="all") for table in found[:2])
 
 
 def tables(

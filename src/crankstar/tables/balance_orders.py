@@ -60,7 +60,8 @@ def _with_gas(engine: Engine, result: Balance) -> tuple[Table, ...]:
         return ()
     from crankstar.tables.torque_orders import gas_tables
 
-    return gas_tables(engine, speed=result.speed, machine=True)
+    *_readers, machines = gas_tables(engine, speed=result.speed) or [None]
+    return () if machines is None else (machines,)
 
 
 def _peaks(result: Balance) -> Table:

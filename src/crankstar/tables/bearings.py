@@ -8,7 +8,7 @@ from math import degrees, pi
 import numpy as np
 
 from crankstar import spectra
-from crankstar.analysis.document import Column, Document, Table, Value, remarks
+from crankstar.analysis.document import Column, Document, Table, Value, for_each, remarks
 from crankstar.dynamics.bearings import BearingLoads, Model, bearing_loads, bending_moment
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
@@ -45,29 +45,29 @@ def bearing_document(
     speed: float | None = None,
     model: Model = "determinate",
     orders: Callable[[list[float]], list[float] | None] = lambda _present: None,
-    machine: bool = False,
     cycle: Cycle | None = None,
 ) -> Document:
     """Peaks of all bearings, pins and walls over a turn, and the bearings by order.
 
-    `orders` chooses from those present; by default those of note, and all for a `machine`, whose
-    first table they are. With a `cycle` the loads of its gas are in them, at its speed.
+    `orders` chooses from those present; by default those of note, for machines all. With a `cycle`
+    the loads of its gas are in them, at its speed.
     """
     turning = engine.speed if speed is None else speed
     if cycle is not None:
         turning = cycle.speed
     loads = bearing_loads(engine, speed=turning, model=model, cycle=cycle)
     noted = NOTED if cycle is None else NOTED_WITH_GAS
-    chosen = orders(main_orders(loads, share=0.0)) or main_orders(
-        loads, share=0.0 if machine else noted
+    present = main_orders(loads, share=0.0)
+    asked = orders(present)
+    told, every = (
+        by_order(loads, sorted(of_any(("orders", share), asked or main_orders(loads, share=share))))
+        for share in (noted, 0.0)
     )
-    shown = sorted(of_any("orders", chosen))
-    greatest, single = peaks(engine, loads, gas=cycle is not None), by_order(loads, shown)
     result = balance(engine, speed=turning)
     notes = (
         *(() if cycle is None else gas_sentences(cycle)),
         _("By order those with a fifth of the greatest are listed; --orders all has them all.")
-        if cycle is not None and not machine
+        if cycle is not None
         else "",
         _(MODELS[model]),
         unit_sentence(engine, result),
@@ -90,7 +90,8 @@ def bearing_document(
         (
             heading(engine),
             *remarks(*notes, kind="note"),
-            *((single, greatest) if machine else (greatest, single)),
+            peaks(engine, loads, gas=cycle is not None),
+            *for_each(told, every),
             pins(loads),
             walls(loads),
             wear_table(engine, loads),

@@ -32,8 +32,8 @@ BALANCED = 1e-9
 """Share of the bobweights that counts as none."""
 
 
-def card_document(engine: Engine, *, factor: float, machine: bool = False) -> Document:
-    """The card of an engine for a balance factor; for a `machine` the bobweights come first.
+def card_document(engine: Engine, *, factor: float) -> Document:
+    """The card of an engine for a balance factor.
 
     Raises RemedyError for articulated rods.
     """
@@ -46,15 +46,14 @@ def card_document(engine: Engine, *, factor: float, machine: bool = False) -> Do
             master=slaves[0].articulated.master,
         )
     own, pins = parts_table(engine), bobweights(engine, factor)
-    tables = [pins, *own] if machine else [*own, pins]
     lines = (
         *_remarks(engine, factor),
-        "" if own or machine else _without_parts(engine),
+        "" if own else _without_parts(engine),
         missing_parts(engine),
     )
     return Document(
         engine.name,
-        (*tables, overbalance(engine, factor), *remarks(*lines, kind="note")),
+        (*own, pins, overbalance(engine, factor), *remarks(*lines, kind="note")),
         {"engine": engine.name, "factor": factor},
     )
 

@@ -28,13 +28,10 @@ def family_document(
     goals: str,
     horizontal_share: float | None = None,
     drive: ChainDrive | None = None,
-    machine: bool = False,
 ) -> Document:
     """The members of a family; `goals` says in words by what the best were found."""
-    parts: list[Table | Remarks] = [] if machine else [Remarks((_heading(engine, members),))]
-    parts.append(_table(members))
-    if not machine:
-        parts += remarks(*_notes(members, goals, horizontal_share, drive), kind="note")
+    notes = remarks(*_notes(members, goals, horizontal_share, drive), kind="note")
+    parts = (Remarks((_heading(engine, members),)), _table(members), *notes)
     facts: dict[str, Any] = {
         "format": 1,
         "engine": engine.name,
@@ -44,7 +41,7 @@ def family_document(
         "horizontal_share": horizontal_share,
         "chain_drive": None if drive is None else [drive.cylinders, drive.wider],
     }
-    return Document(engine.name, tuple(parts), facts)
+    return Document(engine.name, parts, facts)
 
 
 def _state(members: Sequence[Member]) -> OperatingState | None:

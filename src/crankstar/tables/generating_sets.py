@@ -5,7 +5,16 @@ from __future__ import annotations
 from math import degrees, pi
 from typing import Any
 
-from crankstar.analysis.document import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
+from crankstar.analysis.document import (
+    ROW_UNIT,
+    Column,
+    Document,
+    Remarks,
+    Table,
+    Value,
+    for_each,
+    remarks,
+)
 from crankstar.dynamics.generator_angle import GeneratorAngle
 from crankstar.dynamics.uneven import Running
 from crankstar.language.messages import N_, _
@@ -30,16 +39,14 @@ NAMES = {
 }
 
 
-def generating_set_document(found: GeneratingSet, *, machine: bool = False) -> Document:
+def generating_set_document(found: GeneratingSet) -> Document:
     """All of a set."""
-    parts: list[Table | Remarks] = [] if machine else [heading(found.engine)]
+    parts: list[Table | Remarks] = [heading(found.engine)]
     if found.running is not None and found.angle is not None:
         parts.append(_running_table(found, found.running, found.angle))
-    if found.sums or machine:
-        parts.append(_sum_table(found))
-    if not machine:
-        parts += remarks(*_notes(found), kind="note")
-        parts += remarks(*_doubts(found), kind="doubt")
+    parts += for_each(*[_sum_table(found)] * 2)
+    parts += remarks(*_notes(found), kind="note")
+    parts += remarks(*_doubts(found), kind="doubt")
     return Document(found.engine.name, tuple(parts), _facts(found))
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, for_each, remarks
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text
 from crankstar.mechanics import guide_moments as guides
@@ -37,22 +37,25 @@ SILENT = 1e-9
 
 
 def marine_document(
-    found: MarineAnalysis, *, bracing: tuple[float, float] | None = None, machine: bool = False
+    found: MarineAnalysis, *, bracing: tuple[float, float] | None = None
 ) -> Document:
     """All of an analysis. `bracing`: height of top bracings, and distance of their planes, m."""
     engine = found.engine
-    parts: list[Table | Remarks] = [] if machine else [heading(engine)]
-    parts.append(_moment_table(found))
+    parts: list[Table | Remarks] = [heading(engine), _moment_table(found)]
     if found.compensators:
         parts.append(_compensator_table(found))
     if found.guide is not None:
-        places = _guide_places(found.guide, found.orders, every=machine)
-        parts.append(guide_table(found.guide, bracing, places=places))
+        told, every = (
+            _guide_places(found.guide, found.orders, every=each) for each in (False, True)
+        )
+        parts += for_each(
+            guide_table(found.guide, bracing, places=told),
+            guide_table(found.guide, bracing, places=every),
+        )
     if found.speeds.size and found.after.speed is not None:
         parts.append(_speed_table(found))
-    if not machine:
-        parts += [*remarks(*_notes(found, bracing), kind="note")]
-        parts += [*remarks(*doubts(found, bracing), kind="doubt")]
+    parts += remarks(*_notes(found, bracing), kind="note")
+    parts += remarks(*doubts(found, bracing), kind="doubt")
     return Document(engine.name, tuple(parts), _facts(found, bracing))
 
 

@@ -3,10 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import pi
 from typing import Any
 
-from crankstar.analysis.document import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
+from crankstar.analysis.document import (
+    ROW_UNIT,
+    Column,
+    Document,
+    Remarks,
+    Table,
+    Value,
+    for_each,
+    remarks,
+)
 from crankstar.engine.engine import Engine
 from crankstar.files.tolerances import Tolerance
 from crankstar.files.units import text
@@ -58,31 +68,27 @@ def is_of(row: OrderScatter, quantity: str) -> bool:
 
 
 def scatter_document(
-    found: Scatter,
-    *,
-    signals: Sequence[str] | None = None,
-    machine: bool = False,
-    every: bool = False,
+    found: Scatter, *, signals: Sequence[str] | None = None, every: bool = False
 ) -> Document:
     """All of a scatter; for readers the quantities of WHOLE, or those asked for in `signals`.
 
     `every`: also orders of which next to nothing is there.
     """
-    rows = rows_shown(found, signals=signals or (SIGNALS if machine else WHOLE))
-    if not (machine or every):
-        rows = _visible(rows)
-    parts: list[Table | Remarks] = [] if machine else [heading(found.engine)]
-    parts += [_order_table(rows)]
-    parts += [_share_list(rows)] if machine else [_share_table(found, rows)]
-    parts += [_tolerance_table(found, machine=machine)]
-    if not machine:
-        parts += [
-            *remarks(*sentences(found, signals or WHOLE)),
-            *remarks(*_notes(found), kind="note"),
-            *typical_remarks(found.engine),
-            *remarks(*_doubts(found), kind="doubt"),
-        ]
-    return Document(found.engine.name, tuple(parts), _facts(found))
+    rows = rows_shown(found, signals=signals or SIGNALS)
+    told = rows_shown(found, signals=signals or WHOLE)
+    told = told if every else _visible(told)
+    parts: tuple[Table | Remarks, ...] = (
+        heading(found.engine),
+        *for_each(_order_table(told), _order_table(rows)),
+        replace(_share_table(found, told), audience="readers"),
+        replace(_share_list(rows), audience="machines"),
+        _tolerance_table(found),
+        *remarks(*sentences(found, signals or WHOLE)),
+        *remarks(*_notes(found), kind="note"),
+        *typical_remarks(found.engine),
+        *remarks(*_doubts(found), kind="doubt"),
+    )
+    return Document(found.engine.name, parts, _facts(found))
 
 
 def rows_shown(found: Scatter, *, signals: Sequence[str]) -> list[OrderScatter]:
@@ -201,7 +207,7 @@ def _weight(rows: Sequence[OrderScatter], row: OrderScatter) -> float:
     return row.rms / greatest if greatest else 0.0
 
 
-def _tolerance_table(found: Scatter, *, machine: bool) -> Table:
+def _tolerance_table(found: Scatter) -> Table:
     """The tolerances with the number of independent errors of each."""
     counts: dict[str, int] = {}
     for error in found.errors:
@@ -213,7 +219,8 @@ def _tolerance_table(found: Scatter, *, machine: bool) -> Table:
         Column("", key="value", machine=True),
         Column("", key="bound", machine=True),
         Column(_("independent errors"), key="errors"),
-        Column(_("source"), kind="text", key="source", optional=2),
+        Column(_("source"), kind="text", optional=2),
+        Column("", kind="text", key="source", machine=True),
     )
     body = tuple(
         (
@@ -223,7 +230,8 @@ def _tolerance_table(found: Scatter, *, machine: bool) -> Table:
             own.value,
             own.bound,
             counts.get(path, 0),
-            (found.assumed.get(path, "") if machine else _assumed(found, path)) or None,
+            _assumed(found, path) or None,
+            found.assumed.get(path) or None,
         )
         for path, own in found.tolerances.items()
     )

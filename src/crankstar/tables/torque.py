@@ -8,12 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value, remarks
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value, for_each, remarks
 from crankstar.dynamics.uneven import Running
 from crankstar.engine.dead_centres import pistons
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
-from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, numbers_text
 from crankstar.language.quoting import one_line
@@ -33,10 +32,10 @@ from crankstar.tables.gas_words import (
 )
 from crankstar.tables.headings import heading
 from crankstar.tables.meshes import mesh_table
-from crankstar.tables.torque_orders import Orders, by_order, order_table, orders_of_note, roll_table
+from crankstar.tables.torque_orders import Orders, by_order, order_tables
 from crankstar.tables.torque_parts import (
     changes_table,
-    side_thrust_table,
+    side_thrust_tables,
     tangential_table,
     unchanged_sentence,
 )
@@ -83,7 +82,6 @@ def torque_document(
     orders: Sequence[float] | None = None,
     wheel: Wheel | None = None,
     loads: LoadedTorques | None = None,
-    machine: bool = False,
 ) -> Document:
     """Torque by order, what a cycle does, and how evenly the engine runs.
 
@@ -116,30 +114,24 @@ def torque_document(
         "doubts": [fault.sentence for fault in point_doubts(engine, cycle)],
         "units": {"torque": "N*m", "power": "W", "pressure": "Pa"},
     }
-    own = of_any(("torque", engine.name), orders_of_note(waves, machine=machine))
-    shown = tuple(orders) if orders else tuple(sorted(own))
-    table = order_table(waves, shown, machine=machine)
     gears = mesh_table(engine, cycle, running=running)
     more = [] if gears is None else [gears]
-    more.append(side_thrust_table(engine, cycle, machine=machine))
+    more += side_thrust_tables(engine, cycle)
     told = [*_other_points(engine, cycle), *notes(engine, cycle), *_provisos(waves)]
     pairs = [] if wheel is None else [wheel_table(wheel)]
     if running is not None:
         pairs = [running_table(running), *pairs]
         changed = changes_table(engine, running)
-        more += [changed] if changed.rows or machine else []
+        more += for_each(changed, changed)
         told += [] if changed.rows else [unchanged_sentence()]
     more += [] if loads is None else [tangential_table(loads)]
     work = work_table(cycle, found)
-    if machine:
-        return Document(engine.name, (table, work, *pairs, *more), facts)
     return Document(
         engine.name,
         (
             heading(engine),
             work,
-            table,
-            roll_table(waves, shown),
+            *order_tables(engine, waves, orders or ()),
             *pairs,
             *more,
             *remarks(*told, kind="note"),

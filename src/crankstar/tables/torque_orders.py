@@ -56,10 +56,16 @@ def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
     return Orders(roll.orders.tolist(), at(gas), at(sums.torque), at(whole), at(roll))
 
 
-def orders_of_note(waves: Orders, *, machine: bool) -> tuple[float, ...]:
-    """All orders for machines; for readers those of note, and what is nought before the first."""
-    if machine:
-        return tuple(waves.orders)
+class OrderTables(NamedTuple):
+    """Torques by order and the rolling moment for readers, and both for machines."""
+
+    readers: Table
+    rolls: Table
+    machines: Table
+
+
+def orders_of_note(waves: Orders) -> tuple[float, ...]:
+    """Those of note, and what is zero before the first."""
     size = np.maximum(np.abs(waves.total), np.abs(waves.gas))
     noted = size > NOTED * size.max(initial=0.0)
     first = next((order for order, kept in zip(waves.orders, noted, strict=True) if kept), 0.0)
@@ -68,15 +74,27 @@ def orders_of_note(waves: Orders, *, machine: bool) -> tuple[float, ...]:
     )
 
 
-def order_table(waves: Orders, shown: Sequence[float], *, machine: bool) -> Table:
-    """Gas, inertia and their sum, order by order; for machines the roll of the block too."""
-    kind = "signal" if machine else "wave"
+def order_tables(engine: Engine, waves: Orders, asked: Sequence[float] = ()) -> OrderTables:
+    """The torques of the orders that are `asked`, else for readers of those of note.
+
+    All engines that are told of together have the same orders.
+    """
+    told = asked or sorted(of_any(("torque", engine.name), orders_of_note(waves)))
+    every = asked or sorted(of_any(("every torque", engine.name), waves.orders))
+    machines = replace(_order_table(waves, every, whole=True), audience="machines")
+    readers = replace(_order_table(waves, told), audience="readers")
+    return OrderTables(readers, roll_table(waves, told), machines)
+
+
+def _order_table(waves: Orders, shown: Sequence[float], *, whole: bool = False) -> Table:
+    """Gas, inertia and their sum, order by order; as a `whole` the roll of the block too."""
+    kind = "signal" if whole else "wave"
     columns = [Column(_("order"), key="order", label=True)]
     series: list[tuple[str, str, Complex]] = [("gas", _("gas torque"), waves.gas)]
     if waves.inertia is not None:
         series.append(("inertia", _("inertia torque"), waves.inertia))
     series.append(("total", _("together"), waves.total))
-    if machine:
+    if whole:
         series += [("roll", "", waves.roll), ("roll_on_same_mounts", "", waves.roll)]
     columns += [Column(title, "N*m", kind=kind, key=key) for key, title, _wave in series]
     rows = _rows(waves, shown, [wave for _key, _title, wave in series])
@@ -119,19 +137,15 @@ def _gas(engine: Engine, speed: float | None) -> tuple[Cycle, Orders] | None:
 
 
 def gas_tables(
-    engine: Engine, *, speed: float | None, orders: Sequence[float] = (), machine: bool = False
+    engine: Engine, *, speed: float | None, orders: Sequence[float] = ()
 ) -> tuple[Table, ...]:
     """Torque and roll with gas of an engine whose file says what the gas does; else none."""
     own_gas = _gas(engine, speed)
     if own_gas is None:
         return ()
     found, waves = own_gas
-    own = of_any(("torque", engine.name), orders_of_note(waves, machine=machine))
-    shown = tuple(orders) or tuple(sorted(own))
-    if machine:
-        return (replace(order_table(waves, shown, machine=True), key="gas_orders"),)
+    readers, rolls, machines = order_tables(engine, waves, orders)
     title = _("Torque by order, gas at {pressure}", pressure=quantity_text(found.imep, "Pa"))
     title = at_points(title, found)
-    table = order_table(waves, shown, machine=False)
-    rolls = replace(roll_table(waves, shown), title=_("Rolling moment on the block, gas included"))
-    return replace(table, title=title), rolls
+    rolls = replace(rolls, title=_("Rolling moment on the block, gas included"))
+    return replace(readers, title=title), rolls, replace(machines, key="gas_orders")

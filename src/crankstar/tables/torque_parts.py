@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from math import degrees
+from typing import Literal
 
 import numpy as np
 
-from crankstar.analysis.document import ROW_UNIT, Column, Table
+from crankstar.analysis.document import ROW_UNIT, Column, Table, Value
 from crankstar.dynamics.uneven import Running
 from crankstar.dynamics.uneven_forces import HIGHEST as HIGHEST_UNEVEN
 from crankstar.dynamics.uneven_forces import changes, worth_telling
@@ -18,7 +20,7 @@ from crankstar.language.numbers import numbers_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
-from crankstar.mechanics.side_thrust import greatest_side_thrust
+from crankstar.mechanics.side_thrust import SideThrust, greatest_side_thrust
 from crankstar.spectra import Real
 
 TANGENTIAL = 12.0
@@ -26,35 +28,52 @@ TANGENTIAL = 12.0
 QUANTITIES = {"force": (N_("force"), "N"), "couple": (N_("couple"), "N*m")}
 
 
-def side_thrust_table(engine: Engine, cycle: Cycle, *, machine: bool) -> Table:
-    """The greatest side thrust of each piston on both sides, and where it is.
+def side_thrust_tables(engine: Engine, cycle: Cycle) -> tuple[Table, Table]:
+    """The maximum side thrust of each piston on both sides, and where it is.
 
     For readers pistons that press alike are one row, and angles count from the dead centre at which
     their cylinders fire; for machines each has its own, with crank angles.
     """
     thrust = greatest_side_thrust(engine, cycle)
-    fires = _fires(engine, cycle) if not machine else dict.fromkeys(thrust.numbers, 0.0)
+    readers = _thrust_cells(thrust, _fires(engine, cycle), cycle)
+    machines = _thrust_cells(thrust, dict.fromkeys(thrust.numbers, 0.0), cycle)
+    groups: list[tuple[int, ...]] = as_given(("side thrust", engine.name), _alike(readers))
+    head = _("cylinder") if all(len(group) == 1 for group in groups) else _("cylinders")
+    after = _("after TDC") if cycle.motored else _("after firing")
+    told = [(numbers_text(group), *readers[group[0]]) for group in groups]
+    every = [(number, *cells) for number, cells in machines.items()]
+    return (
+        replace(_thrust_table(head, "text", after, told), audience="readers"),
+        replace(
+            _thrust_table(_("cylinder"), "number", _("crank angle"), every), audience="machines"
+        ),
+    )
+
+
+def _thrust_cells(
+    thrust: SideThrust, fires: Mapping[int, float], cycle: Cycle
+) -> dict[int, tuple[float | None, ...]]:
+    """Thrust on both sides with its angle, cylinder by cylinder."""
     whole = cycle.volumes.cycle
-    cells = {
+    return {
         number: (*_end(thrust.theta - fires[number], values, whole),
                  *_end(thrust.theta - fires[number], -values, whole))
         for number, values in zip(thrust.numbers, thrust.total, strict=True)
     }  # fmt: skip
-    own = [(number,) for number in cells] if machine else _alike(cells)
-    groups: list[tuple[int, ...]] = as_given(("side thrust", engine.name), own)
-    head = _("cylinder") if all(len(group) == 1 for group in groups) else _("cylinders")
-    at = _("crank angle") if machine else _("after TDC") if cycle.motored else _("after firing")
+
+
+def _thrust_table(
+    head: str, kind: Literal["text", "number"], at: str, rows: Sequence[tuple[Value, ...]]
+) -> Table:
     columns = (
-        Column(head, key="cylinder", label=True, kind="number" if machine else "text"),
+        Column(head, key="cylinder", label=True, kind=kind),
         Column(_("thrust side"), "N", key="thrust_side"),
         Column(at, "deg", key="thrust_side_deg"),
         Column(_("other side"), "N", key="other_side"),
         Column(at, "deg", key="other_side_deg"),
     )
-    rows = tuple(
-        (group[0] if machine else numbers_text(group), *cells[group[0]]) for group in groups
-    )
-    return Table(_("Greatest side thrust of the pistons"), columns, rows, key="side_thrust")
+    title = _("Greatest side thrust of the pistons")
+    return Table(title, columns, tuple(rows), key="side_thrust")
 
 
 def _fires(engine: Engine, cycle: Cycle) -> dict[int, float]:
