@@ -9,9 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
-from importlib.metadata import entry_points
+from typing import TYPE_CHECKING
 
 from crankstar.analysis.record import Analysis, Measure
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoints
 
 NAMES = ("torsion", "mounts")
 """The folders of `crankstar.analyses`, in the order in which hosts go over them."""
@@ -25,7 +28,7 @@ def names() -> tuple[str, ...]:
     >>> names()[:2]
     ('torsion', 'mounts')
     """
-    return (*NAMES, *sorted(point.name for point in entry_points(group=GROUP)))
+    return (*NAMES, *sorted(_added().names))
 
 
 @cache
@@ -37,10 +40,7 @@ def analysis(name: str) -> Analysis:
     """
     if name in NAMES:
         return import_module(f"crankstar.analyses.{name}").RECORD
-    for point in entry_points(group=GROUP):
-        if point.name == name:
-            return point.load()
-    raise KeyError(name)
+    return _added()[name].load()
 
 
 def analyses() -> Iterator[Analysis]:
@@ -57,3 +57,10 @@ def measures() -> dict[str, tuple[Analysis, Measure]]:
     ('mounts', 'N')
     """
     return {own.name: (record, own) for record in analyses() for own in record.measures}
+
+
+def _added() -> EntryPoints:
+    """The entry points of other packages, which are slow to find."""
+    from importlib.metadata import entry_points
+
+    return entry_points(group=GROUP)

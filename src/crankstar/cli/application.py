@@ -12,6 +12,7 @@ from itertools import pairwise
 from cyclopts import App, CycloptsError
 
 from crankstar import __version__
+from crankstar.analysis.registry import NAMES as ANALYSES
 from crankstar.analysis.registry import names
 from crankstar.cli.complaints import complaint, unwritable
 from crankstar.cli.output import LOST, OutputError, abandon, complain, is_file
@@ -109,7 +110,7 @@ app = App(
 app.register_install_completion_command(
     COMPLETION, help="Install completion of commands and options in this shell."
 )
-VERBS |= {name: f"analyses:{name}" for name in names()}
+VERBS |= {name: f"analyses:{name}" for name in ANALYSES}
 for _verb, _place in VERBS.items():
     app.command(f"crankstar.cli.{_place}", name=_verb)
 
@@ -138,6 +139,8 @@ def _code(words: list[str]) -> int:
         with shown_in(_units(words)), files_noted():
             if not words and _gallery():
                 raise SystemExit(0)
+            if not VERBS.keys() & set(words):  # only then those of other packages are looked for
+                _add_verbs()
             if not words or {"--help", "-h"} & set(words):  # only help needs its libraries
                 _prepare_help(words)
             _refuse_source(words)
@@ -161,6 +164,14 @@ def _code(words: list[str]) -> int:
     except KeyboardInterrupt:
         return 130
     return code
+
+
+def _add_verbs() -> None:
+    """Have the analyses of other packages as verbs too."""
+    for name in names():
+        if name not in VERBS:
+            VERBS[name] = f"analyses:{name}"
+            app.command(f"crankstar.cli.{VERBS[name]}", name=name)
 
 
 def _prepare_help(words: Sequence[str]) -> None:
