@@ -11,10 +11,10 @@ from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from crankstar.analysis.record import Analysis, Measure
-
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoints
+
+    from crankstar.analysis.record import Analysis, Measure
 
 NAMES = ("torsion", "mounts")
 """The folders of `crankstar.analyses`, in the order in which hosts go over them."""

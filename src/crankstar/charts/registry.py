@@ -17,108 +17,113 @@ USUAL_SPEED = 1000 * pi / 30
 """rad/s: of engines that are compared, where no file gives a speed."""
 
 
+def _chart(name: str, path: str, about: str, kind: str = "") -> Chart:
+    """One of a module of this room."""
+    return Chart(name, f"crankstar.charts.{path}", about, kind)
+
+
 _FIGURES = (
-    Chart(
+    _chart(
         "crank-star",
-        "crankstar.charts.crank_stars:crank_star",
+        "crank_stars:crank_star",
         N_("the throws of the crankshafts, seen from the front"),
     ),
-    Chart(
+    _chart(
         "vector-star",
-        "crankstar.charts.vector_stars:vector_star",
+        "vector_stars:vector_star",
         N_("the vectors of one order of every cylinder, throw and weight"),
         "Quantity",
     ),
-    Chart(
+    _chart(
         "polygon",
-        "crankstar.charts.vector_stars:polygon",
+        "vector_stars:polygon",
         N_("the vectors of one order head to tail, with their resultant"),
         "Quantity",
     ),
-    Chart(
+    _chart(
         "hodograph",
-        "crankstar.charts.hodographs:hodograph",
+        "hodographs:hodograph",
         N_("the path of force or couple, of one order or of all"),
         "Quantity",
     ),
-    Chart(
+    _chart(
         "over-turn",
-        "crankstar.charts.curves:over_turn",
+        "curves:over_turn",
         N_(
             "force, couple, rolling moment or inertia torque over the crank angle, by "
             "order and in total"
         ),
         "Signal",
     ),
-    Chart(
+    _chart(
         "amplitudes",
-        "crankstar.charts.amplitude_curves:amplitudes",
+        "amplitude_curves:amplitudes",
         N_("force, pitch, yaw and rolling moment over the speed, by order and in total"),
     ),
-    Chart(
+    _chart(
         "spectrum", "spectra:spectrum", N_("peak force, couple and rolling moment of each order")
     ),
-    Chart(
+    _chart(
         "shaft",
-        "crankstar.charts.elevations:shaft_elevation",
+        "elevations:shaft_elevation",
         N_("every shaft from the side, with its weights and arms"),
     ),
-    Chart(
+    _chart(
         "stroke-chart",
-        "crankstar.charts.strokes:stroke_chart",
+        "strokes:stroke_chart",
         N_("open valves and ignition of each cylinder over one cycle"),
     ),
-    Chart(
+    _chart(
         "firing-ring",
-        "crankstar.charts.firing_rings:firing_ring",
+        "firing_rings:firing_ring",
         N_("the cylinders around a circle at their firing angles"),
     ),
-    Chart(
+    _chart(
         "exhaust-orders",
-        "crankstar.charts.exhaust_orders:exhaust_order_chart",
+        "exhaust_orders:exhaust_order_chart",
         N_("the orders of the exhaust pulses of each bank or manifold"),
     ),
-    Chart(
+    _chart(
         "torque",
-        "crankstar.charts.torque:torque_chart",
+        "torque:torque_chart",
         N_("gas and inertia torque over a cycle: together, by cylinder, by load or by order"),
         "TorqueView",
     ),
-    Chart(
+    _chart(
         "pressure",
-        "crankstar.charts.pressures:pressure_chart",
+        "pressures:pressure_chart",
         N_("the pressure in the cylinders over their volume or over the crank angle"),
         "PressureView",
     ),
-    Chart(
+    _chart(
         "side-thrust",
-        "crankstar.charts.side_thrusts:side_thrust_chart",
+        "side_thrusts:side_thrust_chart",
         N_("how hard the pistons press on their cylinder walls over a cycle"),
     ),
-    Chart(
+    _chart(
         "guide-moments",
-        "crankstar.charts.guide_moment_bars:guide_moment_chart",
+        "guide_moment_bars:guide_moment_chart",
         N_("guide-force moments of each order: H, which sways all heads, and X, which twists"),
     ),
-    Chart(
+    _chart(
         "forces",
-        "crankstar.charts.cylinder_forces:force_arrows",
+        "cylinder_forces:force_arrows",
         N_("the forces of each cylinder at chosen crank angles"),
     ),
-    Chart(
+    _chart(
         "bearing-loads",
-        "crankstar.charts.polar_diagrams:polar_loads",
+        "polar_diagrams:polar_loads",
         N_("the load on each main bearing or crank pin over a turn, as a polar diagram"),
         "Loaded",
     ),
-    Chart(
+    _chart(
         "bending",
-        "crankstar.charts.bending:bending_chart",
+        "bending:bending_chart",
         N_("the bending moment along the crankshaft, with counterweights and without"),
     ),
-    Chart(
+    _chart(
         "balance-shafts",
-        "crankstar.charts.balance_shafts:balance_shaft_chart",
+        "balance_shafts:balance_shaft_chart",
         N_("the balance shafts in their places, with ratio, sense and unbalance"),
     ),
 )

@@ -139,9 +139,10 @@ def _code(words: list[str]) -> int:
         with shown_in(_units(words)), files_noted():
             if not words and _gallery():
                 raise SystemExit(0)
-            if not VERBS.keys() & set(words):  # only then those of other packages are looked for
+            helping = not words or bool({"--help", "-h"} & set(words))
+            if helping or not (words[0].startswith("-") or words[0] in VERBS):
                 _add_verbs()
-            if not words or {"--help", "-h"} & set(words):  # only help needs its libraries
+            if helping:  # only help needs its libraries
                 _prepare_help(words)
             _refuse_source(words)
             code = app(_spelt_out(words), exit_on_error=False, print_error=False) or 0
