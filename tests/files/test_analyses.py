@@ -1,0 +1,126 @@
+"""Analyses are records: what they name is there, hosts go over them, other packages add some."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from importlib.metadata import EntryPoint, EntryPoints
+from pathlib import Path
+from typing import Annotated, Any
+
+import pytest
+from tests.commands import Run
+
+from crankstar import charts
+from crankstar.analysis import registry
+from crankstar.analysis.assumptions import Answer
+from crankstar.analysis.document import Column, Document, Table
+from crankstar.analysis.reader import asked
+from crankstar.analysis.record import Analysis, Later
+from crankstar.cli import application
+from crankstar.engine.engine import Engine
+from crankstar.options import readers
+from crankstar.options.vocabulary import OPTIONS
+
+PACKAGE = Path(registry.__file__).parents[1]
+HOSTS = (
+    "cli/analyses.py",
+    "report/analyses.py",
+    "report/document.py",
+    "tables/verdict.py",
+    "tables/comparison.py",
+    "tables/sweeps.py",
+    "studies/sweep.py",
+    "studies/sweep_answers.py",
+    "studies/answers.py",
+    "charts/registry.py",
+)
+"""Modules that go over all analyses and know none of them."""
+
+
+@pytest.mark.parametrize("record", [*registry.analyses()], ids=lambda record: record.name)
+def test_all_that_a_record_names_is_there(record: Analysis) -> None:
+    named = {field.name: getattr(record, field.name) for field in fields(record)}
+    for name, value in named.items():
+        if isinstance(value, Later):
+            assert value.value is not None, name
+    assert {one.reader.option for one in asked(record.question.value)} <= OPTIONS.keys()
+    assert {figure.chart for figure in record.figures} <= charts.CHARTS.keys()
+    assert set(record.chains) <= {one.name for one in asked(record.question.value)}
+
+
+@pytest.mark.parametrize("module", HOSTS)
+def test_a_host_names_no_analysis(module: str) -> None:
+    source = (PACKAGE / module).read_text(encoding="utf-8")
+    named = [
+        name for name in registry.names() if f'"{name}"' in source or f"analyses.{name}" in source
+    ]
+    assert named == []
+
+
+@dataclass(frozen=True)
+class Question:
+    """Of which speed, rad/s."""
+
+    speed: Annotated[float | None, readers.SPEED] = None
+
+
+def mean_piston_speed(engine: Engine, question: Question) -> float | None:
+    """2 s n, m/s."""
+    turning = engine.speed if question.speed is None else question.speed
+    stroke = 2 * engine.throw(engine.first).radius
+    return None if turning is None else stroke * turning / 3.141592653589793
+
+
+def piston_document(engine: Engine, found: float | None, question: Question) -> Document:
+    """One row."""
+    del question
+    column = Column("mean piston speed", "m/s", key="mean_piston_speed")
+    return Document(engine.name, (Table("Pistons", (column,), ((found,),), key="pistons"),))
+
+
+def nothing(engine: Engine, question: Question) -> Answer:
+    """Rests on no figure."""
+    del engine, question
+    return Answer(figures=lambda _engine: {}, unit=lambda _quantity, _engine: "")
+
+
+RECORD = Analysis(
+    name="piston-speed",
+    about="Mean piston speed.",
+    takes="An engine.",
+    doing="Computing ...",
+    title="Pistons",
+    question=Later(f"{__name__}:Question"),
+    compute=Later(f"{__name__}:mean_piston_speed"),
+    document=Later(f"{__name__}:piston_document"),
+    answer=Later(f"{__name__}:nothing"),
+    lacks=lambda _engine: False,
+)
+
+
+@pytest.fixture
+def added(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """One more analysis, as a package that is installed adds it."""
+    point = EntryPoint("piston-speed", f"{__name__}:RECORD", registry.GROUP)
+    monkeypatch.setattr(registry, "_added", lambda: EntryPoints([point]))
+    caches: list[Any] = [registry.names, registry.analysis, registry.measures]
+    for cache in caches:
+        cache.cache_clear()
+    yield
+    for cache in caches:
+        cache.cache_clear()
+    if application.VERBS.pop("piston-speed", None):
+        del application.app["piston-speed"]
+
+
+@pytest.mark.usefixtures("added")
+def test_an_analysis_of_another_package_is_a_command_and_a_section_of_the_report(run: Run) -> None:
+    found = json.loads(run("piston-speed", "audi-25-tfsi", "--speed", "6000 rpm", "--json").out)
+    assert found["pistons"][0]["mean_piston_speed"] == pytest.approx(2 * 92.8e-3 * 100)
+    assert "piston-speed" in run("--help").out
+    refused = run("piston-speed", "audi-25-tfsi", "--speed", "quick")
+    assert (refused.code, refused.err.count("\n")) == (2, 1)
+    written = run("report", "audi-25-tfsi", "-o", "-").out
+    assert '<section id="piston-speed"' in written or "Pistons" in written
