@@ -14,8 +14,8 @@ from tests.commands import Run
 from tests.marine import SEVEN, marine_engine
 from tests.terminal_tables import blocks
 
+from crankstar.analyses.genset.generating_set import generating_set
 from crankstar.files import toml
-from crankstar.studies.generating_sets import generating_set
 
 
 def written(folder: Path) -> str:

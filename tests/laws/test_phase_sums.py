@@ -10,6 +10,7 @@ from tests.marine import marine_engine
 
 import crankstar
 from crankstar import spectra
+from crankstar.analyses.genset.generating_set import generating_set
 from crankstar.dynamics.generator_angle import generator_angle
 from crankstar.dynamics.uneven import running
 from crankstar.engine.engine import Engine
@@ -23,7 +24,6 @@ from crankstar.mechanics.phase_sums import (
     typical_sum,
     worst_sum,
 )
-from crankstar.studies.generating_sets import generating_set
 
 DRAWN = 200_000
 UNEQUAL = [3.0, 2.0, 2.5, 0.4]

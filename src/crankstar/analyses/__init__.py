@@ -2,6 +2,7 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `genset/` | how evenly a generating set runs, and several on one foundation |
 | `mounts/` | an engine on its mounts: natural modes, vibration, what the mounts pass on |
 | `torsion/` | how a crankshaft or a drive line twists |
 """

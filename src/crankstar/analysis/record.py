@@ -129,7 +129,8 @@ class Analysis:
     compute    (source, question) -> result
     document   (source, result, question) -> Document, for readers and machines
     answer     (engine, question) -> Answer: the figures that its assumptions move
-    lacks      (engine) -> whether its file lacks what the analysis is of
+    lacks      (engine) -> whether its file lacks what the analysis is of; without it the analysis
+               is told of only where it is asked for
     charts     what can be plotted of it
     figures    which of these a report has
     subject    what its sentences in a verdict are about
@@ -154,7 +155,7 @@ class Analysis:
     compute: Later[Callable[[Any, Any], Any]]
     document: Later[Callable[[Any, Any, Any], Document]]
     answer: Later[Callable[[Engine, Any], Answer]]
-    lacks: Callable[[Engine], bool]
+    lacks: Callable[[Engine], bool] | None = None
     refuse: Later[Callable[[Engine | Chain, Any], None]] | None = None
     charts: tuple[Chart, ...] = ()
     figures: tuple[Figure, ...] = ()
@@ -167,6 +168,10 @@ class Analysis:
     natural: Later[Callable[[], Answer]] | None = None
     chains: tuple[str, ...] = ()
     estimates: bool = False
+
+    def tells(self, engine: Engine) -> bool:
+        """Whether reports and verdicts have it of an engine."""
+        return self.lacks is not None and not self.lacks(engine)
 
     def told(self, source: Engine | Chain, question: Any) -> Document:
         """The document of a source, with the values of a question."""

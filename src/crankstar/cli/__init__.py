@@ -14,7 +14,6 @@
 | `isolating` | isolate |
 | `analyses` | the verbs of all analyses that are records |
 | `marine` | marine |
-| `genset` | genset |
 | `estimating` | estimate |
 | `deriving` | derive, errata |
 | `firing` | orders, vees |

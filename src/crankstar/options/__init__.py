@@ -14,7 +14,6 @@
 | `values` | speeds, orders, angles, points of reference, settings |
 | `ranges` | the speeds of --speeds |
 | `gas` | a degree of irregularity, mean effective pressures |
-| `readers` | what the questions of several analyses have in common |
 | `remedies` | weights, what they minimise, balance shafts |
 | `workshop` | a drill, a measured unbalance, a grade, as a balancing shop types them |
 | `isolating` | what is minimised of mounts, and the limits of stiffness, place, sag, frequency |
@@ -30,6 +29,7 @@
 | `shapes` | a shape of torsion: straight, a mode of the engine's own, or numbers |
 | `sequences` | goals of a front over stars and firing sequences, as typed |
 | `marine` | shares, places, top bracings and power of `marine` |
+| `readers` | what the questions of several analyses have in common |
 | `guide` | numbers of cylinders and firing orders of `guide` |
 | `sounds` | the speeds and the pipes of a sound |
 """

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from fractions import Fraction
 
-from crankstar.engine.quantities import PRESSURE
+from crankstar.engine.quantities import INERTIA, PRESSURE
 from crankstar.files import units
 from crankstar.options import values as request
 from crankstar.options.values import RequestError, refusal
@@ -30,6 +30,17 @@ def degree_of_irregularity(text: str | None) -> float | None:
         raise refusal(
             "--irregularity", text, "give a share from 1/10000 to 1, such as 1/50 or 0.02"
         )
+    return value
+
+
+def inertia(text: str | None) -> float | None:
+    """The inertia of what turns, above nought, kg m^2. Raises RequestError."""
+    if text is None:
+        return None
+    with request.reading("--flywheel"):
+        value = units.si(text, INERTIA)
+    if value <= 0:
+        raise request.not_positive("--flywheel", text, INERTIA)
     return value
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from math import radians
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.quantities import INERTIA, LENGTH, POSITION, POWER
+from crankstar.engine.quantities import LENGTH, POSITION, POWER
 from crankstar.files import units
 from crankstar.language.messages import _
 from crankstar.options import values as request
@@ -48,17 +48,6 @@ def power(text: str | None) -> float | None:
         value = units.si(text, POWER)
     if value <= 0:
         raise request.not_positive("--rated-power", text, POWER)
-    return value
-
-
-def inertia(text: str | None) -> float | None:
-    """The inertia of what turns, above nought, kg m^2. Raises RequestError."""
-    if text is None:
-        return None
-    with request.reading("--flywheel"):
-        value = units.si(text, INERTIA)
-    if value <= 0:
-        raise request.not_positive("--flywheel", text, INERTIA)
     return value
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from crankstar.analysis.reader import Reader
 from crankstar.options import values
-from crankstar.options.gas import gas_orders
+from crankstar.options.gas import degree_of_irregularity, gas_orders, inertia, weaker_cylinders
 from crankstar.options.ranges import speeds_of
 
 
@@ -35,3 +35,11 @@ ORDERS = Reader("--orders", _orders)
 """Orders of a crankshaft with gas; None is all."""
 AT = Reader("--at", _at, of_source=True)
 """A point of the block: up, right, along; m."""
+FLYWHEEL = Reader("--flywheel", inertia)
+"""An inertia, kg m^2."""
+IRREGULARITY = Reader("--irregularity", degree_of_irregularity)
+"""A degree of irregularity."""
+OFF = Reader("--off", values.cylinders_off)
+"""Numbers of cylinders that do not fire."""
+WEAKER = Reader("--weaker", weaker_cylinders)
+"""Cylinders, and the share of their combustion that they lack."""

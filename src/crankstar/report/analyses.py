@@ -13,7 +13,7 @@ from crankstar.tables.html import paragraph
 
 def section_of(record: Analysis, subject: Subject, gallery: Gallery) -> str:
     """Empty where the engine file lacks what the analysis is of."""
-    if record.lacks(subject.engine):
+    if not record.tells(subject.engine):
         return ""
     question = record.question.value(speed=subject.at)
 

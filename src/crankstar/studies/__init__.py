@@ -20,7 +20,6 @@
 | `published_orders` | the firing orders of the catalog that were read in a source |
 | `family_torsion` | the chain of an engine with other numbers of throws, and its vector sums |
 | `engine_family` | the cylinders of an engine in rows of 5 to 12, each with the best order |
-| `generating_sets` | how evenly a generating set runs, and several on one foundation |
 | `judged_orders` | firing orders by the stress and the bearing loads that they make |
 | `sweep` | one or two values of an engine file varied, and what becomes of its quantities |
 | `sweep_answers` | what the results of a sweep rest on, at one of its values |

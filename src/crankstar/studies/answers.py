@@ -170,7 +170,7 @@ def _driven(engine: Engine, speed: float | None) -> list[Answer]:
     """The analyses of which a verdict tells, where the file has what they are of."""
     out: list[Answer] = []
     for record in analyses():
-        if record.facts is not None and not record.lacks(engine):
+        if record.facts is not None and record.tells(engine):
             with suppress(MessageError):
                 out.append(record.answer.value(engine, record.question.value(speed=speed)))
     return out

@@ -108,7 +108,7 @@ def _of_analyses(compared: _Compared) -> tuple[Table, ...]:
     return tuple(
         table
         for record in analyses()
-        if record.compared is not None and not all(map(record.lacks, engines))
+        if record.compared is not None and any(map(record.tells, engines))
         for table in record.compared.value(engines, compared.names, _speeds(compared))
     )
 
@@ -351,12 +351,12 @@ def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
             _share(cell, cells[0] or 0.0, 1) if cell else None,
         )
         for record in analyses()
-        if record.sizes is not None and not all(map(record.lacks, engines))
+        if record.sizes is not None and any(map(record.tells, engines))
         for what, order, cells, unit in record.sizes.value(engines, _speeds(compared))
         for own, engine, result, cell in zip(
             engines, compared.names, compared.results, cells, strict=True
         )
-        if not record.lacks(own)
+        if record.tells(own)
     ]
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from math import degrees, pi
 from typing import Any
 
+from crankstar.analyses.genset.generating_set import SHARES, GeneratingSet
+from crankstar.analyses.genset.question import Question
 from crankstar.analysis.document import (
     ROW_UNIT,
     Column,
@@ -17,9 +19,9 @@ from crankstar.analysis.document import (
 )
 from crankstar.dynamics.generator_angle import GeneratorAngle
 from crankstar.dynamics.uneven import Running
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
-from crankstar.studies.generating_sets import SHARES, GeneratingSet
 from crankstar.tables.gas_words import (
     at_points,
     burning_words,
@@ -39,8 +41,9 @@ NAMES = {
 }
 
 
-def generating_set_document(found: GeneratingSet) -> Document:
+def document(engine: Engine, found: GeneratingSet, asked: Question) -> Document:
     """All of a set."""
+    del engine, asked
     parts: list[Table | Remarks] = [heading(found.engine)]
     if found.running is not None and found.angle is not None:
         parts.append(_running_table(found, found.running, found.angle))
