@@ -4,5 +4,6 @@
 |---|---|
 | `genset/` | how evenly a generating set runs, and several on one foundation |
 | `mounts/` | an engine on its mounts: natural modes, vibration, what the mounts pass on |
+| `torque/` | torque of gas and inertia, and how evenly the engine runs |
 | `torsion/` | how a crankshaft or a drive line twists |
 """

@@ -83,11 +83,12 @@ def verb(record: Analysis) -> Callable[..., None]:
 
 def _argument(one: Asked) -> Argument:
     kind = TYPES[OPTIONS[one.reader.option].takes]
+    how = option(one.reader.option, one.reader.more)
     return Argument(
         one.name,
         Argument.KEYWORD_ONLY,
-        default=None,
-        annotation=Annotated[kind | None, option(one.reader.option, one.reader.more)],
+        default=False if kind is bool else None,
+        annotation=Annotated[kind, how] if kind is bool else Annotated[kind | None, how],
     )
 
 

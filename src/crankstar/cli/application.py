@@ -92,7 +92,6 @@ VERBS = {
     "strokes": "inspect:strokes",
     "sweep": "sweeping:sweep",
     "tolerance": "tolerances:tolerance",
-    "torque": "torque:torque",
     "vees": "firing:vees",
     "verdict": "inspect:verdict",
 }

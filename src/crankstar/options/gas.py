@@ -33,15 +33,9 @@ def degree_of_irregularity(text: str | None) -> float | None:
     return value
 
 
-def inertia(text: str | None) -> float | None:
-    """The inertia of what turns, above nought, kg m^2. Raises RequestError."""
-    if text is None:
-        return None
-    with request.reading("--flywheel"):
-        value = units.si(text, INERTIA)
-    if value <= 0:
-        raise request.not_positive("--flywheel", text, INERTIA)
-    return value
+def inertia(text: str) -> float:
+    """The inertia of what turns, above zero, kg m^2. Raises RequestError."""
+    return request.positive("--flywheel", text, quantity=INERTIA)
 
 
 def gas_orders(text: str | None) -> list[float] | None:

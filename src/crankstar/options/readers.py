@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
+from typing import Any, Literal
 
 from crankstar.analysis.reader import Reader
+from crankstar.engine.quantities import PRESSURE
 from crankstar.options import values
-from crankstar.options.gas import degree_of_irregularity, gas_orders, inertia, weaker_cylinders
+from crankstar.options.gas import (
+    degree_of_irregularity,
+    gas_orders,
+    inertia,
+    mean_pressures,
+    weaker_cylinders,
+)
 from crankstar.options.ranges import speeds_of
 
 
@@ -19,6 +26,20 @@ def _orders(text: str) -> list[float] | None:
 def count(option: str, most: int, more: str = "") -> Reader:
     """A whole number from 1 to `most`."""
     return Reader(option, partial(values.within, option, most=most), more)
+
+
+def flag(option: str, more: str = "") -> Reader:
+    """Whether an option without a value is given."""
+    return Reader(option, bool, more)
+
+
+def pressure(option: str) -> Reader:
+    """A pressure above zero, Pa."""
+    return Reader(option, partial(values.positive, option, quantity=PRESSURE))
+
+
+def _orders_or_all(text: str) -> list[float] | Literal["all"] | None:
+    return "all" if text.strip() == "all" else gas_orders(text)
 
 
 def _at(text: str, engine: Any) -> tuple[float, float, float] | None:
@@ -33,6 +54,10 @@ SPEEDS = Reader("--speeds", speeds_of)
 """Speeds, rad/s."""
 ORDERS = Reader("--orders", _orders)
 """Orders of a crankshaft with gas; None is all."""
+ORDERS_OR_ALL = Reader("--orders", _orders_or_all)
+"""The same, where all are other ones than those without any."""
+TANGENTIAL = Reader("--tangential", mean_pressures)
+"""Mean effective pressures, Pa."""
 AT = Reader("--at", _at, of_source=True)
 """A point of the block: up, right, along; m."""
 FLYWHEEL = Reader("--flywheel", inertia)

@@ -361,6 +361,15 @@ def length(
     return value
 
 
+def positive(option: str, text: str, *, quantity: Quantity) -> float:
+    """A value above zero. Raises RequestError."""
+    with reading(option):
+        value = units.si(text, quantity)
+    if value <= 0:
+        raise not_positive(option, text, quantity)
+    return value
+
+
 def not_positive(option: str, text: str, quantity: Quantity) -> RequestError:
     """The refusal of a value that is not above 0."""
     return refusal(
