@@ -176,12 +176,12 @@ def speed_rows(engine: Engine) -> Document:
 
 def bearings(engine: Engine) -> Document:
     """Loads with hinges at the bearings."""
-    return bearing_document(engine, machine=True)
+    return bearing_document(engine).for_machines
 
 
 def beam(engine: Engine) -> Document:
     """Loads of one beam."""
-    return bearing_document(engine, model="continuous", machine=True)
+    return bearing_document(engine, model="continuous").for_machines
 
 
 @pytest.mark.release

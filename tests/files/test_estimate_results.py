@@ -65,7 +65,7 @@ def test_bearing_loads_of_any_masses_lie_in_the_ranges(model: Any) -> None:
     assert ends is not None
 
     def sheet(engine: Engine) -> Document:
-        return bearing_document(engine, model=model, machine=True)
+        return bearing_document(engine, model=model).for_machines
 
     shown = ranged(sheet, ends, ends.engine)
     for engine in variants(tree, count=5):

@@ -47,5 +47,7 @@ def test_the_bars_are_of_the_orders_of_the_table(name: str) -> None:
     engine = marine_engine() if name == "two-stroke seven" else crankstar.load(name)
     drawn = charts.guide_moment_chart(engine).to_dict()
     bars = {float(row["order"]) for row in rows_of(drawn) if "what" in row}
-    [table] = [one for one in marine_document(marine(engine)).tables if one.key == "guide"]
+    [table] = [
+        one for one in marine_document(marine(engine)).for_readers.tables if one.key == "guide"
+    ]
     assert bars == {row[0] for row in table.rows}

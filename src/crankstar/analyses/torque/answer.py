@@ -91,5 +91,9 @@ def document(engine: Engine, found: Torque, asked: Question) -> Document:
 
 def answer(engine: Engine, asked: Question) -> Answer:
     """The figures that it says first."""
-    sizing = {"flywheel": asked.flywheel, "irregularity": asked.irregularity}
-    return torques(engine, lambda each: _burnt(each, asked), **sizing)
+    return torques(
+        engine,
+        lambda each: _burnt(each, asked),
+        flywheel=asked.flywheel,
+        irregularity=asked.irregularity,
+    )
