@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import IO, TypeVar
 
 T = TypeVar("T")
-PATIENCE = 120.0
+PATIENCE = 600.0
 """Seconds after which what has not come never will: they end a hang, and measure no speed."""
 LOOK_SECONDS = 0.02
 """How often a state is looked at that nobody reports."""

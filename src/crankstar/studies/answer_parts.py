@@ -143,7 +143,7 @@ def gas_as_in(engine: Engine, changed: Engine) -> Engine:
     return with_values(changed, gas=None) if engine.gas is None else changed
 
 
-def tuned_on_mounts(orders: Sequence[float], low: float, high: float) -> Tuning:
+def tuned_on_mounts(orders: Sequence[float], *, between: tuple[float, float]) -> Tuning:
     """The natural frequencies of an engine on its mounts and the orders of some speeds, rad/s."""
     from crankstar.dynamics.mount_modes import mount_modes
     from crankstar.dynamics.mounted_block import mounted_block
@@ -151,4 +151,4 @@ def tuned_on_mounts(orders: Sequence[float], low: float, high: float) -> Tuning:
     def natural(each: Engine) -> list[float]:
         return [mode.speed for mode in mount_modes(mounted_block(each))]
 
-    return Tuning(natural, orders, (low, high))
+    return Tuning(natural, orders, between)

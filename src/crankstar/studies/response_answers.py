@@ -46,7 +46,7 @@ def felt(
     tunings = []
     if engine.mounts:
         now = shaken(engine, faults, point=point, speed=speed, orders=orders)
-        tunings = [tuned_on_mounts(now.orders.tolist(), now.speed, now.speed)]
+        tunings = [tuned_on_mounts(now.orders.tolist(), between=(now.speed, now.speed))]
     return Answer(
         figures=figures,
         unit=lambda quantity, _engine: units[quantity],

@@ -100,7 +100,9 @@ def on_mounts(
         why_gasless=why,
         choices=[usual_load(usual, with_gas, IN_VIBRATION)] if usual else [],
         least=least,
-        tunings=[] if over is None else [tuned_on_mounts(over.orders.tolist(), *(ends or (0, 0)))],
+        tunings=[]
+        if over is None or ends is None
+        else [tuned_on_mounts(over.orders.tolist(), between=ends)],
     )
 
 
