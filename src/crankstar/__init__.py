@@ -18,13 +18,13 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `pictures/` | the engine itself, drawn at a crank angle or as a film |
 | `page/` | the page on which the engine turns: its data, one file, the notebook widget |
 | `analyses/` | the analyses, a folder each: what is asked, what computes it, how it is told |
-| `analysis/` | the record of an analysis, what reads its question, all of them by name |
 | `options/` | what is typed in a command line or a dialog, read as checked values |
 | `charts/` | figures, one function each |
 | `tables/` | every analysis as a table: terminal, HTML, CSV, JSON, spreadsheet; the verdict |
 | `studies/` | the same analysis over many values or engines: sweeps, batches, tolerances |
 | `search/` | crank stars, and nothing else, searched to the end with proof; executors |
 | `derive/` | exact closed forms step by step; their `algebra/`; `errata/` of published formulas |
+| `analysis/` | the record of an analysis, its document, what it rests on, all of them by name |
 | `remedy/` | what is sized so that it shakes less: weights, shafts, mounts; gives an Engine |
 | `files/` | outside data to Engine and back: TOML, JSON, units; schema, starters, the catalog |
 | `dynamics/` | what the excitation does: block, mounts, uneven running, bearings and oil, twist |
