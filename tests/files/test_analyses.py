@@ -37,6 +37,8 @@ HOSTS = (
     "charts/registry.py",
 )
 """Modules that go over all analyses and know none of them."""
+QUANTITIES = ("torque",)
+"""Analyses with the name of a quantity."""
 
 
 @pytest.mark.parametrize("record", [*registry.analyses()], ids=lambda record: record.name)
@@ -53,9 +55,8 @@ def test_all_that_a_record_names_is_there(record: Analysis) -> None:
 @pytest.mark.parametrize("module", HOSTS)
 def test_a_host_names_no_analysis(module: str) -> None:
     source = (PACKAGE / module).read_text(encoding="utf-8")
-    named = [
-        name for name in registry.names() if f'"{name}"' in source or f"analyses.{name}" in source
-    ]
+    named = [name for name in registry.names() if f"analyses.{name}" in source]
+    named += [name for name in registry.names() if name not in QUANTITIES and f'"{name}"' in source]
     assert named == []
 
 
@@ -123,4 +124,4 @@ def test_an_analysis_of_another_package_is_a_command_and_a_section_of_the_report
     refused = run("piston-speed", "audi-25-tfsi", "--speed", "quick")
     assert (refused.code, refused.err.count("\n")) == (2, 1)
     written = run("report", "audi-25-tfsi", "-o", "-").out
-    assert '<section id="piston-speed"' in written or "Pistons" in written
+    assert "mean piston speed" in written

@@ -38,7 +38,8 @@ PAGES: tuple[tuple[str, pages.Page], ...] = (
     (N_("Writing the vector stars and polygons ..."), pages.vectors),
     (N_("Writing the forces over the crank angle ..."), pages.over_the_turn),
     (N_("Writing gas and torque ..."), gas.gas),
-    *((record.doing, partial(analyses.section_of, record)) for record in all_analyses()),
+)
+MORE_PAGES: tuple[tuple[str, pages.Page], ...] = (
     (N_("Writing the moments on the hull ..."), marine.marine),
     (N_("Writing the loads on bearings ..."), bearings.bearings),
     (N_("Writing the free response ..."), whirling.free_response),
@@ -50,14 +51,16 @@ PAGES: tuple[tuple[str, pages.Page], ...] = (
     (N_("Writing the conventions ..."), sources.conventions),
     (N_("Writing the command ..."), sources.again),
 )
-"""The sections after the first page, each with its message of progress."""
+"""The sections after the first page, before and behind those of the analyses; each with its message
+of progress."""
 
 
 def report(subject: Subject, *, tell: Callable[[str], None] = lambda _: None) -> str:
     """The report as the text of an HTML file; `tell` is called with what is being written."""
     drawings = Gallery(subject)
     body = []
-    for progress, page in PAGES:
+    own = [(record.doing, partial(analyses.section_of, record)) for record in all_analyses()]
+    for progress, page in (*PAGES, *own, *MORE_PAGES):
         tell(_(progress))
         body.append(page(subject, drawings))
     tell(_("Writing the verdict ..."))
