@@ -15,7 +15,7 @@ from tests.twisting import pushes, row
 import crankstar
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_criticals import stresses
-from crankstar.dynamics.torsion_peaks import greatest_stress, torsion_peak
+from crankstar.dynamics.torsion_peaks import maximum_stress, torsion_peak
 from crankstar.dynamics.torsion_response import response
 from crankstar.files import changed, engine_of
 from crankstar.studies.variants import SweepError
@@ -128,7 +128,7 @@ def test_a_sweep_of_the_flywheel_gives_the_first_frequency_of_each() -> None:
     assert np.all(np.diff(curve.values) < 0)
 
 
-def test_a_sweep_gives_the_greatest_stress_and_the_free_end() -> None:
+def test_a_sweep_gives_the_maximum_stress_and_the_free_end() -> None:
     made = crankstar.sweep(own(), "torsion.disc[2].inertia=0.1..0.3 kg*m^2/2")
     stress = crankstar.watched(made, "torsion_stress")
     free = crankstar.watched(made, "torsion_amplitude")
@@ -168,7 +168,7 @@ def test_a_sweep_of_torsion_says_what_is_missing(
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_the_greatest_stress_is_found_without_the_peaks_of_all_speeds(seed: int) -> None:
+def test_the_maximum_stress_is_found_without_the_peaks_of_all_speeds(seed: int) -> None:
     inertias, stiffnesses = [1.0, 0.4, 0.7, 2.0, 0.3], [2e4, 5e4, 1e4, 7e4]
     chain = row(inertias, stiffnesses, loss_factor=0.05)
     orders = np.arange(1, 25) / 2
@@ -176,7 +176,7 @@ def test_the_greatest_stress_is_found_without_the_peaks_of_all_speeds(seed: int)
     found = response(chain, pushes(chain, seed, orders), speeds=speeds)
     modulus = np.array([1e-6, np.nan, 3e-6, 2e-6])
     wanted = float(np.nanmax(found.peak / modulus))
-    assert greatest_stress(found, modulus) == pytest.approx(wanted, rel=1e-12)
+    assert maximum_stress(found, modulus) == pytest.approx(wanted, rel=1e-12)
 
 
 @pytest.mark.parametrize(

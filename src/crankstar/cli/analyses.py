@@ -112,7 +112,7 @@ def answer(record: Analysis, engine: str, options: dict[str, Any]) -> None:
 def _read(
     record: Analysis, engine: str, options: dict[str, Any], forms: dict[str, bool]
 ) -> tuple[Engine | Chain, Spread | None, Any, str]:
-    """The source with its ranges, the question and the form of the answer; or all mistakes."""
+    """The source with its ranges, the question and the form of the answer; or all errors."""
     fields = asked(record.question.value)
     estimate = bool(options.get("estimate"))
     load = once(partial(_loaded, record, engine, options.get("settings"), estimate=estimate))

@@ -22,7 +22,7 @@
 | `torsion_variable` | the same at one speed with the inertia of each crank angle |
 | `torsion_criticals` | critical speeds, equilibrium amplitudes, barred speeds |
 | `torsion_analysis` | all that is asked of the torsional vibration of an engine or a drive line |
-| `torsion_peaks` | the greatest stress of torsion over the speeds |
+| `torsion_peaks` | the maximum stress of torsion over the speeds |
 | `crank_fatigue` | whether the fillets of a crankshaft bear its bending and twist for ever |
 | `whirl` | shift, tilt and turn of the free rigid engine, order by order |
 | `hand_arm` | the frequency weighting of vibration that goes into the hands |

@@ -1,4 +1,4 @@
-"""The greatest shear stress of torsion over the speeds, without all peaks over the cycle."""
+"""The maximum shear stress of torsion over the speeds, without all peaks over the cycle."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ AT_ONCE = 16
 
 
 def torsion_peak(engine: Engine, *, point: str = "") -> float:
-    """The greatest shear stress of torsion, Pa, of an operating point over the engine's speeds.
+    """The maximum shear stress of torsion, Pa, of an operating point over the engine's speeds.
 
     Between the speeds of the grid too, as `torsion` refines it; peaks over the cycle are computed
-    where the sum of amplitudes leaves room for the greatest alone. Raises TorsionError, as where
+    where the sum of amplitudes leaves room for the maximum alone. Raises TorsionError, as where
     no shaft has a diameter or nothing excites it, and GasError.
     """
     found = torsion_on_grid(engine, point=point)
@@ -29,7 +29,7 @@ def torsion_peak(engine: Engine, *, point: str = "") -> float:
     stress = PeakOfSections(moduli(found))
     stress(found.response)  # where there is nothing to refine it is all
     peaked(found, curves=stress)
-    return stress.greatest
+    return stress.maximum
 
 
 def moduli(found: TorsionAnalysis) -> Real:
@@ -42,28 +42,28 @@ def moduli(found: TorsionAnalysis) -> Real:
     return modulus
 
 
-def greatest_stress(own: Response, modulus: Real) -> float:
+def maximum_stress(own: Response, modulus: Real) -> float:
     """Of all orders with their phases, Pa, at the speeds of a response.
 
     `modulus` [section]: torque over stress, m^3.
     """
     stress = PeakOfSections(modulus)
     stress(own)
-    return stress.greatest
+    return stress.maximum
 
 
 class PeakOfSections:
-    """The greatest stress of any section [speed, 1], zero where it is plainly not the greatest.
+    """The maximum stress of any section [speed, 1], zero where it is plainly not the maximum.
 
-    `modulus` [section] is torque over stress, m^3; 1 for the greatest torque, nan for no section.
+    `modulus` [section] is torque over stress, m^3; 1 for the maximum torque, nan for no section.
 
-    No peak over the cycle is above the sum of the amplitudes: sections and speeds with the greatest
-    sums come first, and those are left out that cannot come near the greatest found so far.
+    No peak over the cycle is above the sum of the amplitudes: sections and speeds with the
+    largest sums come first, and those are left out that cannot come near the maximum found so far.
     """
 
     def __init__(self, modulus: Real) -> None:
         self.modulus = modulus
-        self.greatest = 0.0
+        self.maximum = 0.0
 
     def __call__(self, own: Response) -> Real:
         """The stresses at the speeds of a response, Pa."""
@@ -73,11 +73,11 @@ class PeakOfSections:
         highest = most[speeds, sections]
         out = np.zeros((len(most), 1))
         for start in range(0, highest.size, AT_ONCE):
-            if highest[start] < NEAR * self.greatest:
+            if highest[start] < NEAR * self.maximum:
                 break
             rows, some = (each[start : start + AT_ONCE] for each in (speeds, sections))
             waves = spectra.real_signal(own.orders, own.torque[rows, :, some])
             stress = spectra.peaks(waves) / self.modulus[some]
             np.maximum.at(out[:, 0], rows, stress)
-            self.greatest = max(self.greatest, float(stress.max()))
+            self.maximum = max(self.maximum, float(stress.max()))
         return out

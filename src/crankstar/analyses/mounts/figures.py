@@ -54,7 +54,7 @@ def on_mounts(
     The maximum of each over the speeds, looked for from where it is of the engine as given and from
     both ends; `at`
     is the point of the block (up, right, z; m), as of `mount_analysis.mounts`. Also what each mount
-    bears upward at rest, measured by the greatest of them.
+    bears upward at rest, measured by the maximum of them.
     """
     whole = mounts(engine, point=point, speed=speed, speeds=speeds, at=at)
     over = whole.over

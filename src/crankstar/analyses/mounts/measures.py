@@ -1,6 +1,6 @@
 """An engine on its mounts in each variant of a sweep: modes, force on the ground, shake of a point.
 
-Force and velocity are rms values, all orders together or those of one order: the greatest over the
+Force and velocity are rms values, all orders together or those of one order: the maximum over the
 speeds of the engine's file or, where the speed is swept, those at each speed.
 """
 

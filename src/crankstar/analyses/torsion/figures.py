@@ -41,7 +41,7 @@ def twist(
 ) -> Answer:
     """The first natural frequency of torsion, and how far and how hard the crankshaft is twisted.
 
-    The greatest turn of the free end, in which the uneven running of the whole is, and the greatest
+    The maximum turn of the free end, in which the uneven running of the whole is, and the maximum
     shear stress of a shaft over the speeds (its torque where none has a diameter); of the order
     that resonates most, the turn of the free end at that resonance.
     """
@@ -117,7 +117,7 @@ def _forced_twist(rough: TorsionAnalysis, strongest: Critical | None) -> dict[Fi
     out: dict[Figure, float] = {("torsional amplitude", None): degrees(float(turn.max()))}
     if modulus.size:
         name, unit = ("torsional stress", 1e-6) if stressed else ("torsional torque", 1.0)
-        out[name, None] = unit * most.greatest
+        out[name, None] = unit * most.maximum
     if strongest is not None and rough.push is not None and rough.chain.damped:
         there = rough.modes[strongest.mode - 1].speed / strongest.order
         met = response(rough.chain, rough.push, speeds=np.array([there]))

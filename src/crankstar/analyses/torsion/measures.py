@@ -1,6 +1,6 @@
-"""Torsional vibration of each engine of a sweep: first frequency, greatest stress, free end.
+"""Torsional vibration of each engine of a sweep: first frequency, maximum stress, free end.
 
-Stress and amplitude are the greatest over the cycle, orders with their phases, or those of one
+Stress and amplitude are the maximum over the cycle, orders with their phases, or those of one
 order; over the speeds of the engine's file, or, where the speed is swept, at each speed.
 """
 
@@ -11,7 +11,7 @@ import numpy as np
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
 from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_modes import torsion_modes
-from crankstar.dynamics.torsion_peaks import greatest_stress, moduli, torsion_peak
+from crankstar.dynamics.torsion_peaks import maximum_stress, moduli, torsion_peak
 from crankstar.dynamics.torsion_response import Response
 from crankstar.dynamics.torsion_system import TorsionError
 from crankstar.engine.engine import Engine
@@ -42,10 +42,10 @@ def measured(
         raise TorsionError(
             "{what} needs a speed, and gas or masses: give speed in the engine file", what=what
         )
-    return _greatest(found, found.response, what, order)
+    return _maximum(found, found.response, what, order)
 
 
-def _greatest(found: TorsionAnalysis, own: Response, what: str, order: float | None) -> float:
+def _maximum(found: TorsionAnalysis, own: Response, what: str, order: float | None) -> float:
     """Over the speeds."""
     place = None if order is None else _place(own, order)
     if what == "torsion_amplitude":
@@ -55,7 +55,7 @@ def _greatest(found: TorsionAnalysis, own: Response, what: str, order: float | N
     modulus = moduli(found)
     if place is not None:
         return float(np.nanmax(np.abs(own.torque[:, place]) / modulus)) / 1e6
-    return greatest_stress(own, modulus) / 1e6
+    return maximum_stress(own, modulus) / 1e6
 
 
 def _place(own: Response, order: float) -> int:
