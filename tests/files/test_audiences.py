@@ -14,11 +14,11 @@ import pytest
 from tests.commands import Run
 
 COMMANDS = {
-    "torsion": ("torsion", "cadillac-ld8", "--speeds", "1000..2000 rpm/2"),
     "torque": ("torque", "audi-25-tfsi"),
-    "bearings": ("bearings", "audi-25-tfsi", "--gas"),
     "marine": ("marine", "man-s90mc-c"),
     "tolerance": ("tolerance", "audi-25-tfsi", "--typical", "--builds", "1000"),
+    "bearings": ("bearings", "audi-25-tfsi", "--gas"),
+    "torsion": ("torsion", "cadillac-ld8", "--speeds", "1000..2000 rpm/2"),
 }
 WHOLE = {
     "torsion": "Response",
@@ -30,6 +30,7 @@ WHOLE = {
 """What is only for machines: a table of its own, or a heading."""
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_table_of_two_forms_is_shown_once_to_each(run: Run, tmp_path: Path, command: str) -> None:
     words = COMMANDS[command]
