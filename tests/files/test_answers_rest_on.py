@@ -259,7 +259,7 @@ WITHOUT = ("rests_on", "assumed")
 """Of an answer in JSON: what the record is, and what it was."""
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     "verb", [("analyze",), ("torque",), ("fault", "--cut", "3"), ("bearings", "--gas"), ("mounts",)]
 )
