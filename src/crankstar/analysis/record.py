@@ -118,6 +118,28 @@ class Measure:
 
 
 @dataclass(frozen=True)
+class Writes:
+    """The engine that an analysis makes of one: the option of its file, and what makes it.
+
+    engine     (engine, question) -> Engine
+    refuse     (question): refuses to write an engine to which nothing is done
+    """
+
+    option: str
+    engine: Later[Callable[[Engine, Any], Engine]]
+    refuse: Later[Callable[[Any], None]] | None = None
+
+    @property
+    def name(self) -> str:
+        """The name of its argument.
+
+        >>> Writes("--save", Later("math:pi")).name
+        'save'
+        """
+        return self.option.lstrip("-").replace("-", "_")
+
+
+@dataclass(frozen=True)
 class Analysis:
     """A capability, by what every host needs of it.
 
@@ -141,6 +163,7 @@ class Analysis:
     measured   (engine, name, speed, order, alone) -> one of these in its unit, over the speeds of
                the file and `speed`, or `alone` at that speed (rad/s), of all orders or one
     natural    () -> Answer: the figures of free vibration alone
+    writes     the engine that it makes, which an option writes as a file
 
     `chains` are the fields of the question that a drive line without an engine may be asked too;
     `estimates`: values that a file leaves out may be estimated, and results have ranges.
@@ -166,6 +189,7 @@ class Analysis:
     measures: tuple[Measure, ...] = ()
     measured: Later[Callable[..., float]] | None = None
     natural: Later[Callable[[], Answer]] | None = None
+    writes: Writes | None = None
     chains: tuple[str, ...] = ()
     estimates: bool = False
 

@@ -2,32 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
 from inspect import Parameter as Argument
 from inspect import Signature
-from typing import Annotated, Any
+from itertools import count
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from cyclopts import Parameter
 
 from crankstar.analysis.reader import Asked, asked, readings
-from crankstar.analysis.record import Analysis
+from crankstar.analysis.record import Analysis, Writes
 from crankstar.analysis.registry import analysis
 from crankstar.cli.options import (
     Csv,
     Estimating,
     Json,
-    Loaded,
     Output,
     Settings,
     engine_or_chain,
-    loaded_engine,
-    loaded_values,
+    engine_over_ranges,
+    engine_place,
+    engine_with_tree,
     once,
     option,
     together,
+    write_engine,
 )
-from crankstar.cli.output import working
+from crankstar.cli.output import progress, working
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
@@ -36,6 +39,9 @@ from crankstar.language.messages import _
 from crankstar.options.forms import TABLES, form_of
 from crankstar.options.values import refuse_unused
 from crankstar.options.vocabulary import OPTIONS
+
+if TYPE_CHECKING:
+    from crankstar.analysis.document import Document
 
 TYPES = {"nothing": bool, "text": str, "several texts": list[str], "whole number": int}
 """What the parser makes of what an option takes."""
@@ -65,6 +71,7 @@ def verb(record: Analysis) -> Callable[..., None]:
             annotation=Annotated[str, Parameter(help=record.takes)],
         ),
         *map(_argument, asked(record.question.value)),
+        *([] if record.writes is None else [_of_file(record.writes)]),
         *(
             Argument(
                 name,
@@ -92,53 +99,110 @@ def _argument(one: Asked) -> Argument:
     )
 
 
+def _of_file(writes: Writes) -> Argument:
+    return Argument(
+        writes.name,
+        Argument.KEYWORD_ONLY,
+        default=None,
+        annotation=Annotated[str | None, option(writes.option)],
+    )
+
+
 def answer(record: Analysis, engine: str, options: dict[str, Any]) -> None:
     """Answer a command line: read all of it, compute, and write what it asks for."""
     output = options.get("output")
-    forms = {name: bool(options.get(name)) for name in ("json", "csv")}
-    source, spread, question, form = _read(record, engine, options, forms)
-    with working(_(record.doing)), words_for(form):
-        if isinstance(source, Chain):
-            document = record.told(source, question)
-        else:
-            from crankstar.tables.ranges import ranged
-
-            answered = partial(record.answer.value, source, question)
-            rests = resting_on(form, source, answered)
-            document = ranged(lambda each: record.told(each, question), spread, source, rests=rests)
-    give(document, output, form=form)
+    read = _read(record, engine, options)
+    with words_for(read.form):
+        document = _document(record, read)
+    saved = None if record.writes is None else options.get(record.writes.name)
+    if record.writes is not None and saved is not None and isinstance(read.source, Engine):
+        made = record.writes.engine.value(read.source, read.question)
+        write_engine(made, read.tree, saved, option=record.writes.option)
+    give(document, output, form=read.form)
 
 
-def _read(
-    record: Analysis, engine: str, options: dict[str, Any], forms: dict[str, bool]
-) -> tuple[Engine | Chain, Spread | None, Any, str]:
-    """The source with its ranges, the question and the form of the answer; or all errors."""
+def _document(record: Analysis, read: Read) -> Document:
+    """What is told of the source, over its ranges, with what it rests on; while the work shows."""
+    source, question = read.source, read.question
+    if isinstance(source, Chain):
+        with working(_(record.doing)):
+            return record.told(source, question)
+    from crankstar.tables.ranges import ranged
+
+    rests = resting_on(read.form, source, partial(record.answer.value, source, question))
+    several = 1 if read.spread is None else len(read.spread.engines)
+    number = count(1)
+    with _shown(_(record.doing), several) as tell:
+
+        def told(each: Engine) -> Document:
+            tell(next(number))
+            return record.told(each, question)
+
+        return ranged(told, read.spread, source, rests=rests)
+
+
+@contextmanager
+def _shown(doing: str, several: int) -> Iterator[Callable[[int], None]]:
+    """Show that work is under way; of several engines also with which one, which is called."""
+    if several == 1:
+        with working(doing):
+            yield lambda _number: None
+        return
+    with progress(doing) as tell:
+        yield lambda number: tell(number, several, "")
+
+
+class Read(NamedTuple):
+    """A command line as it was read: the source, its ranges and tree, the question, the form."""
+
+    source: Engine | Chain
+    spread: Spread | None
+    tree: dict[str, Any] | None
+    question: Any
+    form: str
+
+
+def _read(record: Analysis, engine: str, options: dict[str, Any]) -> Read:
+    """All of a command line. Raises MessageError with every error of it."""
     fields = asked(record.question.value)
     estimate = bool(options.get("estimate"))
     load = once(partial(_loaded, record, engine, options.get("settings"), estimate=estimate))
     reading = readings(record.question.value, _over_speeds(options, fields), lambda: load()[0])
-    form, (source, spread), *values = together(
-        partial(form_of, options.get("output"), TABLES, **forms), load, *reading.values()
+    forms = {name: bool(options.get(name)) for name in ("json", "csv")}
+    saved = [] if record.writes is None else [partial(_refuse_place, record.writes, options)]
+    form, (source, spread, tree), *values = together(
+        partial(form_of, options.get("output"), TABLES, **forms), load, *reading.values(), *saved
     )
-    question = record.question.value(**dict(zip(reading, values, strict=True)))
+    question = record.question.value(**dict(zip(reading, values, strict=False)))
     if isinstance(source, Chain):
         others = [one for one in fields if one.name not in record.chains]
         unused = {one.reader.option: options.get(one.name) for one in others}
         unused["--estimate"] = estimate
         refuse_unused(unused, beside=_("a drive line without cylinders"))
-    if record.refuse is not None:
-        record.refuse.value(source, question)
-    return source, spread, question, form
+    refusals = [] if record.refuse is None else [partial(record.refuse.value, source, question)]
+    writes = record.writes
+    if writes is not None and writes.refuse is not None and options.get(writes.name) is not None:
+        refusals.append(partial(writes.refuse.value, question))
+    together(*refusals)
+    return Read(source, spread, tree, question, form)
+
+
+def _refuse_place(writes: Writes, options: dict[str, Any]) -> None:
+    engine_place(options.get(writes.name), option=writes.option)
 
 
 def _loaded(
     record: Analysis, name: str, settings: list[str] | None, *, estimate: bool
-) -> Loaded | tuple[Chain, None]:
+) -> tuple[Engine | Chain, Spread | None, dict[str, Any] | None]:
+    """The source that is named, its ranges, and the tree of its file."""
     if record.chains:
-        return engine_or_chain(name, settings, estimate=estimate)
+        source, spread = engine_or_chain(name, settings, estimate=estimate)
+        return source, spread, None
     if record.estimates:
-        return loaded_values(name, settings, estimate=estimate)
-    return Loaded(loaded_engine(name, settings), None)
+        (engine, spread), tree = engine_over_ranges(name, settings, estimate=estimate)
+        return engine, spread, tree
+    engine, tree = engine_with_tree(name, settings)
+    return engine, None, tree
 
 
 def _over_speeds(options: dict[str, Any], fields: Sequence[Asked]) -> dict[str, Any]:
