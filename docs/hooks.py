@@ -113,7 +113,7 @@ SECTIONS: dict[type[Record], str] = {
 
 MARK = re.compile(
     r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|gears|left out|orders|estimate|"
-    r"plot|draw|search|sweep|tolerance|glossary|commands): ?([^\n]*?) ?-->$"
+    r"plot|draw|search|sweep|tolerance|glossary|commands|analyses): ?([^\n]*?) ?-->$"
     r"(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
     re.MULTILINE | re.DOTALL,
 )
@@ -171,6 +171,7 @@ def made(kind: str, argument: str) -> str:
         "tolerance": tolerance,
         "glossary": glossary,
         "commands": commands,
+        "analyses": functions,
     }
     return makers[kind](argument)
 
@@ -301,6 +302,29 @@ def glossary(_: str) -> str:
 def commands(_: str) -> str:
     """Every command with its arguments and options, from the help of the program itself."""
     return run_path(str(HERE / "commands_page.py"))["page"]()
+
+
+@lru_cache
+def functions(_: str) -> str:
+    """The Python function of every analysis, its arguments as its question has them."""
+    from crankstar.analysis.reader import asked
+    from crankstar.analysis.registry import NAMES, analysis
+    from crankstar.options.vocabulary import meaning
+
+    parts: list[str] = []
+    for name in NAMES:
+        record = analysis(name)
+        fields = asked(record.question.value)
+        call = ", ".join(["engine", *(f"{one.name}={one.default!r}" for one in fields)])
+        lines = [f"### crankstar.{name}", "", f"`{name}({call})`", "", record.about, ""]
+        lines += ["| argument | meaning |", "|---|---|"]
+        for one in fields:
+            text = meaning(one.reader.option, one.reader.more).replace("|", "\\|")
+            lines.append(f"| `{one.name}` | {text} |")
+        figures = ", ".join(f"`{chart.name}`" for chart in record.charts)
+        lines += ["", f"Figures: {figures}."] if figures else []
+        parts.append("\n".join(lines))
+    return "\n\n".join(parts)
 
 
 @lru_cache

@@ -17,6 +17,7 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `exports/` | an engine for other tools: EXUDYN, glTF, STL |
 | `pictures/` | the engine itself, drawn at a crank angle or as a film |
 | `page/` | the page on which the engine turns: its data, one file, the notebook widget |
+| `python/` | a function for each analysis, and results that are frames and figures |
 | `analyses/` | the analyses, a folder each: what is asked, what computes it, how it is told |
 | `options/` | what is typed in a command line or a dialog, read as checked values |
 | `charts/` | figures, one function each |
@@ -46,12 +47,11 @@ import sys
 # interrupt would be a traceback
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from crankstar.derive import derivation, family, signs
     from crankstar.dynamics.bearings import BearingLoads, Bending, bearing_loads, bending_moment
-    from crankstar.dynamics.mount_analysis import MountAnalysis, mounts
-    from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
     from crankstar.dynamics.uneven import Running, driven, flywheel_for
     from crankstar.dynamics.whirl import whirl
     from crankstar.engine.engine import Engine
@@ -66,6 +66,7 @@ if TYPE_CHECKING:
     from crankstar.mechanics.mechanism import Mechanism
     from crankstar.mechanics.side_thrust import SideThrust, side_thrust
     from crankstar.page.widget import widget
+    from crankstar.python.results import Result
     from crankstar.remedy.counterweights import with_counterweights
     from crankstar.remedy.shafts import with_balance_shaft
     from crankstar.studies.marine import MarineAnalysis, marine
@@ -74,12 +75,15 @@ if TYPE_CHECKING:
     from crankstar.tables.comparison import compare
     from crankstar.tables.verdict import verdict
 
+    genset: Callable[..., Result]
+    mounts: Callable[..., Result]
+    torque: Callable[..., Result]
+    torsion: Callable[..., Result]
+
 __version__ = "0.1.0"
 
 _HOMES = {
     "dynamics.whirl": ("whirl",),
-    "dynamics.torsion_analysis": ("TorsionAnalysis", "torsion"),
-    "dynamics.mount_analysis": ("MountAnalysis", "mounts"),
     "dynamics.uneven": ("Running", "driven", "flywheel_for"),
     "dynamics.bearings": ("BearingLoads", "Bending", "bearing_loads", "bending_moment"),
     "derive": ("derivation", "family", "signs"),
@@ -95,6 +99,7 @@ _HOMES = {
     "mechanics.mechanism": ("Mechanism",),
     "mechanics.side_thrust": ("SideThrust", "side_thrust"),
     "page.widget": ("widget",),
+    "python.results": ("Result",),
     "remedy.counterweights": ("with_counterweights",),
     "remedy.shafts": ("with_balance_shaft",),
     "studies.marine": ("MarineAnalysis", "marine"),
@@ -118,15 +123,14 @@ __all__ = [
     "GasTorque",
     "MarineAnalysis",
     "Mechanism",
-    "MountAnalysis",
     "Reference",
+    "Result",
     "Rod",
     "Running",
     "Scatter",
     "Shaft",
     "SideThrust",
     "Throw",
-    "TorsionAnalysis",
     "Totals",
     "Weight",
     "balance",
@@ -139,6 +143,7 @@ __all__ = [
     "family",
     "flywheel_for",
     "gas_torque",
+    "genset",
     "grouped",
     "load",
     "marine",
@@ -149,6 +154,7 @@ __all__ = [
     "side_thrust",
     "signs",
     "sweep",
+    "torque",
     "torsion",
     "total",
     "verdict",
@@ -161,7 +167,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> "Any":
-    """Load a public name on first use."""
+    """Load a public name on first use; an analysis of any package is a function of its name."""
     from importlib import import_module
     from types import FunctionType
 
@@ -171,6 +177,15 @@ def __getattr__(name: str) -> "Any":
             if isinstance(value, FunctionType):
                 value = import_module("crankstar.options.arguments").read(value)
             globals()[name] = value
+            return value
+    if not name.startswith("_"):
+        from crankstar.python.functions import function
+
+        try:
+            globals()[name] = value = function(name)
+        except KeyError:
+            pass
+        else:
             return value
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 

@@ -93,6 +93,7 @@ RECORD = Analysis(
     takes="An engine.",
     doing="Computing ...",
     title="Pistons",
+    example="i4",
     question=Later(f"{__name__}:Question"),
     compute=Later(f"{__name__}:mean_piston_speed"),
     document=Later(f"{__name__}:piston_document"),

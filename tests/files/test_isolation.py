@@ -55,7 +55,7 @@ def four(mounts: list[dict[str, Any]], **more: Any) -> crankstar.Engine:
 
 
 def best(engine: crankstar.Engine, speeds: Any = SPEEDS, **how: Any) -> Isolation:
-    found = crankstar.mounts(engine, speeds=speeds)
+    found = crankstar.mounts(engine, speeds=speeds).value
     own = {"aim": "force", "starts": 2, "limits": MountLimits(stiffness=(3e4, 4e5)), **how}
     return isolated(engine, found, **own)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 import re
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,8 @@ pytestmark = pytest.mark.quick
 BURNING: Any = "audi-25-tfsi"
 """An engine with bore and firing order, whose gas can be computed."""
 CYCLE = crankstar.cycle(BURNING, speed=300.0, imep=9e5)
+PLACES = (("left", "-0.4 m", "0 m"), ("right", "0.4 m", "0 m"), ("rear", "0 m", "-0.3 m"))
+RUBBER = [{"name": n, "right": r, "z": z, "stiffness": "90 N/mm"} for n, r, z in PLACES]
 MORE: dict[str, dict[str, Any]] = {
     "driven": {"cycle": CYCLE, "flywheel": 0.5},
     "flywheel_for": {"cycle": CYCLE, "irregularity": 0.05},
@@ -37,7 +40,8 @@ MORE: dict[str, dict[str, Any]] = {
 }
 """What the functions need besides an engine."""
 GAS = ("cycle", "driven", "flywheel_for", "side_thrust")
-OWN = {"load", "mounts", "names", "scatter", "widget"}
+ANALYSES = ("genset", "mounts", "torque", "torsion")
+OWN = {"load", "names", "scatter", "widget", *ANALYSES}
 """They load engines themselves, or ask for more of one than others have."""
 
 
@@ -87,10 +91,35 @@ def test_a_name_a_path_and_an_engine_give_the_same(name: str, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("name", [name for name in of_engines() if name not in OWN])
-@pytest.mark.parametrize("given", [None, 5, {"name": "i4"}, b"i4"])
+@pytest.mark.parametrize("given", [None, 5, {3: "i4"}, b"i4"])
 def test_what_is_no_engine_is_refused_with_what_to_give(name: str, given: Any) -> None:
-    with pytest.raises(TypeError, match=f"^{name} takes an Engine, a name of the catalog or the "):
+    with pytest.raises(TypeError, match=f"^{name} takes an Engine, a name of the catalog, a path "):
         getattr(crankstar, name)(given, **MORE.get(name, {}))
+
+
+@pytest.mark.parametrize("name", ANALYSES)
+def test_an_analysis_takes_an_engine_its_name_its_path_and_its_keys(
+    name: str, tmp_path: Path
+) -> None:
+    function, path = getattr(crankstar, name), tmp_path / "mine.toml"
+    changes: Any = {"torsion": TWISTING, "mounts": RUBBER}
+    engine = crankstar.load(BURNING, changes=changes)
+    path.write_text(crankstar.files.toml(engine), encoding="utf-8")
+    tree = tomllib.loads(path.read_text(encoding="utf-8"))
+    own, read, *others = (function(given).to_dict() for given in (engine, path, str(path), tree))
+    assert all(read == other for other in others)
+    assert read.keys() == own.keys()
+    named = function(BURNING, changes=changes).to_dict()
+    assert named.keys() == own.keys()
+    for given in (None, 5, {3: "i4"}, b"i4"):
+        with pytest.raises(
+            TypeError, match=f"^{name} takes an Engine, a name of the catalog, a path"
+        ):
+            function(given)
+    with pytest.raises(ValueError, match="no_such"):
+        function({"no_such": 1})
+    with pytest.raises(TypeError, match="takes no argument spead; it takes engine, "):
+        function(engine, spead=3)
 
 
 @pytest.mark.parametrize("name", ["total", "grouped", "of_parts"])
@@ -144,7 +173,7 @@ TWIN: Any = crankstar.load("v2-90")
         (lambda: crankstar.widget("i4", WRONG), "widget takes an Engine, a name of the cat"),
         (lambda: crankstar.widget("i4", units=WRONG), "units takes text such as"),
         (crankstar.compare, "compare takes one engine or more, as in compare"),
-        (lambda: crankstar.balance(NOTHING), "of an engine file, not None$"),
+        (lambda: crankstar.balance(NOTHING), "or a dict of keys, not None$"),
         (lambda: BALANCE(TWIN, WRONG), r"it is called balance\(engine, \*, speed=None"),
         (lambda: crankstar.sweep(TWIN, "balance_factor=0..1", tell=WRONG), "tell takes a func"),
         (lambda: crankstar.with_counterweights(TWIN, factor=1, planes=WRONG), "planes takes pl"),
@@ -413,15 +442,13 @@ def test_torsion_reads_engines_drive_lines_and_their_files(tmp_path: Path) -> No
     with pytest.raises(ValueError, match=r"give the table \[torsion\]"):
         crankstar.torsion(STIFF)
     for given in (NOTHING, WRONG, UNHASHABLE):
-        with pytest.raises(TypeError, match=r"^torsion takes an Engine, a name of the catalog or"):
+        with pytest.raises(TypeError, match=r"^torsion takes an Engine, a name of the catalog,"):
             crankstar.torsion(given)
 
 
 def test_mounts_reads_engines_their_files_and_speeds(tmp_path: Path) -> None:
     asked: Any = crankstar.mounts
-    places = (("left", "-0.4 m", "0 m"), ("right", "0.4 m", "0 m"), ("rear", "0 m", "-0.3 m"))
-    rubber = [{"name": n, "right": r, "z": z, "stiffness": "90 N/mm"} for n, r, z in places]
-    five = crankstar.load(BURNING, changes={"mounts": rubber})
+    five = crankstar.load(BURNING, changes={"mounts": RUBBER})
     path = tmp_path / "five.toml"
     path.write_text(crankstar.files.toml(five), encoding="utf-8")
     sources: list[Any] = [five, path, str(path)]
@@ -429,8 +456,8 @@ def test_mounts_reads_engines_their_files_and_speeds(tmp_path: Path) -> None:
     assert all(each.over is not None and each.asked.size == 3 for each in found)
     with pytest.raises(ValueError, match=r"give \[\[mounts\]\]"):
         asked(BURNING)
-    for given in (None, 5, {"name": "i4"}, b"i4"):
-        with pytest.raises(TypeError, match=r"^mounts takes an Engine, a name of the catalog or"):
+    for given in (None, 5, {3: "i4"}, b"i4"):
+        with pytest.raises(TypeError, match=r"^mounts takes an Engine, a name of the catalog,"):
             asked(given)
 
 

@@ -8,11 +8,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.rules.test_docs import script
 
 import crankstar
+from crankstar.analysis.registry import NAMES as ANALYSES
+from crankstar.analysis.registry import analysis
+from crankstar.files import catalog
 
 pytestmark = pytest.mark.quick
 
+hooks = script("hooks")
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "python.md"
 
 
@@ -47,9 +52,20 @@ def test_every_public_function_says_what_its_arguments_are(name: str) -> None:
         assert [one for one in unsaid if one not in ("self", "cls")] == []
 
 
+@pytest.mark.parametrize(
+    "name", [name for name in ANALYSES if analysis(name).example in catalog.names()]
+)
+def test_the_example_of_an_analysis_gives_a_table(name: str) -> None:
+    """It stands in the docstring of its function, which no module has."""
+    example = (inspect.getdoc(getattr(crankstar, name)) or "").partition(">>> ")[2]
+    known: dict[str, Any] = {"crankstar": crankstar}
+    exec(example, known)  # noqa: S102
+    assert len(known["table"]) > 0
+
+
 def entries() -> set[str]:
     """The names that the page describes, by themselves or as members of a module."""
-    out: set[str] = set()
+    out = set(re.findall(r"^### (crankstar\.\w+)$", hooks.functions(""), re.MULTILINE))
     for block in re.findall(
         r"^::: (\S+)\n((?:    .*\n)*)", PAGE.read_text(encoding="utf-8"), re.MULTILINE
     ):

@@ -9,4 +9,5 @@
 | `record` | what every host needs of a capability |
 | `registry` | all analyses by name, those of other packages too |
 | `reader` | how one value of a question is read |
+| `frames` | tables as data frames, grids as data sets |
 """

@@ -13,7 +13,8 @@ class Reader:
 
     `read` refuses with a RequestError that names the option; it also takes the engine where the
     value depends on it (`of_source`), as places do. `more` is how one analysis uses the option, as
-    a sentence of the catalog of messages.
+    a sentence of the catalog of messages. `number` checks what a Python function is given that is
+    no text, in SI units, and takes what `read` takes; without it such a value is written as text.
 
     >>> percent = Reader("--factor", lambda text: float(text.rstrip("%")) / 100)
     >>> percent.read("52%"), percent.saying("Default: that of the file.").more
@@ -24,6 +25,7 @@ class Reader:
     read: Callable[..., Any]
     more: str = ""
     of_source: bool = False
+    number: Callable[..., Any] | None = None
 
     def saying(self, more: str) -> Reader:
         """The same, with how an analysis uses it."""

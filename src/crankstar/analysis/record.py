@@ -6,7 +6,7 @@ functions behind it are loaded when they are needed.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
@@ -118,6 +118,19 @@ class Measure:
 
 
 @dataclass(frozen=True)
+class Grid:
+    """Arrays of a result over named axes, as an xarray data set has them.
+
+    `axes`: the values along each, by its name, which ends in their unit. `variables`: the names of
+    their axes, the array and its unit, by name; a complex amplitude c is that of
+    Re(c exp(i order theta)).
+    """
+
+    axes: Mapping[str, Any]
+    variables: Mapping[str, tuple[tuple[str, ...], Any, str]]
+
+
+@dataclass(frozen=True)
 class Writes:
     """The engine that an analysis makes of one: the option of its file, and what makes it.
 
@@ -145,6 +158,7 @@ class Analysis:
 
     `name` is that of its command; `about` says in a line what it computes, `takes` of what; `doing`
     is shown while it does, `title` heads its section. All are sentences of the catalog of messages.
+    `example` is an engine of the catalog that has what it needs, or a file that would have it.
 
     question   a frozen dataclass; its fields, each annotated with a Reader, are the options
     refuse     (source, question): refuses what does not go together, with a RequestError
@@ -164,6 +178,7 @@ class Analysis:
                the file and `speed`, or `alone` at that speed (rad/s), of all orders or one
     natural    () -> Answer: the figures of free vibration alone
     writes     the engine that it makes, which an option writes as a file
+    grids      (result) -> Grids by the name of its attribute, for what has dimensions
 
     `chains` are the fields of the question that a drive line without an engine may be asked too;
     `estimates`: values that a file leaves out may be estimated, and results have ranges.
@@ -174,6 +189,7 @@ class Analysis:
     takes: str
     doing: str
     title: str
+    example: str
     question: Later[type[Any]]
     compute: Later[Callable[[Any, Any], Any]]
     document: Later[Callable[[Any, Any, Any], Document]]
@@ -190,6 +206,7 @@ class Analysis:
     measured: Later[Callable[..., float]] | None = None
     natural: Later[Callable[[], Answer]] | None = None
     writes: Writes | None = None
+    grids: Later[Callable[[Any], Mapping[str, Grid]]] | None = None
     chains: tuple[str, ...] = ()
     estimates: bool = False
 

@@ -32,4 +32,5 @@
 | `readers` | what the questions of several analyses have in common |
 | `guide` | numbers of cylinders and firing orders of `guide` |
 | `sounds` | the speeds and the pipes of a sound |
+| `sources` | engines as people name them, with the tree of their file |
 """

@@ -16,7 +16,6 @@ from typing import Any, TypeVar
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import POSITION
-from crankstar.engine.torsion import Chain
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.quoting import given as quoted
@@ -29,6 +28,7 @@ from crankstar.options.numbers import (
     inertia,
     is_number,
     orders,
+    point,
     power,
     pressure,
     speed,
@@ -36,7 +36,6 @@ from crankstar.options.numbers import (
 )
 
 Result = TypeVar("Result")
-DIMENSIONS = 3
 READ_FILES = {"load", "widget"}
 """Functions that read engine files themselves."""
 ENGINES = {"name", "engine", "beside"}
@@ -50,7 +49,7 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
     >>> twin = read(balance)("harley-45", reference="0 mm")
     >>> read(balance)(5)
     Traceback (most recent call last):
-    TypeError: balance takes an Engine, a name of the catalog or the path of an engine file, not 5
+    TypeError: balance takes an Engine, a name of the catalog, a path or a dict of keys, not 5
     """
     asked = signature(function)
     name = function.__name__
@@ -104,7 +103,7 @@ def _read_engines(
             if argument != "beside" or given[argument] is not None:
                 check_engine(name, given[argument])
     elif "source" in given:
-        given["source"] = source = _engine_or_chain(name, given["source"])
+        given["source"] = source = _loaded(given["source"], name)
         return source if isinstance(source, Engine) else None
     elif "engine" in given:
         named = given["engine"]
@@ -128,48 +127,39 @@ def _read_engines(
 
 def check_engine(function: str, given: Any) -> None:
     """Raises TypeError if it is no Engine and cannot name one."""
-    if isinstance(given, Engine) and function != "load":
+    if isinstance(given, str | Path) or (isinstance(given, Engine) and function != "load"):
         return
-    if isinstance(given, str | Path):
-        return
-    raise TypeError(
-        _(
-            "{function} takes a name of the catalog or the path of an engine file, not {given}",
-            function=function,
-            given=_named(given),
+    if function == "load":
+        raise TypeError(
+            _(
+                "{function} takes a name of the catalog or the path of an engine file, not {given}",
+                function=function,
+                given=_named(given),
+            )
         )
-        if function == "load"
-        else _(
-            "{function} takes an Engine, a name of the catalog or the path of an engine file, not "
-            "{given}",
-            function=function,
-            given=_named(given),
-        )
-    )
+    _loaded(given, function)
+
+
+def _loaded(given: Any, function: str) -> Any:
+    from crankstar.options.sources import loaded  # no file is read without a name
+
+    return loaded(given, asking=function).source
 
 
 def _engine(function: str, given: Any) -> Engine:
-    """An Engine as it is, one of a name or path as `crankstar.load` reads it. Raises TypeError."""
-    check_engine(function, given)
+    """An Engine as it is, or the one that is named. Raises TypeError, EngineFileError."""
     if isinstance(given, Engine):
         return given
-    from crankstar.files.catalog import load  # no file is read without a name
+    if isinstance(given, str | Path):
+        from crankstar.files.catalog import load  # no file is read without a name
 
-    return load(given)
-
-
-def _engine_or_chain(function: str, given: Any) -> Engine | Chain:
-    """The same, or a drive line without cylinders, also that of a file. Raises TypeError."""
-    if isinstance(given, Chain):
-        return given
-    check_engine(function, given)
-    if isinstance(given, Engine):
-        return given
-    from crankstar.files.catalog import load, tree_of
-    from crankstar.files.chains import chain_of, is_chain
-
-    shown, tree = tree_of(str(given))
-    return chain_of(tree, name=shown) if is_chain(tree) else load(given)
+        return load(given)
+    source = _loaded(given, function)
+    if isinstance(source, Engine):
+        return source
+    raise TypeError(
+        _("{function} takes an engine, not a drive line without cylinders", function=function)
+    )
 
 
 def _named(given: Any) -> str:
@@ -334,30 +324,16 @@ def _reference(given: Any, engine: Engine) -> Reference:
 
 def _at(given: Any, engine: Engine) -> tuple[float, float, float]:
     """A point of the block: up, right, z in metres, or as text. Raises ValueError, TypeError."""
-    if isinstance(given, str):
-        from crankstar.options import values
-        from crankstar.options.refusals import RequestError
+    if not isinstance(given, str):
+        return point(given)
+    from crankstar.options import values
+    from crankstar.options.refusals import RequestError
 
-        try:
-            point = values.block_point(given, engine)
-        except RequestError as error:
-            raise ValueError(str(error).replace("--at", "at")) from None
-        if point is not None:
-            return point
-    elif isinstance(given, Iterable) and not isinstance(given, bytes | Mapping):
-        places = [*given]
-        if len(places) == DIMENSIONS and all(map(is_number, places)):
-            for place in places:
-                check_place("at", place)
-            up, right, z = map(float, places)
-            return up, right, z
-    raise TypeError(
-        _(
-            'at takes up, right and z in metres, text such as "-120 mm", or the name of a point of '
-            "the block, not {given}",
-            given=quoted(given),
-        )
-    )
+    try:
+        there = values.block_point(given, engine)
+    except RequestError as error:
+        raise ValueError(str(error).replace("--at", "at")) from None
+    return point(None) if there is None else there
 
 
 def _check_flag(argument: str, given: Any) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from math import inf, pi
 from typing import Any
 
@@ -18,6 +18,7 @@ GREATEST_BARE_SPEED = 2500.0
 BEYOND_ENGINES = 1e6
 """No engine turns so fast, in rad/s or rpm."""
 GREATEST_ORDER = 1000
+DIMENSIONS = 3
 GREATEST_PLACE = 1000.0
 """Metres, as far as lengths along a crankshaft go."""
 
@@ -161,3 +162,21 @@ def check_place(argument: str, given: Any) -> None:
                 greatest=f"{GREATEST_PLACE:g}",
             )
         )
+
+
+def point(given: Any, _engine: Any = None) -> tuple[float, float, float]:
+    """A point of the block: up, right, z in metres. Raises ValueError, TypeError."""
+    if isinstance(given, Iterable) and not isinstance(given, str | bytes | Mapping):
+        places = [*given]
+        if len(places) == DIMENSIONS and all(map(is_number, places)):
+            for each in places:
+                check_place("at", each)
+            up, right, z = map(float, places)
+            return up, right, z
+    raise TypeError(
+        _(
+            'at takes up, right and z in metres, text such as "-120 mm", or the name of a point of '
+            "the block, not {given}",
+            given=quoted(given),
+        )
+    )

@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from crankstar.analysis.reader import Reader
 from crankstar.engine.quantities import PRESSURE
-from crankstar.options import values
+from crankstar.options import numbers, values
 from crankstar.options.gas import (
     degree_of_irregularity,
     gas_orders,
@@ -35,7 +35,12 @@ def flag(option: str, more: str = "") -> Reader:
 
 def pressure(option: str) -> Reader:
     """A pressure above zero, Pa."""
-    return Reader(option, partial(values.positive, option, quantity=PRESSURE))
+    name = option.lstrip("-").replace("-", "_")
+    return Reader(
+        option,
+        partial(values.positive, option, quantity=PRESSURE),
+        number=partial(numbers.pressure, name),
+    )
 
 
 def _orders_or_all(text: str) -> list[float] | Literal["all"] | None:
@@ -48,19 +53,19 @@ def _at(text: str, engine: Any) -> tuple[float, float, float] | None:
 
 POINT = Reader("--point", str)
 """An operating point by its name."""
-SPEED = Reader("--speed", values.speed)
+SPEED = Reader("--speed", values.speed, number=numbers.speed)
 """A speed, rad/s."""
-SPEEDS = Reader("--speeds", speeds_of)
+SPEEDS = Reader("--speeds", speeds_of, number=numbers.speeds)
 """Speeds, rad/s."""
-ORDERS = Reader("--orders", _orders)
+ORDERS = Reader("--orders", _orders, number=numbers.orders)
 """Orders of a crankshaft with gas; None is all."""
-ORDERS_OR_ALL = Reader("--orders", _orders_or_all)
+ORDERS_OR_ALL = Reader("--orders", _orders_or_all, number=numbers.orders)
 """The same, where all are other ones than those without any."""
 TANGENTIAL = Reader("--tangential", mean_pressures)
 """Mean effective pressures, Pa."""
-AT = Reader("--at", _at, of_source=True)
+AT = Reader("--at", _at, of_source=True, number=numbers.point)
 """A point of the block: up, right, along; m."""
-FLYWHEEL = Reader("--flywheel", inertia)
+FLYWHEEL = Reader("--flywheel", inertia, number=partial(numbers.inertia, "flywheel"))
 """An inertia, kg m^2."""
 IRREGULARITY = Reader("--irregularity", degree_of_irregularity)
 """A degree of irregularity."""

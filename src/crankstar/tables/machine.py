@@ -38,11 +38,12 @@ def tree(document: Document) -> dict[str, Any]:
     {'format': 2, 'engine': 'V8', 'orders': [{'force': {'forward': [1.0, 2.0]}}]}
     """
     tables = document.for_machines.tables
-    lists = {table.key: _objects(table) for table in tables if table.key}
+    lists = {table.key: objects(table) for table in tables if table.key}
     return {"format": FORMAT, **document.facts, **lists}
 
 
-def _objects(table: Table) -> list[dict[str, Any]]:
+def objects(table: Table) -> list[dict[str, Any]]:
+    """The rows of a table, each as an object."""
     out: list[dict[str, Any]] = []
     for row in table.rows:
         nested: dict[str, Any] = {}

@@ -19,6 +19,7 @@ RECORD = Analysis(
     takes=N_("Name from the catalog, engine file, or - for standard input."),
     doing=N_("Computing the cycle ..."),
     title=N_("Generating set"),
+    example="audi-25-tfsi",
     question=Later("crankstar.analyses.genset.question:Question"),
     refuse=Later("crankstar.analyses.genset.question:refuse"),
     compute=Later("crankstar.analyses.genset.answer:compute"),

@@ -3,6 +3,7 @@
 | module, bottom to top | one line |
 |---|---|
 | `facts` | what a verdict and a comparison say of it |
+| `grids` | its arrays over speed, order and mount |
 | `measures` | what a sweep may watch of it |
 | `question` | what is asked |
 | `speed_tables` | vibration and forces speed by speed |
@@ -33,10 +34,12 @@ RECORD = Analysis(
     takes=N_("Name from the catalog, or engine file with [[mounts]]; - for standard input."),
     doing=N_("Computing the vibration on the mounts ..."),
     title=N_("On its mounts"),
+    example="mine.toml",
     question=Later("crankstar.analyses.mounts.question:Question"),
     compute=Later("crankstar.analyses.mounts.answer:compute"),
     answer=Later("crankstar.analyses.mounts.answer:answer"),
     document=Later("crankstar.analyses.mounts.document:document"),
+    grids=Later("crankstar.analyses.mounts.grids:grids"),
     lacks=lambda engine: not engine.mounts,
     charts=(
         Chart(

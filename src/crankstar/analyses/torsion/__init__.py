@@ -2,6 +2,7 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `grids` | its arrays over speed, order and place |
 | `measures` | what a sweep may watch of it |
 | `fatigue_tables` | fatigue of the crankshaft |
 | `facts` | what a verdict and a comparison say of it |
@@ -29,11 +30,13 @@ RECORD = Analysis(
     ),
     doing=N_("Computing torsional vibration ..."),
     title=N_("Torsional vibration"),
+    example="cadillac-ld8",
     question=Later("crankstar.analyses.torsion.question:Question"),
     refuse=Later("crankstar.analyses.torsion.question:refuse"),
     compute=Later("crankstar.analyses.torsion.answer:compute"),
     answer=Later("crankstar.analyses.torsion.answer:answer"),
     document=Later("crankstar.analyses.torsion.document:document"),
+    grids=Later("crankstar.analyses.torsion.grids:grids"),
     lacks=lambda engine: engine.torsion is None,
     charts=(
         Chart(

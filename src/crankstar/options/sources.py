@@ -1,0 +1,90 @@
+"""Engines as people name them: what they mean, with the tree of their file and its ranges."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.torsion import Chain
+from crankstar.files import changed, engine_of, explicit
+from crankstar.files.box import Spread, spread
+from crankstar.files.catalog import tree_of
+from crankstar.files.chains import chain_of, is_chain
+from crankstar.files.changes import throw_angles
+from crankstar.language.messages import _
+from crankstar.language.quoting import given
+
+EngineLike = Engine | Chain | str | Path | Mapping[str, Any]
+"""An engine: itself, its name in the catalog, the path of its file, or the keys of one."""
+
+
+@dataclass(frozen=True)
+class Loaded:
+    """An engine or a drive line: how messages call it, the tree of its file, what it is.
+
+    `spread` has the engines over the ranges of its estimated values; `filled` tells whether
+    something was estimated that the file leaves out.
+    """
+
+    name: str
+    tree: Mapping[str, Any]
+    source: Engine | Chain
+    spread: Spread | None = None
+    filled: bool = False
+
+
+def loaded(
+    engine: EngineLike,
+    changes: Mapping[str, Any] | None = None,
+    *,
+    estimate: bool = False,
+    asking: str = "crankstar",
+) -> Loaded:
+    """What is named, with `changes` by key path; `estimate` fills in what its file leaves out.
+
+    Raises EngineFileError, and TypeError for what names no engine, which `asking` was given.
+
+    >>> loaded("i4", {"cylinder.stroke": "90 mm"}).source.first.number
+    1
+    """
+    if isinstance(engine, Chain):
+        return Loaded(engine.name, {}, engine)
+    if isinstance(engine, Engine) and not changes and not estimate:
+        return Loaded(engine.name, explicit(engine), engine)
+    shown, tree = _tree(engine, asking)
+    values = dict(changes or {})
+    if is_chain(tree):
+        tree = changed(tree, values, name=shown) if values else tree
+        return Loaded(shown, tree, chain_of(tree, name=shown))
+    turned = {path: values.pop(path) for path in throw_angles(values)}
+    tree = changed(tree, values, name=shown)
+    filled = False
+    if estimate:
+        from crankstar.files.estimate import estimated
+
+        completed = estimated(tree, name=shown)
+        tree, filled = completed.tree, bool(completed.filled)
+    ends = spread(tree, name=shown, changes=turned)
+    own = engine_of(tree, name=shown, changes=turned) if ends is None else ends.engine
+    tree = changed(tree, turned, name=shown) if turned else tree
+    return Loaded(shown, tree, own, ends, filled)
+
+
+def _tree(engine: EngineLike, asking: str) -> tuple[str, dict[str, Any]]:
+    if isinstance(engine, Engine):
+        return engine.name, explicit(engine)
+    if isinstance(engine, Mapping) and all(isinstance(key, str) for key in engine):
+        return str(engine.get("name", _("the engine"))), dict(engine)
+    if isinstance(engine, str | Path):
+        return tree_of(engine)
+    raise TypeError(
+        _(
+            "{function} takes an Engine, a name of the catalog, a path or a dict of keys, not "
+            "{given}",
+            function=asking,
+            given=given(engine),
+        )
+    )

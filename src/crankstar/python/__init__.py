@@ -1,0 +1,7 @@
+"""The Python interface: a function for each analysis, and results that are frames and figures.
+
+| module, bottom to top | one line |
+|---|---|
+| `results` | what a function gives: its numbers, tables, arrays, figures |
+| `functions` | the function of each analysis, its arguments read as people write them |
+"""

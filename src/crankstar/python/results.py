@@ -1,0 +1,247 @@
+"""What the function of an analysis gives: its numbers, tables, arrays and figures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from crankstar.analysis.document import Document, Table
+from crankstar.analysis.record import Analysis, Chart, Grid
+from crankstar.engine.engine import Engine
+from crankstar.engine.torsion import Chain
+from crankstar.language.messages import _
+from crankstar.language.quoting import seen
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+    from crankstar.analysis.assumptions import Assumption
+    from crankstar.charts.grammar import Chart as Figure
+    from crankstar.options.sources import Loaded
+
+
+class Part:
+    """One thing of a result by its name: records as the physics has them, a table, an array.
+
+    It is used like the records (`part[0]`, `len(part)`, a loop, their attributes); where there are
+    none, like the rows of the table, each a dict.
+    """
+
+    def __init__(
+        self, name: str, records: Any, table: Table | None, grid: Grid | None, facts: dict[str, Any]
+    ) -> None:
+        self._name, self._records, self._table = name, records, table
+        self._grid, self._facts = grid, facts
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Its table as a pandas data frame, as `--csv` has it: units stand in the names of columns.
+
+        Raises ImportError without pandas, ValueError where it is no table.
+        """
+        from crankstar.analysis.frames import frame
+        from crankstar.tables.machine import columns
+
+        if self._table is None:
+            raise ValueError(_("{name} is no table; to_xarray() gives it", name=self._name))
+        return frame(*columns(self._table), self._facts)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """It as an xarray data set with its dimensions.
+
+        Raises ImportError without xarray, ValueError where it has no dimensions.
+        """
+        from crankstar.analysis.frames import dataset
+
+        if self._grid is None:
+            raise ValueError(
+                _("{name} has no dimensions; to_frame() gives its table", name=self._name)
+            )
+        return dataset(self._grid, self._facts)
+
+    @property
+    def _shown(self) -> Any:
+        if self._records is not None or self._table is None:
+            return self._records
+        from crankstar.tables.machine import objects
+
+        return objects(self._table)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return getattr(self._shown, name)
+
+    def __getitem__(self, item: Any) -> Any:
+        return self._shown[item]
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self._shown)
+
+    def __len__(self) -> int:
+        return len(self._shown)
+
+    def __eq__(self, other: object) -> bool:
+        return self._shown == (other._shown if isinstance(other, Part) else other)
+
+    __hash__ = None  # pyright: ignore[reportAssignmentType]
+
+    def __repr__(self) -> str:
+        return repr(self._shown)
+
+    def _repr_html_(self) -> str | None:
+        if self._table is None:
+            return None
+        from crankstar.tables.html import document_html
+
+        return document_html(Document("", (self._table,)))
+
+
+@dataclass(frozen=True, repr=False)
+class Result:
+    """What an analysis computes of an engine.
+
+    Its attributes are those of the record of its physics (`value`), and its tables and arrays by
+    their names, each with `to_frame()` and `to_xarray()`; `source` is the engine or drive line,
+    `question` what was asked, `document` all of it in words and tables.
+
+    >>> import crankstar
+    >>> result = crankstar.torsion("cadillac-ld8")
+    >>> round(result.modes[0].frequency, 1), len(result.modes.to_frame())
+    (418.6, 4)
+    """
+
+    analysis: Analysis
+    source: Engine | Chain
+    question: Any
+    value: Any
+    loaded: Loaded = field(repr=False)
+
+    @cached_property
+    def document(self) -> Document:
+        """Its tables and sentences, with what they rest on and the ranges of what is estimated."""
+        return self._document(resting=True)
+
+    def _document(self, *, resting: bool) -> Document:
+        if isinstance(self.source, Chain):
+            return self._of_source
+        from crankstar.tables.ranges import ranged
+
+        rests = (lambda: self.rests_on) if resting else None
+        return ranged(self._told, self.loaded.spread, self.source, rests=rests)
+
+    @cached_property
+    def _of_source(self) -> Document:
+        return self.analysis.document.value(self.source, self.value, self.question)
+
+    def _told(self, source: Engine) -> Document:
+        own = source is self.source
+        return self._of_source if own else self.analysis.told(source, self.question)
+
+    @cached_property
+    def rests_on(self) -> tuple[Assumption, ...]:
+        """What its numbers rest on: each assumption, and how far it moves them."""
+        if isinstance(self.source, Chain):
+            return ()
+        from crankstar.studies.answers import rests_on
+
+        return tuple(rests_on(self.source, self.analysis.answer.value(self.source, self.question)))
+
+    @cached_property
+    def tables(self) -> Mapping[str, Table]:
+        """Its tables by name, as JSON has them."""
+        return {table.key: table for table in self._numbers.for_machines.tables if table.key}
+
+    @cached_property
+    def _numbers(self) -> Document:
+        """The same document without what it rests on, which takes longer to find."""
+        return self._document(resting=False)
+
+    @cached_property
+    def grids(self) -> Mapping[str, Grid]:
+        """Its arrays by name."""
+        return {} if self.analysis.grids is None else self.analysis.grids.value(self.value)
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it, as `--json` prints it."""
+        from crankstar.tables.machine import tree
+
+        return tree(self.document)
+
+    def to_frame(self, table: str = "") -> pandas.DataFrame:
+        """One of its tables, the first unless it is named. Raises ValueError for another name."""
+        return self._part(table or next(iter(self.tables))).to_frame()
+
+    def to_xarray(self, array: str = "") -> xarray.Dataset:
+        """One of its arrays, the first unless it is named. Raises ValueError for another name."""
+        if not self.grids:
+            raise ValueError(
+                _("{name} has no array; to_frame() gives its tables", name=self.analysis.name)
+            )
+        return self._part(array or next(iter(self.grids))).to_xarray()
+
+    def plot(self, figure: str = "", **options: Any) -> Figure:
+        """A figure of it, the first unless it is named; `options` as `crankstar plot` takes them.
+
+        What was asked of the analysis is asked of the figure. Raises ValueError for another name,
+        ChartError where there is nothing to draw.
+        """
+        charts = self.analysis.charts
+        if not charts:
+            raise ValueError(_("{name} has no figure", name=self.analysis.name))
+        chart = charts[0] if not figure else self._chart(figure)
+        own = {name: getattr(self.question, name, None) for name in chart.options}
+        given = {name: value for name, value in own.items() if value not in (None, "", (), [])}
+        return chart.draw(self.source, **{**given, **options})
+
+    def _chart(self, figure: str) -> Chart:
+        for chart in self.analysis.charts:
+            if figure in (chart.name, chart.name.removeprefix(f"{self.analysis.name}-")):
+                return chart
+        names = ", ".join(chart.name for chart in self.analysis.charts)
+        raise ValueError(
+            _("there is no figure {name}; there are: {names}", name=seen(figure), names=names)
+        )
+
+    def _part(self, name: str) -> Part:
+        if name not in self.tables and name not in self.grids:
+            names = ", ".join(dict.fromkeys([*self.tables, *self.grids]))
+            raise ValueError(
+                _("there is no table {name}; there are: {names}", name=seen(name), names=names)
+            )
+        records = getattr(self.value, name, None)
+        facts = {
+            key: value
+            for key, value in self._numbers.facts.items()
+            if isinstance(value, str | int | float) and key != "format"
+        }
+        return Part(name, records, self.tables.get(name), self.grids.get(name), facts)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if hasattr(self.value, name) and name not in self._named:
+            return getattr(self.value, name)
+        if name in self._named or name in self.tables or name in self.grids:
+            return self._part(name)
+        raise AttributeError(f"the result of {self.analysis.name} has no {name!r}")
+
+    @cached_property
+    def _named(self) -> frozenset[str]:
+        """Names that the record of the physics and the tables or arrays share."""
+        return frozenset(name for name in (*self.tables, *self.grids) if hasattr(self.value, name))
+
+    def __dir__(self) -> list[str]:
+        own = [name for name in dir(self.value) if not name.startswith("_")]
+        return sorted({*super().__dir__(), *own, *self.tables, *self.grids})
+
+    def __repr__(self) -> str:
+        tables = ", ".join(dict.fromkeys([*self.tables, *self.grids]))
+        return f"<{self.analysis.name} of {self.source.name}: {tables}>"
+
+    def _repr_html_(self) -> str:
+        from crankstar.tables.html import document_html
+
+        return document_html(self.document.for_readers)

@@ -1,0 +1,143 @@
+"""What the function of an analysis gives: numbers, frames, arrays, figures, and its JSON."""
+
+from __future__ import annotations
+
+import copy
+import inspect
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.commands import Run
+
+import crankstar
+from crankstar.analysis.frames import with_unit
+from crankstar.analysis.registry import names
+
+TWISTING: dict[str, Any] = {
+    "inertia": "0.01 kg*m^2",
+    "stiffness": "0.6 MN*m/rad",
+    "disc": [{"name": "wheel", "inertia": "0.2 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}],
+}
+PLACES = (("left", "-0.4 m", "0 m"), ("right", "0.4 m", "0 m"), ("rear", "0 m", "-0.3 m"))
+RUBBER = [{"name": n, "right": r, "z": z, "stiffness": "90 N/mm"} for n, r, z in PLACES]
+CHANGES: dict[str, Any] = {"torsion": TWISTING, "mounts": RUBBER, "block": {"mass": "150 kg"}}
+
+
+@pytest.fixture(scope="module")
+def five() -> Any:
+    return crankstar.load("audi-25-tfsi", changes=CHANGES)
+
+
+@pytest.fixture(scope="module")
+def twisting(five: Any) -> Any:
+    return crankstar.torsion(five, speeds="2000..6500 rpm/10", orders="2.5,5")
+
+
+@pytest.mark.parametrize("name", names())
+def test_every_analysis_gives_what_its_command_prints(name: str, five: Any, run: Run) -> None:
+    Path("five.toml").write_text(crankstar.files.toml(five), encoding="utf-8")
+    printed = json.loads(run(name, "five.toml", "--json").out)
+    result = getattr(crankstar, name)("five.toml")
+    assert json.loads(json.dumps(result.to_dict())) == printed
+    first, *_others = result.tables.values()
+    assert len(result.to_frame()) == len(first.rows)
+    assert result.rests_on
+    assert "<table" in result._repr_html_()
+    assert name in repr(result)
+
+
+def test_columns_carry_their_units(twisting: Any) -> None:
+    table = twisting.criticals.to_frame()
+    assert {"speed_rpm", "torque_N_m", "equilibrium_deg"} <= {*table.columns}
+    rows = twisting.to_dict()["criticals"]
+    assert table["speed_rpm"].tolist() == [row["speed_rpm"] for row in rows]
+    assert table.attrs["units"]["torque_N_m"] == "N*m"
+    assert twisting.modes.to_frame()["frequency_hz"][0] == pytest.approx(
+        twisting.modes[0].speed / (2 * math.pi)
+    )
+    assert with_unit("frequency_hz", "Hz") == "frequency_hz"
+    assert with_unit("damping", "N*m*s/rad") == "damping_N_m_s_per_rad"
+
+
+def test_the_torque_of_the_array_swings_as_far_as_the_table_says(twisting: Any) -> None:
+    """The peak of the sum of all orders, from the complex amplitudes, sampled finely."""
+    data = twisting.response.to_xarray()
+    assert data.torque.dims == ("speed_rpm", "order", "section")
+    assert data.torque.attrs == {"units": "N*m"}
+    angles = np.arange(2880) * math.radians(720 / 2880)
+    turning = np.exp(1j * np.outer(data.order.values, angles))
+    peaks = np.abs(np.real(np.einsum("sox,oa->sxa", data.torque.values, turning))).max(axis=(0, 2))
+    table = twisting.greatest.to_frame()
+    column = next(name for name in table.columns if name.startswith("torque"))
+    assert peaks == pytest.approx(table[column].to_numpy(), rel=1e-4)
+
+
+def test_the_force_in_a_mount_is_that_of_its_deflection(five: Any) -> None:
+    """Along up, of a mount alone under its weight: k (1 + i eta) times how far it gives."""
+    result = crankstar.mounts(five, speeds="1000..6000 rpm/6", at=(0.0, 0.0, 0.0))
+    data = result.over.to_xarray()
+    assert {"displacement", "velocity", "force"} == {*data.data_vars}
+    rate = data.speed_rpm * math.pi / 30 * data.order
+    assert np.allclose(data.velocity, 1j * rate * data.displacement)
+    assert [*data.mount.values] == ["left", "right", "rear"]
+    assert data.displacement.sel(axis="up").shape == (data.sizes["speed_rpm"], data.sizes["order"])
+
+
+def test_parts_are_records_and_rows(twisting: Any) -> None:
+    assert twisting.criticals[0] == twisting.value.criticals[0]
+    assert len([*twisting.modes]) == len(twisting.modes)
+    assert twisting.greatest[0].keys() == twisting.to_dict()["greatest"][0].keys()
+    assert copy.copy(twisting).modes[0].number == 1
+    assert {"criticals", "greatest", "to_frame", "chain"} <= {*dir(twisting)}
+    with pytest.raises(AttributeError, match="the result of torsion has no 'nothing'"):
+        twisting.nothing  # noqa: B018
+    with pytest.raises(ValueError, match='no table "nothing"; there are: masses, sections'):
+        twisting.to_frame("nothing")
+    with pytest.raises(ValueError, match="greatest has no dimensions"):
+        twisting.greatest.to_xarray()
+    with pytest.raises(ValueError, match="genset has no array"):
+        crankstar.genset("audi-25-tfsi").to_xarray()
+
+
+def test_a_figure_is_that_of_the_question(twisting: Any) -> None:
+    own = twisting.plot("response")
+    assert own.to_dict() == twisting.plot("torsion-response").to_dict()
+    assert "2.5" in json.dumps(own.to_dict())
+    speeds = json.dumps(twisting.plot("campbell", orders=[7.5]).to_dict())
+    assert "7.5" in speeds
+    with pytest.raises(ValueError, match='no figure "nothing"; there are: torsion-modes, campbell'):
+        twisting.plot("nothing")
+
+
+def test_estimates_have_ranges_and_a_drive_line_has_modes() -> None:
+    table = crankstar.genset("toyota-1uz-fe", estimate=True).to_frame("sums")
+    assert {"one_low", "one_high", "one_estimated"} <= {*table.columns}
+    assert (table["one_low"].to_numpy() <= table["one_high"].to_numpy()).all()
+    discs = [
+        {"name": "motor", "inertia": "2 kg*m^2"},
+        {"name": "fan", "inertia": "3 kg*m^2", "to": "motor", "stiffness": "6 kN*m/rad"},
+    ]
+    drive = crankstar.torsion({"name": "fan drive", "disc": discs})
+    assert drive.modes[0].speed == pytest.approx(math.sqrt(6e3 * (1 / 2 + 1 / 3)))
+    shapes = drive.shapes.to_xarray()
+    assert shapes["shape"].sel(mode=1).values == pytest.approx([1, -2 / 3])
+    with pytest.raises(TypeError, match="mounts takes an engine, not a drive line"):
+        crankstar.mounts({"name": "fan drive", "disc": discs})
+
+
+def test_its_signature_is_what_may_be_asked() -> None:
+    signature = inspect.signature(crankstar.torsion)
+    assert [*signature.parameters] == [
+        *("engine", "point", "speed", "speeds", "orders", "modes", "holzer"),
+        *("changes", "estimate"),
+    ]
+    assert "modes: How many modes" in (crankstar.torsion.__doc__ or "")
+    for wrong in (2.5, True, "many"):
+        with pytest.raises(TypeError, match="modes takes a whole number"):
+            crankstar.torsion("cadillac-ld8", modes=wrong)
+    with pytest.raises(ValueError, match=r"^holzer 50: there are 4 modes"):
+        crankstar.torsion("cadillac-ld8", holzer=50)
