@@ -13,6 +13,7 @@ import sys
 from functools import cache, partial
 from itertools import combinations
 from typing import Any
+from xml.etree import ElementTree
 
 import altair
 import jsonschema_rs
@@ -456,9 +457,16 @@ def test_every_figure_keeps_to_the_schema_of_vega_lite(name: str, engine: str) -
     assert not vega_lite().is_valid({**tree, part: {"type": "star"}})
 
 
-def test_a_notebook_shows_a_figure_by_the_renderer_of_altair() -> None:
+def test_a_notebook_shows_a_figure_without_a_network_or_by_the_renderer_of_altair() -> None:
     chart = charts.crank_star(crankstar.load("v2-90"))
-    assert "text/html" in chart._repr_mimebundle_()
+    own = chart._repr_mimebundle_()
+    assert own["application/vnd.vegalite.v6+json"] == chart.to_dict()
+    drawing = ElementTree.fromstring(own["image/svg+xml"])  # noqa: S314
+    addresses = [v for each in drawing.iter() for k, v in each.attrib.items() if "href" in k]
+    assert drawing.tag.endswith("svg")
+    assert not any("://" in each for each in addresses)
+    with altair.renderers.enable("html"):
+        assert "text/html" in chart._repr_mimebundle_()
     with altair.renderers.enable("mimetype"):
         data, *_metadata = chart._repr_mimebundle_()
         of_altair, *_metadata = chart.to_altair()._repr_mimebundle_()

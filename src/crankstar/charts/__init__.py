@@ -6,23 +6,23 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 
 | module, bottom to top | one line |
 |---|---|
-| `grammar` | Vega-Lite as plain data |
 | `letters` | how wide letters are, texts in lines |
 | `canvas` | the room for a figure |
-| `resting` | what the numbers of a figure rest on, in a line below it |
 | `converter` | vl-convert, here or in a process beside this one |
+| `estimates` | the ranges of estimated engines, and the line that marks their figures |
+| `labels` | where labels stand, and their leaders |
+| `fonts` | free fonts for Japanese and Cyrillic letters |
+| `grammar` | Vega-Lite as plain data |
+| `resting` | what the numbers of a figure rest on, in a line below it |
 | `drawing` | colours, panels, the crank angle as a parameter |
 | `crank_angle` | the axis of the crank angle, and the rule at `theta` |
-| `estimates` | the ranges of estimated engines, and the line that marks their figures |
 | `comparison` | one engine, or several side by side on common axes |
 | `sums` | what remains of force, couple, rolling moment and torque |
 | `choices` | the quantity and the order of a figure where none is named |
-| `labels` | where labels stand, and their leaders |
 | `plane` | the clock plane as a picture with equal scales |
 | `vector_panels` | the vectors of cylinders and their sum as a panel |
 | `themes` | the colours of light and dark screens and of paper |
 | `paper` | a chart at a stated size, with letters of a stated size |
-| `fonts` | free fonts for Japanese and Cyrillic letters |
 | `saving` | a chart as SVG, PNG, PDF, HTML or JSON |
 | `vectors` | the vectors of one order, as numbers |
 | `crank_stars` | the throws of the crankshafts from the front |

@@ -2,16 +2,21 @@
 
 https://vega.github.io/vega-lite/docs/spec.html says what it all means; nothing is checked here.
 Altair writes the same data in the same words, but takes half a second to load: it is asked only
-where a notebook shows a chart, or to write a page.
+where a notebook has chosen one of its renderers.
 """
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from crankstar.charts.fonts import registered
+
 SCHEMA = "https://vega.github.io/schema/vega-lite/v6.json"
+VEGA_LITE = "application/vnd.vegalite.v6+json"
+"""What notebooks call it, those that draw it themselves."""
 KINDS = {"Q": "quantitative", "N": "nominal", "O": "ordinal"}
 Channel = dict[str, Any]
 
@@ -98,8 +103,16 @@ class Chart:
         return altair.Chart.from_dict(self.to_dict())
 
     def _repr_mimebundle_(self, *_: Any, **__: Any) -> Any:
-        """The figure in a notebook, by the renderer that is chosen for Altair."""
-        import altair
+        """The figure in a notebook, without a network: as Vega-Lite where that is known, else SVG.
 
-        renderer = altair.renderers.get()
-        return renderer(self.to_dict()) if renderer else {}
+        A renderer that was chosen for Altair (`altair.renderers.enable("html")`) draws it instead.
+        """
+        altair = sys.modules.get("altair")  # whoever has chosen a renderer has loaded it
+        if altair is not None and altair.renderers.active != "default":
+            renderer = altair.renderers.get()
+            return renderer(self.to_dict()) if renderer else {}
+        import vl_convert
+
+        registered()
+        tree = self.to_dict()
+        return {VEGA_LITE: tree, "image/svg+xml": vl_convert.vegalite_to_svg(tree)}
