@@ -20,11 +20,12 @@ import numpy as np
 
 import search
 import tables
-from crankstar import Reference, balance, derivation, load, names, total
+from crankstar import Reference, derivation, load, names, total
 from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import Row, inline, radial, tandem, vee
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.batches import totals
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.studies import sweep

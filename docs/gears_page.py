@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar import balance, charts, load, spectra, total
+from crankstar import charts, load, spectra, total
 from crankstar.charts.crank_angle import across
 from crankstar.charts.drawing import BLUE, VERMILION, styled
 from crankstar.charts.grammar import field, of_rows
@@ -19,6 +19,7 @@ from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.files.catalog import tree_of
 from crankstar.files.estimate import estimated
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import over_cycle
 from crankstar.mechanics.kinetic import samples_over

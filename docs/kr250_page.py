@@ -7,8 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar import balance, charts, load, spectra, total
+from crankstar import charts, load, spectra, total
 from crankstar.engine.engine import Engine
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.studies.best_value import best
 from crankstar.studies.sweep import swept, watched

@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from crankstar.derive import derivation, family, signs
-    from crankstar.dynamics.bearings import BearingLoads, Bending, bearing_loads, bending_moment
+    from crankstar.dynamics.bearings import BearingLoads, Bending
     from crankstar.dynamics.uneven import Running, driven, flywheel_for
     from crankstar.dynamics.whirl import whirl
     from crankstar.engine.engine import Engine
@@ -59,7 +59,7 @@ if TYPE_CHECKING:
     from crankstar.files import EngineFileError
     from crankstar.files.catalog import load, names
     from crankstar.language.faults import EngineError
-    from crankstar.mechanics.balance import Balance, balance, grouped, of_parts, total
+    from crankstar.mechanics.balance import Balance, grouped, of_parts, total
     from crankstar.mechanics.excitation import Reference, Totals
     from crankstar.mechanics.gas import Cycle, cycle
     from crankstar.mechanics.gas_torque import GasTorque, gas_torque
@@ -67,6 +67,7 @@ if TYPE_CHECKING:
     from crankstar.mechanics.side_thrust import SideThrust, side_thrust
     from crankstar.page.widget import widget
     from crankstar.python.results import Result
+    from crankstar.python.sums import balance, bearing_loads, bending_moment
     from crankstar.remedy.counterweights import with_counterweights
     from crankstar.remedy.shafts import with_balance_shaft
     from crankstar.studies.marine import MarineAnalysis, marine
@@ -85,14 +86,14 @@ __version__ = "0.1.0"
 _HOMES = {
     "dynamics.whirl": ("whirl",),
     "dynamics.uneven": ("Running", "driven", "flywheel_for"),
-    "dynamics.bearings": ("BearingLoads", "Bending", "bearing_loads", "bending_moment"),
+    "dynamics.bearings": ("BearingLoads", "Bending"),
     "derive": ("derivation", "family", "signs"),
     "engine.engine": ("Engine",),
     "engine.records": ("Cylinder", "Rod", "Shaft", "Throw", "Weight"),
     "files": ("EngineFileError",),
     "files.catalog": ("load", "names"),
     "language.faults": ("EngineError",),
-    "mechanics.balance": ("Balance", "balance", "grouped", "of_parts", "total"),
+    "mechanics.balance": ("Balance", "grouped", "of_parts", "total"),
     "mechanics.excitation": ("Reference", "Totals"),
     "mechanics.gas": ("Cycle", "cycle"),
     "mechanics.gas_torque": ("GasTorque", "gas_torque"),
@@ -100,6 +101,7 @@ _HOMES = {
     "mechanics.side_thrust": ("SideThrust", "side_thrust"),
     "page.widget": ("widget",),
     "python.results": ("Result",),
+    "python.sums": ("balance", "bearing_loads", "bending_moment"),
     "remedy.counterweights": ("with_counterweights",),
     "remedy.shafts": ("with_balance_shaft",),
     "studies.marine": ("MarineAnalysis", "marine"),

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import size
 from crankstar.mechanics.remains import summed
 from crankstar.remedy import Aim, bearing_load, without_weights

@@ -9,8 +9,9 @@ from typing import Any
 
 import pytest
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.cli.options import engine_over_ranges
+from crankstar.mechanics.balance import balance
 from crankstar.page.exhibits import advised, remedy_tables
 from crankstar.page.figures import fitted_spread
 from crankstar.remedy.fitting import recommended

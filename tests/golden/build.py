@@ -12,7 +12,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from crankstar import balance, load
+from crankstar import load
+from crankstar.mechanics.balance import balance
 from crankstar.tables.balance_orders import answer
 from crankstar.tables.machine import tree
 

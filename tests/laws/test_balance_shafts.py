@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from tests.newton import road
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.engine.engine import Engine
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference, rolling_moment
 from crankstar.remedy import (
     RemedyError,

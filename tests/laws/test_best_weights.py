@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from tests.newton import road
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.dynamics.bearings import bearing_loads
 from crankstar.engine.copies import with_shaft, with_weights
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
 from crankstar.files import engine_of
-from crankstar.mechanics.balance import Reference, unit_unbalance
+from crankstar.mechanics.balance import Reference, balance, unit_unbalance
 from crankstar.remedy import (
     Aim,
     Limit,

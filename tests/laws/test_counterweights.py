@@ -8,10 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Rod
 from crankstar.files import catalog, engine_of
+from crankstar.mechanics.balance import balance
 from crankstar.remedy import RemedyError, bobweight, loads, with_counterweights
 from crankstar.spectra import Spectrum
 

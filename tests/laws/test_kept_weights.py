@@ -7,10 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.engine.copies import with_weights
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Weight
+from crankstar.mechanics.balance import balance
 from crankstar.remedy import Aim, changes, fitting, without_added, without_counterweights
 from crankstar.remedy.kept import vectors
 

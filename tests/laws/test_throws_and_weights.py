@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.strategies import ANGLES, engines, of_layout
 
-from crankstar import balance, files, spectra, total
+from crankstar import files, spectra, total
 from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.copies import (
     throws_of_weights,
@@ -23,6 +23,7 @@ from crankstar.engine.layouts import inline
 from crankstar.engine.records import Rod, Shaft, Throw, Weight
 from crankstar.files.catalog import load
 from crankstar.language.faults import EngineError
+from crankstar.mechanics.balance import balance
 from crankstar.remedy.counterweights import with_counterweights, with_web_weights
 from crankstar.studies.sweep import swept, watched
 

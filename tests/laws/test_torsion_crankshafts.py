@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.dynamics.torsion_excitation import excitation
@@ -17,6 +17,7 @@ from crankstar.dynamics.torsion_variable import inertia_waves
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain, Disc
 from crankstar.files.read import engine_of
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.kinetic import carried_inertias, inertias, throw_inertia

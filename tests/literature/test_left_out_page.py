@@ -12,10 +12,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.dynamics.torsion_analysis import torsion
 from crankstar.dynamics.whirl import body
 from crankstar.engine.copies import with_values
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import over_cycle
 

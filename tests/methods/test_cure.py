@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.derive import DerivationError
 from crankstar.derive.algebra.cyclotomic import Number
 from crankstar.derive.algebra.evaluation import value
@@ -15,6 +15,7 @@ from crankstar.derive.algebra.wave import length
 from crankstar.derive.cure import cure
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
+from crankstar.mechanics.balance import balance
 from crankstar.remedy import end_planes, end_webs, with_balance_shaft, with_counterweights
 
 CASES = [

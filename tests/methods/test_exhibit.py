@@ -20,7 +20,6 @@ from tests.catalog import EVERY_ENGINE
 from tests.newton import road
 from tests.strategies import OF_ANY_KIND, RELEASE, engines
 
-from crankstar import balance
 from crankstar.charts import CHARTS, ChartError
 from crankstar.derive import DerivationError
 from crankstar.derive import derivation as derived
@@ -32,7 +31,7 @@ from crankstar.engine.firing_angles import unfit
 from crankstar.engine.records import Shaft, Weight
 from crankstar.files import EngineFileError, engine_of
 from crankstar.files.catalog import load, names, tree_of
-from crankstar.mechanics.balance import scales
+from crankstar.mechanics.balance import balance, scales
 from crankstar.mechanics.excitation import Reference
 from crankstar.page import exhibit, exhibition, fitted
 from crankstar.page import standalone as page

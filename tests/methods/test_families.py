@@ -8,13 +8,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.derive import DerivationError, family
 from crankstar.derive.algebra import typeset
 from crankstar.derive.algebra.evaluation import value
 from crankstar.derive.chapters import Chapter
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import piston_harmonics
+from crankstar.mechanics.balance import balance
 
 ORDERS, ANGLES = (1, 2, 4, 6), (0.2, 1.3, 4.0)
 VEES = ["v2-90", "harley-45", "v8-flat-plane", "v8-cross-plane", "v12-60", "merlin", "ferrari-f136"]

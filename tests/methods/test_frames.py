@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 import xarray
 
-from crankstar import Reference, balance, load, spectra, total
-from crankstar.mechanics.balance import Balance, Grouping, grouped
+from crankstar import Reference, load, spectra, total
+from crankstar.mechanics.balance import Balance, Grouping, balance, grouped
 from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.studies.sweep import swept
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from crankstar import balance, spectra, total
+from crankstar import spectra, total
 from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.layouts import inline
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import rolling_moment
 
 

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from tests.catalog import EVERY_ENGINE
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import Basis
 from crankstar.engine.copies import with_values
 from crankstar.engine.layouts import tandem
 from crankstar.engine.records import Rod
 from crankstar.language.numbers import number
-from crankstar.mechanics.balance import scales
+from crankstar.mechanics.balance import balance, scales
 from crankstar.remedy import main_bearings, needs
 from crankstar.tables.relatives import piston_balance
 from crankstar.tables.verdict import verdict

@@ -10,8 +10,9 @@ import numpy as np
 import openpyxl
 import pytest
 
-from crankstar import balance, load, spectra, total
+from crankstar import load, spectra, total
 from crankstar.analysis.document import Column, Document, Table
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import rolling_moment
 from crankstar.tables.arrow import arrow_table, parquet_bytes
 from crankstar.tables.balance_orders import answer

@@ -43,7 +43,8 @@ def uneven_spectrum(steady: Spectrum, running: Running) -> Spectrum:
     The orders are those of the working cycle. At even speed it is what it was:
 
     >>> from dataclasses import replace
-    >>> from crankstar import balance, load, total
+    >>> from crankstar import load, total
+    >>> from crankstar.mechanics.balance import balance
     >>> from crankstar.dynamics.uneven import running
     >>> from crankstar.mechanics.gas import cycle
     >>> engine = load("audi-25-tfsi")

@@ -36,6 +36,7 @@ from crankstar.options.numbers import (
 )
 
 Result = TypeVar("Result")
+PAIR = 2
 READ_FILES = {"load", "widget"}
 """Functions that read engine files themselves."""
 ENGINES = {"name", "engine", "beside"}
@@ -108,8 +109,9 @@ def _read_engines(
     elif "engine" in given:
         named = given["engine"]
         given["engine"] = engine = _engine(name, named)
-        if "str" in str(parameters["engine"]) and isinstance(named, str | Path):
-            given["engine"] = str(named)  # it reads the file itself, whose keys it varies
+        if "str" in str(parameters["engine"]) and not isinstance(named, Engine):
+            # it reads the file itself, whose keys it varies
+            given["engine"] = named if isinstance(named, Mapping) else str(named)
         return engine
     elif "engines" in parameters:
         given["engines"] = tuple(_engine(name, each) for each in given.get("engines", ()))
@@ -150,16 +152,9 @@ def _engine(function: str, given: Any) -> Engine:
     """An Engine as it is, or the one that is named. Raises TypeError, EngineFileError."""
     if isinstance(given, Engine):
         return given
-    if isinstance(given, str | Path):
-        from crankstar.files.catalog import load  # no file is read without a name
+    from crankstar.options.sources import engine_named  # no file is read without a name
 
-        return load(given)
-    source = _loaded(given, function)
-    if isinstance(source, Engine):
-        return source
-    raise TypeError(
-        _("{function} takes an engine, not a drive line without cylinders", function=function)
-    )
+    return engine_named(given, function)
 
 
 def _named(given: Any) -> str:
@@ -183,16 +178,20 @@ def _check_sweep(function: str, given: Mapping[str, Any]) -> None:
     """Raises TypeError for what is varied or watched and cannot be."""
     if "over" in given:
         over = given["over"]
+        if isinstance(over, Mapping):
+            _check_values(over)
+            over = [*over]
         texts = over if isinstance(over, list | tuple) else [over]
         odd = [text for text in texts if not isinstance(text, str)]
         if odd:
             raise TypeError(
                 _(
-                    'over takes text such as "balance_factor=0..1/11", or a list of two such '
-                    "texts, not {given}",
+                    'over takes text such as "balance_factor=0..1/11", a list of two such texts, '
+                    "or a dict of values by key path, not {given}",
                     given=_named(odd[0]),
                 )
             )
+    _check_watch(given.get("watch", ()))
     if "sweep" not in given:
         return
     from crankstar.studies.sweep import Sweep
@@ -211,6 +210,40 @@ def _check_sweep(function: str, given: Mapping[str, Any]) -> None:
         )
     if given.get("order") is not None:
         check_number("order", given["order"])
+
+
+def _check_values(over: Mapping[Any, Any]) -> None:
+    """Raises TypeError for values of a number that are neither numbers nor text."""
+    for path, values in over.items():
+        listed = isinstance(values, Iterable) and not isinstance(values, bytes | Mapping)
+        if not listed or not all(isinstance(each, str) or is_number(each) for each in values):
+            raise TypeError(
+                _(
+                    'over takes a list of numbers or text such as "0..1/11" for {path}, not '
+                    "{given}",
+                    path=seen(str(path)),
+                    given=_named(values),
+                )
+            )
+
+
+def _check_watch(watch: Any) -> None:
+    """Raises TypeError for what is no list of names, each alone or with an order."""
+    listed = isinstance(watch, Iterable) and not isinstance(watch, bytes | Mapping)
+    names = [watch] if isinstance(watch, str) or not listed else [*watch]
+    pairs = [each if isinstance(each, tuple) else (each, 1) for each in names]
+    if not all(
+        len(pair) == PAIR and isinstance(pair[0], str) and is_number(pair[1]) for pair in pairs
+    ):
+        listed = False
+    if not listed:
+        raise TypeError(
+            _(
+                'watch takes names such as ["force", "couple.pitch"], each alone or with an order, '
+                'as in ("force", 2), not {given}',
+                given=_named(watch),
+            )
+        )
 
 
 def _check_cycle(function: str, given: Mapping[str, Any]) -> None:

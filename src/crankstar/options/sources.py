@@ -73,6 +73,18 @@ def loaded(
     return Loaded(shown, tree, own, ends, filled)
 
 
+def engine_named(engine: EngineLike, asking: str) -> Engine:
+    """The Engine that is named. Raises EngineFileError, TypeError for what names none."""
+    if isinstance(engine, Engine):
+        return engine
+    source = loaded(engine, asking=asking).source
+    if isinstance(source, Engine):
+        return source
+    raise TypeError(
+        _("{function} takes an engine, not a drive line without cylinders", function=asking)
+    )
+
+
 def _tree(engine: EngineLike, asking: str) -> tuple[str, dict[str, Any]]:
     if isinstance(engine, Engine):
         return engine.name, explicit(engine)

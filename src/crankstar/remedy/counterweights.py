@@ -62,7 +62,8 @@ def with_counterweights(
     shaft (z, m or bore pitches as the engine counts); without them a weight stands opposite every
     pin. Shafts without throws keep their weights. Raises RemedyError.
 
-    >>> from crankstar import balance, load, spectra, total
+    >>> from crankstar import load, spectra, total
+    >>> from crankstar.mechanics.balance import balance
     >>> weighted = with_counterweights(load("v2-90"), factor=0.5)
     >>> first = spectra.selected(total(balance(weighted)).force, 1)
 

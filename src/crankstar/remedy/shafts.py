@@ -116,7 +116,8 @@ def with_balance_shaft(
     that it cancels, the rest being left to other shafts. Raises RemedyError, also where there is
     nothing for it to balance.
 
-    >>> from crankstar import balance, load, spectra, total
+    >>> from crankstar import load, spectra, total
+    >>> from crankstar.mechanics.balance import balance
     >>> single = with_balance_shaft(load("i4"), ratio=2, planes=[1, -1])
     >>> pair = with_balance_shaft(single, ratio=-2, planes=[1, -1])
     >>> second = spectra.selected(total(balance(pair)).force, 2)

@@ -68,14 +68,20 @@ class Varied(NamedTuple):
 
 
 def source_of(
-    engine: str | Engine, *, changes: Mapping[str, Any] | None = None, estimate: bool = False
+    engine: str | Engine | Mapping[str, Any],
+    *,
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
 ) -> Source:
-    """The file of an engine, or of a name (catalog, file or "-"), with `changes` by key path.
+    """The file of an engine, of a name (catalog, file or "-") or of keys, with `changes` by path.
 
     `estimate` fills in what it leaves out. Raises EngineFileError.
     """
     own = isinstance(engine, Engine)
-    shown, tree = (engine.name, files.explicit(engine)) if own else tree_of(engine)
+    if isinstance(engine, Mapping):
+        shown, tree = str(engine.get("name", _("the engine"))), dict(engine)
+    else:
+        shown, tree = (engine.name, files.explicit(engine)) if own else tree_of(engine)
     tree = files.changed(tree, changes or {}, name=shown)
     if estimate:
         from crankstar.files.estimate import estimated

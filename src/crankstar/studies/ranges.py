@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -57,6 +57,33 @@ def over_requests(texts: Sequence[str]) -> tuple[Over, ...]:
             count=len(texts),
         )
     return tuple(over_request(text, usual=USUAL_OF[len(texts)]) for text in texts)
+
+
+def requested(
+    over: str | Sequence[str] | Mapping[str, Any],
+) -> list[tuple[str, Sequence[float], str | None]]:
+    """Key path, values and their unit (None: SI) of each number that is varied. Raises SweepError.
+
+    >>> requested({"cylinder.stroke": ["80 mm", "90 mm"], "balance_factor": "0..1/3"})[0]
+    ('cylinder.stroke', (80.0, 90.0), 'mm')
+    """
+    if not isinstance(over, Mapping):
+        texts = over_requests([over] if isinstance(over, str) else [*over])
+        return [(each.path, each.values, each.unit) for each in texts]
+    if not 1 <= len(over) <= MOST_AXES:
+        raise SweepError(
+            "{count} values are to be varied; one or two can be at once", count=len(over)
+        )
+    out: list[tuple[str, Sequence[float], str | None]] = []
+    for path, values in over.items():
+        listed = values if isinstance(values, str) else [*values]
+        if isinstance(listed, str) or any(isinstance(each, str) for each in listed):
+            text = listed if isinstance(listed, str) else ", ".join(map(str, listed))
+            each = over_request(f"{path}={text}", usual=USUAL_OF[len(over)])
+            out.append((each.path, each.values, each.unit))
+        else:
+            out.append((str(path), [float(each) for each in listed], None))
+    return out
 
 
 def over_request(text: str, *, usual: int = USUAL_POINTS) -> Over:

@@ -25,6 +25,8 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.frames import dataset, with_unit
+from crankstar.analysis.record import Grid
 from crankstar.analysis.registry import measures
 from crankstar.engine.engine import Engine
 from crankstar.language.quoting import one_line
@@ -34,7 +36,7 @@ from crankstar.mechanics.excitation import Reference, Totals, rolling_moment
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.fields import Source, ends_of, source_of
 from crankstar.studies.gas_results import GAS_WATCHABLE, Case, gas_values, one_by_one
-from crankstar.studies.ranges import over_requests
+from crankstar.studies.ranges import requested
 from crankstar.studies.study import Study, check_apart, study
 from crankstar.studies.sums import GREATEST_ORDER, Group, joined
 from crankstar.studies.variants import SweepError, Tell
@@ -82,6 +84,7 @@ class Sweep:
     `speed` is the one of all [rad/s], None where it is swept or where nothing is in newtons. Where
     the speed is swept, `highest_speed` is omega_0. `orders` are those that were asked for, None of
     all. `adds`: a balance factor is varied whose weights are added to others of the crankshaft.
+    `watch`: the results, each of all orders or of one, that frames and data sets have alone.
     """
 
     axes: tuple[Axis, ...]
@@ -97,6 +100,7 @@ class Sweep:
     cases: Callable[[], Sequence[Case]] = field(repr=False, compare=False)
     case: Callable[[Sequence[int]], Case] = field(repr=False, compare=False)
     adds: bool = False
+    watch: tuple[tuple[str, float | None], ...] = ()
 
     @property
     def path(self) -> str:
@@ -141,13 +145,33 @@ class Sweep:
         grids = np.meshgrid(*(axis.values for axis in self.axes), indexing="ij")
         return {axis.path: grid.ravel() for axis, grid in zip(self.axes, grids, strict=True)}
 
+    @property
+    def curves(self) -> tuple[Curve, ...]:
+        """What is watched, at every value."""
+        return tuple(watched(self, what, order=order) for what, order in self.watch)
+
     def to_frame(self) -> pandas.DataFrame:
         """The amplitudes at every value as a tidy pandas data frame: one row an amplitude.
 
         The first columns are the engine and the values, named as in the CSV of `crankstar sweep` by
         path and unit; the others are those of `Balance.to_frame`. attrs: units, the speed (rad/s)
-        and the reference point. Raises ImportError without pandas.
+        and the reference point. Where results are watched: one row a value, a column for each of
+        them, units in their names. Raises ImportError without pandas.
+
+        >>> twin = sweep("v2-90", {"balance_factor": [0, 0.5, 1]}, watch=["force", ("roll", 2)])
+        >>> print(twin.to_frame().round(6).to_string(index=False))
+         balance_factor  force_m_r_w2  roll_order_2_m_r2_w2
+                    0.0      1.290402                   0.0
+                    0.5      0.359398                   0.0
+                    1.0      1.290402                   0.0
         """
+        if self.watch:
+            columns: dict[str, Any] = {}
+            for axis, values in zip(self.axes, self.columns().values(), strict=True):
+                columns[with_unit(axis.path, axis.unit)] = values
+            for name, curve in self._watched().items():
+                columns[with_unit(name, curve.unit)] = curve.values.ravel()
+            return labelled.frame(columns, self._facts)
         count = int(np.prod(self.shape))
         labels: dict[str, Any] = {"engine": [self.engine.name] * count}
         for axis, values in zip(self.axes, self.columns().values(), strict=True):
@@ -166,6 +190,16 @@ class Sweep:
         >>> abs(table.force_forward.sel(order=1)).round(6).values.tolist()  # 0.5 cancels it
         [1.0, 0.0, 1.0]
         """
+        if self.watch:
+            names = [axis.path for axis in self.axes]
+            grid = Grid(
+                {axis.path: (axis.path, axis.values, {"units": axis.unit}) for axis in self.axes},
+                {
+                    name: (tuple(names), curve.values, curve.unit)
+                    for name, curve in self._watched().items()
+                },
+            )
+            return dataset(grid, {k: v for k, v in self._facts.items() if v is not None})
         return labelled.dataset(
             self.sums,
             self.units._asdict(),
@@ -176,6 +210,13 @@ class Sweep:
             facts=self._facts,
             split=split,
         )
+
+    def _watched(self) -> dict[str, Curve]:
+        """The curves by name: what is watched, and of which order."""
+        return {
+            curve.what if curve.order is None else f"{curve.what}_order_{curve.order:g}": curve
+            for curve in self.curves
+        }
 
     @property
     def _facts(self) -> dict[str, Any]:
@@ -202,9 +243,10 @@ class Curve(NamedTuple):
 
 
 def sweep(
-    engine: str | Engine,
-    over: str | Sequence[str],
+    engine: str | Engine | Mapping[str, Any],
+    over: str | Sequence[str] | Mapping[str, Any],
     *,
+    watch: str | Sequence[str | tuple[str, float]] = (),
     changes: Mapping[str, Any] | None = None,
     reference: Reference | None = None,
     orders: Sequence[float] | None = None,
@@ -214,8 +256,10 @@ def sweep(
 ) -> Sweep:
     """What `crankstar sweep --over` computes; `watched` gives its curves. Raises as `swept` does.
 
-    `over` is one text, or two for two numbers that are varied at once. `estimate` fills in the
-    masses and lengths that the file leaves out; they stay as they are while others are varied.
+    `over` is one text, or two for two numbers that are varied at once, or a dict of their values by
+    key path: numbers in SI units, or text with a unit. `watch` are results as `watched` takes them,
+    each alone or with an order; the frame has these then. `estimate` fills in the masses and
+    lengths that the file leaves out; they stay as they are while others are varied.
 
     >>> twin = sweep("harley-45", "balance_factor=0..1/5")
     >>> watched(twin, "force.forward", order=1).values.round(6).tolist()
@@ -224,11 +268,14 @@ def sweep(
     >>> watched(both, "force", order=1).values.round(6).tolist()
     [[1.0, 1.0], [0.0, 0.0], [1.0, 1.0]]
     """
-    asked = over_requests([over] if isinstance(over, str) else [*over])
-    over_all = [(each.path, each.values, each.unit) for each in asked]
-    check_apart([each.path for each in asked], changes or {})
+    over_all = requested(over)
+    several = [watch] if isinstance(watch, str) else watch
+    watching = [(each, None) if isinstance(each, str) else each for each in several]
+    check_watchable(*(what for what, _order in watching))
+    check_apart([path for path, *_values in over_all], changes or {})
     source = source_of(engine, changes=changes, estimate=estimate)
-    return _over(source, over_all, tell, reference=reference, orders=orders, speed=speed)
+    made = _over(source, over_all, tell, reference=reference, orders=orders, speed=speed)
+    return replace(made, watch=tuple(watching))
 
 
 def sweep_of(
