@@ -49,7 +49,9 @@ def test_all_that_a_record_names_is_there(record: Analysis) -> None:
             assert value.value is not None, name
     assert {one.reader.option for one in asked(record.question.value)} <= OPTIONS.keys()
     assert {figure.chart for figure in record.figures} <= charts.CHARTS.keys()
-    assert set(record.chains) <= {one.name for one in asked(record.question.value)}
+    names = {one.name for one in asked(record.question.value)}
+    assert set(record.chains) <= names
+    assert {name for one in asked(record.question.value) for name in one.reader.beside} <= names
 
 
 @pytest.mark.parametrize("module", HOSTS)

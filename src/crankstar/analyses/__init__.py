@@ -3,6 +3,7 @@
 | module, bottom to top | one line |
 |---|---|
 | `genset/` | how evenly a generating set runs, and several on one foundation |
+| `guide/` | the cylinders of an engine in rows of other numbers, with their firing orders |
 | `mounts/` | an engine on its mounts: natural modes, vibration, what the mounts pass on |
 | `torque/` | torque of gas and inertia, and how evenly the engine runs |
 | `torsion/` | how a crankshaft or a drive line twists |

@@ -12,8 +12,9 @@ class Reader:
     """The option of the vocabulary that gives a value, and what reads it where it is given.
 
     `read` refuses with a RequestError that names the option; it also takes the engine where the
-    value depends on it (`of_source`), as places do. `more` is how one analysis uses the option, as
-    a sentence of the catalog of messages.
+    value depends on it (`of_source`), as places do, and by name the values of other fields on which
+    it depends (`beside`). `more` is how one analysis uses the option, as a sentence of the catalog
+    of messages.
 
     >>> percent = Reader("--factor", lambda text: float(text.rstrip("%")) / 100)
     >>> percent.read("52%"), percent.saying("Default: that of the file.").more
@@ -24,6 +25,7 @@ class Reader:
     read: Callable[..., Any]
     more: str = ""
     of_source: bool = False
+    beside: tuple[str, ...] = ()
 
     def saying(self, more: str) -> Reader:
         """The same, with how an analysis uses it."""
@@ -68,10 +70,12 @@ def readings(
             value = given.get(one.name)
             if value is None:
                 return one.default
-            return (
-                one.reader.read(value, source()) if one.reader.of_source else one.reader.read(value)
+            engine = [source()] if one.reader.of_source else []
+            return one.reader.read(
+                value, *engine, **{name: out[name]() for name in one.reader.beside}
             )
 
         return read
 
-    return {one.name: reading(one) for one in asked(question)}
+    out = {one.name: reading(one) for one in asked(question)}
+    return out

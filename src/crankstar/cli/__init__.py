@@ -21,7 +21,6 @@
 | `search_job` | a search run, reported and kept in a file |
 | `sequencing` | search, where star and firing order are searched together |
 | `searching` | search |
-| `guide` | guide |
 | `balancing` | balance |
 | `workshop` | bobweight, drill, grade |
 | `matching` | match |

@@ -127,9 +127,12 @@ def _document(record: Analysis, read: Read) -> Document:
     if isinstance(source, Chain):
         with working(_(record.doing)):
             return record.told(source, question)
-    from crankstar.tables.ranges import ranged
+    from crankstar.tables.ranges import ranged, resting
 
     rests = resting_on(read.form, source, partial(record.answer.value, source, question))
+    if not record.estimates:
+        with working(_(record.doing)):
+            return resting(record.told(source, question), rests)
     several = 1 if read.spread is None else len(read.spread.engines)
     number = count(1)
     with _shown(_(record.doing), several) as tell:

@@ -73,7 +73,6 @@ VERBS = {
     "export": "exporting:export",
     "fault": "diagnosing:fault",
     "grade": "workshop:grade",
-    "guide": "guide:guide",
     "isolate": "isolating:isolate",
     "list": "inspect:list_engines",
     "marine": "marine:marine",

@@ -61,6 +61,7 @@ def marine(
 ) -> None:
     """Compute external and guide-force moments as project guides have them, and compensators."""
     from crankstar.options import marine as asked
+    from crankstar.options.readers import horizontal_share
     from crankstar.studies.answers import external
     from crankstar.studies.marine import marine as analysis
     from crankstar.tables.marine import marine_document
@@ -74,7 +75,7 @@ def marine(
         partial(request.speed, speed),
         partial(speeds_of, speeds),
         partial(gas_orders, orders),
-        partial(asked.horizontal_share, first_order),
+        lambda: None if first_order is None else horizontal_share(first_order),
         partial(asked.power, rated_power),
         partial(asked.phase_error, phase_error),
         partial(asked.bracing, bracing),

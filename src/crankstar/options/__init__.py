@@ -30,6 +30,5 @@
 | `sequences` | goals of a front over stars and firing sequences, as typed |
 | `marine` | shares, places, top bracings and power of `marine` |
 | `readers` | what the questions of several analyses have in common |
-| `guide` | numbers of cylinders and firing orders of `guide` |
 | `sounds` | the speeds and the pipes of a sound |
 """

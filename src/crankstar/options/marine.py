@@ -15,30 +15,6 @@ from crankstar.options.numbers import is_number
 from crankstar.options.refusals import RequestError, refusal
 from crankstar.remedy.compensators import GREATEST_ORDER
 
-SHARES = {"vertical": 0.0, "equal": 0.5, "horizontal": 1.0}
-
-
-def horizontal_share(text: str | None) -> float | None:
-    """The share of the first-order moment that is to be horizontal. Raises RequestError.
-
-    >>> horizontal_share("equal"), horizontal_share("30%")
-    (0.5, 0.3)
-    """
-    if text is None:
-        return None
-    words = text.strip().lower()
-    if words in SHARES:
-        return SHARES[words]
-    number = re.fullmatch(r"(\d{1,3}(?:\.\d{1,9})?|\.\d{1,9})\s*(%?)", words)
-    share = float(number[1]) / (100 if number[2] else 1) if number else -1.0
-    if not 0 <= share <= 1:
-        raise refusal(
-            "--first-order",
-            text,
-            "give vertical, equal, horizontal, or the horizontal share, such as 0.5",
-        )
-    return share
-
 
 def power(text: str | None) -> float | None:
     """A power above nought, W. Raises RequestError."""
