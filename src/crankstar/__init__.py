@@ -48,6 +48,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from crankstar.analyses.marine.marine_analysis import MarineAnalysis, marine
     from crankstar.derive import derivation, family, signs
     from crankstar.dynamics.bearings import BearingLoads, Bending, bearing_loads, bending_moment
     from crankstar.dynamics.mount_analysis import MountAnalysis, mounts
@@ -68,7 +69,6 @@ if TYPE_CHECKING:
     from crankstar.page.widget import widget
     from crankstar.remedy.counterweights import with_counterweights
     from crankstar.remedy.shafts import with_balance_shaft
-    from crankstar.studies.marine import MarineAnalysis, marine
     from crankstar.studies.scatter import Scatter, scatter
     from crankstar.studies.sweep import sweep, watched
     from crankstar.tables.comparison import compare
@@ -77,6 +77,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOMES = {
+    "analyses.marine.marine_analysis": ("MarineAnalysis", "marine"),
     "dynamics.whirl": ("whirl",),
     "dynamics.torsion_analysis": ("TorsionAnalysis", "torsion"),
     "dynamics.mount_analysis": ("MountAnalysis", "mounts"),
@@ -97,7 +98,6 @@ _HOMES = {
     "page.widget": ("widget",),
     "remedy.counterweights": ("with_counterweights",),
     "remedy.shafts": ("with_balance_shaft",),
-    "studies.marine": ("MarineAnalysis", "marine"),
     "studies.scatter": ("Scatter", "scatter"),
     "studies.sweep": ("sweep", "watched"),
     "tables.comparison": ("compare",),

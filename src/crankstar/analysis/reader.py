@@ -79,3 +79,17 @@ def readings(
 
     out = {one.name: reading(one) for one in asked(question)}
     return out
+
+
+def being_read(question: type[Any], reading: Mapping[str, Callable[[], Any]]) -> Any:
+    """A question whose fields are read when they are looked at.
+
+    What does not go together is so refused next to fields that cannot be read: one that is looked
+    at raises its own refusal.
+    """
+
+    class BeingRead(question):
+        def __getattribute__(self, name: str) -> Any:
+            return reading[name]() if name in reading else super().__getattribute__(name)
+
+    return object.__new__(BeingRead)

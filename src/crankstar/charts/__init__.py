@@ -37,7 +37,6 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `pressures` | the pressure over volume or crank angle |
 | `torque` | gas and inertia torque over a cycle, by cylinder, load and order |
 | `side_thrusts` | the side thrust of the pistons |
-| `guide_moment_bars` | guide-force moments of each order |
 | `elevations` | the crankshaft from the side |
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
 | `polar_grid` | the circles of a polar diagram, with their values |
@@ -88,7 +87,6 @@ if TYPE_CHECKING:
     from crankstar.charts.exhaust_orders import exhaust_order_chart
     from crankstar.charts.firing_rings import firing_ring
     from crankstar.charts.fronts import pareto_front, sequence_chart
-    from crankstar.charts.guide_moment_bars import guide_moment_chart
     from crankstar.charts.hodographs import hodograph
     from crankstar.charts.pair_sweeps import contours
     from crankstar.charts.paper import Paper, Print, printed
@@ -128,7 +126,6 @@ __all__ = [
     "exhaust_order_chart",
     "firing_ring",
     "force_arrows",
-    "guide_moment_chart",
     "hodograph",
     "judged",
     "names_of",
@@ -185,7 +182,6 @@ _HOMES = {
     "search_stars": ("best_stars",),
     "torsion_fronts": ("sequence_stars",),
     "side_thrusts": ("side_thrust_chart",),
-    "guide_moment_bars": ("guide_moment_chart",),
     "spectra": ("spectrum",),
     "strokes": ("stroke_chart",),
     "suspects": ("suspect_chart",),

@@ -101,11 +101,6 @@ _FIGURES = (
         N_("how hard the pistons press on their cylinder walls over a cycle"),
     ),
     _chart(
-        "guide-moments",
-        "guide_moment_bars:guide_moment_chart",
-        N_("guide-force moments of each order: H, which sways all heads, and X, which twists"),
-    ),
-    _chart(
         "forces",
         "cylinder_forces:force_arrows",
         N_("the forces of each cylinder at chosen crank angles"),

@@ -12,7 +12,6 @@
 | `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
 | `isolating` | isolate |
 | `analyses` | the verbs of all analyses that are records |
-| `marine` | marine |
 | `estimating` | estimate |
 | `deriving` | derive, errata |
 | `firing` | orders, vees |

@@ -75,7 +75,6 @@ VERBS = {
     "grade": "workshop:grade",
     "isolate": "isolating:isolate",
     "list": "inspect:list_engines",
-    "marine": "marine:marine",
     "match": "matching:match",
     "new": "files:new",
     "orders": "firing:orders",

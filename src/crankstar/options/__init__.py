@@ -28,7 +28,6 @@
 | `search` | the values of the options of a search |
 | `shapes` | a shape of torsion: straight, a mode of the engine's own, or numbers |
 | `sequences` | goals of a front over stars and firing sequences, as typed |
-| `marine` | shares, places, top bracings and power of `marine` |
 | `readers` | what the questions of several analyses have in common |
 | `sounds` | the speeds and the pipes of a sound |
 """

@@ -1,4 +1,4 @@
-"""The figures of what charts alone show: vectors of parts, side thrust, guide moments, bending."""
+"""The figures of what charts alone show: vectors of parts, side thrust, bending."""
 
 from __future__ import annotations
 
@@ -56,28 +56,6 @@ def pressed(engine: Engine, make: MakeCycle) -> Answer:
         uses=("inertia", "gas"),
         gas=make(engine),
         given=TURNING,
-    )
-
-
-def guided(engine: Engine, make: MakeCycle) -> Answer:
-    """The moments of the guide forces by order: H of all cylinders, X of front against rear."""
-    from crankstar.mechanics.guide_moments import guide_moments
-
-    found = make(engine)
-
-    def figures(each: Engine) -> Figures:
-        again = make(each)
-        if again is None:
-            return {}
-        guide = guide_moments(each, again)
-        return {
-            (name, float(order)): float(abs(size))
-            for name, moments in (("H moment", guide.h), ("X moment", guide.x))
-            for order, size in zip(guide.orders, moments, strict=True)
-        }
-
-    return Answer(
-        figures=figures, unit=lambda _quantity, _engine: "N*m", uses=("inertia", "gas"), gas=found
     )
 
 

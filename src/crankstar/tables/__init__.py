@@ -53,9 +53,6 @@
 | `meshes` | gears between crankshafts: what each mesh passes on |
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `mount_points` | how the named points of a block shake |
-| `marine_doubts` | what is missing in a marine analysis, and what is hardly right |
-| `marine` | external and guide-force moments, and compensators |
-| `large_engines` | what views tell of large engines: guide-force moments, all that a ship needs |
 | `diagnoses` | what faults change, and which fault explains a measurement |
 | `matching` | parts matched to cylinders, and what is left |
 | `isolation` | the best mounts, beside those of the file |

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from crankstar.analyses.guide.published_orders import Published
 from crankstar.analyses.guide.question import ChainDrive, Question
+from crankstar.analyses.marine.document import OF_GUIDES
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
@@ -15,7 +16,6 @@ from crankstar.language.numbers import number, unit_text
 from crankstar.mechanics.external_moments import unbalance_class
 from crankstar.mechanics.operating_points import OperatingState
 from crankstar.tables.gas_words import at_points, cycle_state, state_facts
-from crankstar.tables.marine import OF_GUIDES
 
 if TYPE_CHECKING:
     from crankstar.analyses.guide.engine_family import Member

@@ -22,6 +22,7 @@ import numpy as np
 from crankstar.analyses.guide.family_torsion import Twist, not_grown, twist, with_throws
 from crankstar.analyses.guide.published_orders import Published, backwards
 from crankstar.analyses.guide.question import ChainDrive
+from crankstar.analyses.marine.marine_analysis import MarineAnalysis, marine
 from crankstar.engine.copies import with_values, wrapped
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Throw
@@ -35,7 +36,6 @@ from crankstar.search.faults import SearchError
 from crankstar.search.options import SearchOptions, search_for
 from crankstar.search.question import Best
 from crankstar.search.stars import Star, Stars
-from crankstar.studies.marine import MarineAnalysis, marine
 
 Chosen = Literal["best", "given", "published"]
 OF_FAMILY = {"alike-order": "family-alike-order", "alike-throws": "family-alike-throws"}

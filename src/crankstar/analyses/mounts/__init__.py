@@ -37,7 +37,7 @@ RECORD = Analysis(
     compute=Later("crankstar.analyses.mounts.answer:compute"),
     answer=Later("crankstar.analyses.mounts.answer:answer"),
     document=Later("crankstar.analyses.mounts.document:document"),
-    lacks=lambda engine: not engine.mounts,
+    lacks=lambda engine, _speed: not engine.mounts,
     charts=(
         Chart(
             "mount-layout",

@@ -34,7 +34,7 @@ RECORD = Analysis(
     compute=Later("crankstar.analyses.torsion.answer:compute"),
     answer=Later("crankstar.analyses.torsion.answer:answer"),
     document=Later("crankstar.analyses.torsion.document:document"),
-    lacks=lambda engine: engine.torsion is None,
+    lacks=lambda engine, _speed: engine.torsion is None,
     charts=(
         Chart(
             "torsion-modes",
