@@ -2,6 +2,7 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `bearings/` | loads on main bearings, crankpins and walls; bending of the crankshaft |
 | `genset/` | how evenly a generating set runs, and several on one foundation |
 | `guide/` | the cylinders of an engine in rows of other numbers, with their firing orders |
 | `marine/` | external and guide-force moments of a marine engine, and compensators |

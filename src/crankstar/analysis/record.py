@@ -169,7 +169,8 @@ class Analysis:
     writes     the engine that it makes, which an option writes as a file
 
     `chains` are the fields of the question that a drive line without an engine may be asked too;
-    `estimates`: values that a file leaves out may be estimated, and results have ranges.
+    `estimates`: values that a file leaves out may be estimated, and results have ranges;
+    `marks_speed`: a speed that changes nothing, since the file has no masses or sizes, is marked.
     """
 
     name: str
@@ -195,6 +196,7 @@ class Analysis:
     writes: Writes | None = None
     chains: tuple[str, ...] = ()
     estimates: bool = False
+    marks_speed: bool = False
 
     def tells(self, engine: Engine, speed: float | None = None) -> bool:
         """Whether reports and verdicts have it of an engine, at a speed (rad/s) or its own."""

@@ -40,10 +40,8 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `elevations` | the crankshaft from the side |
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
 | `polar_grid` | the circles of a polar diagram, with their values |
-| `polar_diagrams` | the load on each main bearing or crank pin as a polar diagram |
 | `vector_diagrams` | vectors of several kinds in polar diagrams to one scale |
 | `suspects` | the suspects of a diagnosis, measured and explained vectors |
-| `bending` | the bending moment along the crankshaft |
 | `balance_shafts` | the balance shafts from the front and from the side |
 | `curve_names` | the results of a sweep in the words of the field |
 | `sweeps` | a result over a number of the engine |
@@ -74,7 +72,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from crankstar.charts.amplitude_curves import amplitudes
     from crankstar.charts.balance_shafts import balance_shaft_chart
-    from crankstar.charts.bending import bending_chart
     from crankstar.charts.canvas import Canvas, drawn_on
     from crankstar.charts.crank_stars import crank_star
     from crankstar.charts.curve_names import names_of
@@ -90,7 +87,6 @@ if TYPE_CHECKING:
     from crankstar.charts.hodographs import hodograph
     from crankstar.charts.pair_sweeps import contours
     from crankstar.charts.paper import Paper, Print, printed
-    from crankstar.charts.polar_diagrams import polar_loads
     from crankstar.charts.pressures import pressure_chart
     from crankstar.charts.registry import CHARTS, side_by_side
     from crankstar.charts.saving import SUFFIXES, saved, saved_print
@@ -118,7 +114,6 @@ __all__ = [
     "Print",
     "amplitudes",
     "balance_shaft_chart",
-    "bending_chart",
     "best_stars",
     "contours",
     "crank_star",
@@ -133,7 +128,6 @@ __all__ = [
     "over_rods",
     "over_turn",
     "pareto_front",
-    "polar_loads",
     "polar_vectors",
     "polygon",
     "pressure_chart",
@@ -158,7 +152,6 @@ __all__ = [
 _HOMES = {
     "amplitude_curves": ("amplitudes",),
     "balance_shafts": ("balance_shaft_chart",),
-    "bending": ("bending_chart",),
     "canvas": ("Canvas", "drawn_on"),
     "crank_stars": ("crank_star",),
     "curve_names": ("names_of",),
@@ -174,7 +167,6 @@ _HOMES = {
     "hodographs": ("hodograph",),
     "pair_sweeps": ("contours",),
     "paper": ("Paper", "Print", "printed"),
-    "polar_diagrams": ("polar_loads",),
     "pressures": ("pressure_chart",),
     "registry": ("CHARTS", "side_by_side"),
     "saving": ("SUFFIXES", "saved", "saved_print"),

@@ -106,17 +106,6 @@ _FIGURES = (
         N_("the forces of each cylinder at chosen crank angles"),
     ),
     _chart(
-        "bearing-loads",
-        "polar_diagrams:polar_loads",
-        N_("the load on each main bearing or crank pin over a turn, as a polar diagram"),
-        "Loaded",
-    ),
-    _chart(
-        "bending",
-        "bending:bending_chart",
-        N_("the bending moment along the crankshaft, with counterweights and without"),
-    ),
-    _chart(
         "balance-shafts",
         "balance_shafts:balance_shaft_chart",
         N_("the balance shafts in their places, with ratio, sense and unbalance"),

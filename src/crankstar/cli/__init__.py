@@ -9,7 +9,7 @@
 | `options` | options that several verbs share |
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
 | `speed_ranges` | what `analyze --speeds` prints |
-| `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
+| `inspect` | list, show, analyze, compare, verdict, strokes |
 | `isolating` | isolate |
 | `analyses` | the verbs of all analyses that are records |
 | `estimating` | estimate |

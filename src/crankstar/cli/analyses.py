@@ -25,6 +25,7 @@ from crankstar.cli.options import (
     engine_over_ranges,
     engine_place,
     engine_with_tree,
+    mark_speed,
     once,
     option,
     together,
@@ -94,9 +95,14 @@ def _argument(one: Asked) -> Argument:
     return Argument(
         one.name,
         Argument.KEYWORD_ONLY,
-        default=False if kind is bool else None,
+        default=False if kind is bool else _shown_default(one),
         annotation=Annotated[kind, how] if kind is bool else Annotated[kind | None, how],
     )
+
+
+def _shown_default(one: Asked) -> str | None:
+    """The default that help shows: a word."""
+    return one.default if isinstance(one.default, str) and one.default else None
 
 
 def _of_file(writes: Writes) -> Argument:
@@ -179,6 +185,8 @@ def _read(record: Analysis, engine: str, options: dict[str, Any]) -> Read:
         *_refusals(record, options, reading, lambda: load()[0]),
     )
     question = record.question.value(**dict(zip(reading, values, strict=False)))
+    if record.marks_speed and isinstance(source, Engine):
+        mark_speed(options.get("speed"), source)
     return Read(source, spread, tree, question, form)
 
 

@@ -59,7 +59,6 @@ VERBS = {
     "analyze": "inspect:analyze",
     "animate": "drawing:animate",
     "balance": "balancing:balance",
-    "bearings": "inspect:bearings",
     "bobweight": "workshop:bobweight",
     "check": "files:check",
     "compare": "inspect:compare",
