@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from crankstar.analyses.marine.marine_analysis import MarineAnalysis, marine
     from crankstar.derive import derivation, family, signs
     from crankstar.dynamics.bearings import BearingLoads, Bending
     from crankstar.dynamics.uneven import Running, driven, flywheel_for
@@ -70,7 +71,6 @@ if TYPE_CHECKING:
     from crankstar.python.sums import balance, bearing_loads, bending_moment
     from crankstar.remedy.counterweights import with_counterweights
     from crankstar.remedy.shafts import with_balance_shaft
-    from crankstar.studies.marine import MarineAnalysis, marine
     from crankstar.studies.scatter import Scatter, scatter
     from crankstar.studies.sweep import sweep, watched
     from crankstar.tables.comparison import compare
@@ -84,6 +84,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOMES = {
+    "analyses.marine.marine_analysis": ("MarineAnalysis", "marine"),
     "dynamics.whirl": ("whirl",),
     "dynamics.uneven": ("Running", "driven", "flywheel_for"),
     "dynamics.bearings": ("BearingLoads", "Bending"),
@@ -104,7 +105,6 @@ _HOMES = {
     "python.sums": ("balance", "bearing_loads", "bending_moment"),
     "remedy.counterweights": ("with_counterweights",),
     "remedy.shafts": ("with_balance_shaft",),
-    "studies.marine": ("MarineAnalysis", "marine"),
     "studies.scatter": ("Scatter", "scatter"),
     "studies.sweep": ("sweep", "watched"),
     "tables.comparison": ("compare",),

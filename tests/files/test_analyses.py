@@ -49,7 +49,9 @@ def test_all_that_a_record_names_is_there(record: Analysis) -> None:
             assert value.value is not None, name
     assert {one.reader.option for one in asked(record.question.value)} <= OPTIONS.keys()
     assert {figure.chart for figure in record.figures} <= charts.CHARTS.keys()
-    assert set(record.chains) <= {one.name for one in asked(record.question.value)}
+    names = {one.name for one in asked(record.question.value)}
+    assert set(record.chains) <= names
+    assert {name for one in asked(record.question.value) for name in one.reader.beside} <= names
 
 
 @pytest.mark.parametrize("module", HOSTS)
@@ -98,7 +100,7 @@ RECORD = Analysis(
     compute=Later(f"{__name__}:mean_piston_speed"),
     document=Later(f"{__name__}:piston_document"),
     answer=Later(f"{__name__}:nothing"),
-    lacks=lambda _engine: False,
+    lacks=lambda _engine, _speed: False,
 )
 
 
@@ -126,3 +128,18 @@ def test_an_analysis_of_another_package_is_a_command_and_a_section_of_the_report
     assert (refused.code, refused.err.count("\n")) == (2, 1)
     written = run("report", "audi-25-tfsi", "-o", "-").out
     assert "mean piston speed" in written
+
+
+def test_what_does_not_go_together_is_refused_next_to_what_cannot_be_read(
+    run: Run, tmp_path: Path
+) -> None:
+    words = {
+        "--speed": "quick",
+        "--phase-error": "3 deg",
+        "--save": str(tmp_path / "new.toml"),
+        "--orders": "99",
+    }
+    refused = run("marine", "audi-25-tfsi", *(word for pair in words.items() for word in pair))
+    assert refused.code == 2
+    assert [option for option in words if option not in refused.err] == []
+    assert not (tmp_path / "new.toml").exists()

@@ -17,6 +17,8 @@ from tests.commands import Run
 from tests.marine import SEVEN, WEIGHTED, marine_engine
 
 import crankstar
+from crankstar.analyses.guide.engine_family import ChainDrive, engine_family, with_cylinders
+from crankstar.analyses.marine.marine_analysis import marine
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files import toml
@@ -25,8 +27,6 @@ from crankstar.mechanics.guide_moments import MarineError
 from crankstar.options.search import goals_of
 from crankstar.options.words import SearchWords
 from crankstar.remedy.counterweights import RemedyError
-from crankstar.studies.engine_family import ChainDrive, engine_family, with_cylinders
-from crankstar.studies.marine import marine
 
 FOUR_STROKE = {"cycle": "four-stroke", "firing_order": [1, 2, 4, 6, 7, 5, 3]}
 

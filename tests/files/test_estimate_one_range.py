@@ -14,6 +14,8 @@ import pytest
 from tests.commands import Run
 from tests.files.test_estimate_results import spans_of, variants
 
+from crankstar.analyses.bearings import RECORD
+from crankstar.analyses.bearings.question import Question
 from crankstar.analysis.document import Document, Ranged, Table
 from crankstar.engine.engine import Engine
 from crankstar.files.box import spread
@@ -23,7 +25,6 @@ from crankstar.mechanics.balance import balance
 from crankstar.studies.sweep import swept
 from crankstar.tables import amplitudes, balance_orders, over_speeds
 from crankstar.tables.analysis import analysis, document
-from crankstar.tables.bearings import bearing_document
 from crankstar.tables.comparison import answer
 from crankstar.tables.ranges import ranged
 
@@ -176,12 +177,12 @@ def speed_rows(engine: Engine) -> Document:
 
 def bearings(engine: Engine) -> Document:
     """Loads with hinges at the bearings."""
-    return bearing_document(engine).for_machines
+    return RECORD.told(engine, Question()).for_machines
 
 
 def beam(engine: Engine) -> Document:
     """Loads of one beam."""
-    return bearing_document(engine, model="continuous").for_machines
+    return RECORD.told(engine, Question(model="continuous")).for_machines
 
 
 @pytest.mark.release
@@ -239,7 +240,7 @@ def test_a_row_that_some_masses_make_negligible_keeps_its_low_end() -> None:
     """A load of order 3 has the range of all masses, though not all of them would print it."""
     ends = spread(tree())
     assert ends is not None
-    shown = ranged(bearing_document, ends, ends.engine)
+    shown = ranged(lambda engine: RECORD.told(engine, Question()), ends, ends.engine)
     table = next(table for table in shown.tables if table.key == "orders")
     loads = [row for row in table.rows if row[2] == 3.0]
     assert len(loads) == 3

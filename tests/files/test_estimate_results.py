@@ -16,6 +16,8 @@ from tests.commands import Run
 from tests.files.test_estimate import tree_for
 
 from crankstar import bearing_loads, bending_moment, spectra
+from crankstar.analyses.bearings import RECORD
+from crankstar.analyses.bearings.question import Question
 from crankstar.analysis.document import Document, Ranged
 from crankstar.charts.resting import FOOT
 from crankstar.engine.engine import Engine
@@ -27,7 +29,6 @@ from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.remains import summed
 from crankstar.options.balancing import BalanceOptions, balanced
 from crankstar.remedy.counterweights import without_counterweights
-from crankstar.tables.bearings import bearing_document
 from crankstar.tables.ranges import ranged, sentence
 from crankstar.tables.remedies import balancing_sheet
 
@@ -65,7 +66,7 @@ def test_bearing_loads_of_any_masses_lie_in_the_ranges(model: Any) -> None:
     assert ends is not None
 
     def sheet(engine: Engine) -> Document:
-        return bearing_document(engine, model=model).for_machines
+        return RECORD.told(engine, Question(model=model)).for_machines
 
     shown = ranged(sheet, ends, ends.engine)
     for engine in variants(tree, count=5):

@@ -12,10 +12,10 @@ from tests.commands import Run
 from tests.marine import SEVEN, marine_engine
 
 import crankstar
+from crankstar.analyses.guide.engine_family import with_cylinders
+from crankstar.analyses.guide.family_torsion import not_grown, with_throws
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of, toml
-from crankstar.studies.engine_family import with_cylinders
-from crankstar.studies.family_torsion import not_grown, with_throws
 
 LINE: list[dict[str, Any]] = [
     {"name": "flywheel", "inertia": "6 t*m^2", "to": "rear", "stiffness": "900 MN*m/rad"},

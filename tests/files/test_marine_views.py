@@ -18,9 +18,9 @@ from tests.marine import marine_engine
 
 import crankstar
 from crankstar import load
+from crankstar.analyses.marine.marine_analysis import marine
 from crankstar.files import toml
 from crankstar.mechanics.external_moments import external_moments
-from crankstar.studies.marine import marine
 
 
 def written(folder: Path, **changes: Any) -> str:

@@ -10,6 +10,8 @@ from tests.marine import WEIGHTED, marine_engine
 
 import crankstar
 from crankstar import spectra
+from crankstar.analyses.marine.compensators import compensators, with_compensators
+from crankstar.analyses.marine.marine_analysis import marine
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of, explicit
 from crankstar.mechanics.balance import balance, total
@@ -18,11 +20,9 @@ from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
 from crankstar.mechanics.guide_moments import MarineError, guide_moments
 from crankstar.mechanics.side_thrust import side_thrust
-from crankstar.remedy.compensators import compensators, with_compensators
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.remedy.end_weights import with_end_weights
 from crankstar.spectra import Complex
-from crankstar.studies.marine import marine
 
 SPEED = 104 * pi / 30
 

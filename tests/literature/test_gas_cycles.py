@@ -25,6 +25,7 @@ import numpy as np
 import pytest
 
 import crankstar
+from crankstar.analyses.marine.marine_analysis import marine
 from crankstar.dynamics import uneven
 from crankstar.engine.engine import Engine
 from crankstar.engine.volumes import volumes
@@ -34,7 +35,6 @@ from crankstar.mechanics.doubts import doubts
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.ideal_cycles import Ideal, compressed, corners, mean_pressure, pressure
 from crankstar.spectra import Real
-from crankstar.studies.marine import marine
 
 BAR = 1e5
 

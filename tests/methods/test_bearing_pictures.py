@@ -12,9 +12,10 @@ from tests.charted import rows_drawn
 
 import crankstar
 from crankstar import charts
-from crankstar.charts.bending import course_of
+from crankstar.analyses.bearings.charts.bending import course_of
+from crankstar.analyses.bearings.charts.polar_diagrams import GAP
+from crankstar.analyses.bearings.document import bending, peaks, pins
 from crankstar.charts.drawing import BLUE, GREY, brief
-from crankstar.charts.polar_diagrams import GAP
 from crankstar.dynamics.bearings import Model, bearing_loads, bending_moment
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance
@@ -22,7 +23,6 @@ from crankstar.mechanics.remains import summed
 from crankstar.remedy import with_counterweights, with_web_weights
 from crankstar.spectra import peaks as peaks_of
 from crankstar.spectra import selected, value
-from crankstar.tables.bearings import bending, peaks, pins
 
 ENGINES = [
     *("i4", "v8-cross-plane", "i2-270", "radial-9", "brough-golden-dream"),

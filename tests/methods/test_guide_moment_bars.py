@@ -9,10 +9,11 @@ from tests.marine import marine_engine
 
 import crankstar
 from crankstar import charts
+from crankstar.analyses.marine.document import document
+from crankstar.analyses.marine.marine_analysis import marine
+from crankstar.analyses.marine.question import Question
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.guide_moments import guide_moments
-from crankstar.studies.marine import marine
-from crankstar.tables.marine import marine_document
 
 
 def test_the_bars_are_the_moments_of_the_analysis() -> None:
@@ -47,7 +48,6 @@ def test_the_bars_are_of_the_orders_of_the_table(name: str) -> None:
     engine = marine_engine() if name == "two-stroke seven" else crankstar.load(name)
     drawn = charts.guide_moment_chart(engine).to_dict()
     bars = {float(row["order"]) for row in rows_of(drawn) if "what" in row}
-    [table] = [
-        one for one in marine_document(marine(engine)).for_readers.tables if one.key == "guide"
-    ]
+    tables = document(engine, marine(engine), Question()).for_readers.tables
+    [table] = [one for one in tables if one.key == "guide"]
     assert bars == {row[0] for row in table.rows}

@@ -14,11 +14,11 @@ from tests.web.engine_page import opened
 from tests.web.everyone import SCREENS, Scheme, read_by_everyone
 
 from crankstar import cli
+from crankstar.analyses.marine.large_engines import ship_engine
 from crankstar.files import engine_of
 from crankstar.page.library import held
 from crankstar.page.standalone import document
 from crankstar.report import Subject, report
-from crankstar.tables.large_engines import ship_engine
 
 SHIP: dict[str, Any] = {**SEVEN, **WEIGHTED}
 SMALL: dict[str, Any] = {**SHIP, "cylinder": {**SHIP["cylinder"], "bore": "190 mm"}}

@@ -2,7 +2,10 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `bearings/` | loads on main bearings, crankpins and walls; bending of the crankshaft |
 | `genset/` | how evenly a generating set runs, and several on one foundation |
+| `guide/` | the cylinders of an engine in rows of other numbers, with their firing orders |
+| `marine/` | external and guide-force moments of a marine engine, and compensators |
 | `mounts/` | an engine on its mounts: natural modes, vibration, what the mounts pass on |
 | `torque/` | torque of gas and inertia, and how evenly the engine runs |
 | `torsion/` | how a crankshaft or a drive line twists |

@@ -12,9 +12,10 @@ class Reader:
     """The option of the vocabulary that gives a value, and what reads it where it is given.
 
     `read` refuses with a RequestError that names the option; it also takes the engine where the
-    value depends on it (`of_source`), as places do. `more` is how one analysis uses the option, as
-    a sentence of the catalog of messages. `number` checks what a Python function is given that is
-    no text, in SI units, and takes what `read` takes; without it such a value is written as text.
+    value depends on it (`of_source`), as places do, and by name the values of other fields on which
+    it depends (`beside`). `more` is how one analysis uses the option, as a sentence of the catalog
+    of messages. `number` checks what a Python function is given that is no text, in SI units, and
+    takes what `read` takes; without it such a value is written as text.
 
     >>> percent = Reader("--factor", lambda text: float(text.rstrip("%")) / 100)
     >>> percent.read("52%"), percent.saying("Default: that of the file.").more
@@ -25,6 +26,7 @@ class Reader:
     read: Callable[..., Any]
     more: str = ""
     of_source: bool = False
+    beside: tuple[str, ...] = ()
     number: Callable[..., Any] | None = None
 
     def saying(self, more: str) -> Reader:
@@ -70,10 +72,26 @@ def readings(
             value = given.get(one.name)
             if value is None:
                 return one.default
-            return (
-                one.reader.read(value, source()) if one.reader.of_source else one.reader.read(value)
+            engine = [source()] if one.reader.of_source else []
+            return one.reader.read(
+                value, *engine, **{name: out[name]() for name in one.reader.beside}
             )
 
         return read
 
-    return {one.name: reading(one) for one in asked(question)}
+    out = {one.name: reading(one) for one in asked(question)}
+    return out
+
+
+def being_read(question: type[Any], reading: Mapping[str, Callable[[], Any]]) -> Any:
+    """A question whose fields are read when they are looked at.
+
+    What does not go together is so refused next to fields that cannot be read: one that is looked
+    at raises its own refusal.
+    """
+
+    class BeingRead(question):
+        def __getattribute__(self, name: str) -> Any:
+            return reading[name]() if name in reading else super().__getattribute__(name)
+
+    return object.__new__(BeingRead)

@@ -87,13 +87,15 @@ class Chart:
 class Figure:
     """A figure of a report: the name of the chart, of which quantity, and its caption.
 
-    `shows` tells of a result whether there is something to draw; `more`: in the full report alone.
+    `shows` tells of a result whether there is something to draw; `more`: in the full report alone;
+    `at_speed`: it is drawn at the speed of the report.
     """
 
     chart: str
     caption: str
     quantity: str | None = None
     more: bool = False
+    at_speed: bool = False
     shows: Callable[[Any], bool] = bool
 
     @property
@@ -165,8 +167,9 @@ class Analysis:
     compute    (source, question) -> result
     document   (source, result, question) -> Document, for readers and machines
     answer     (engine, question) -> Answer: the figures that its assumptions move
-    lacks      (engine) -> whether its file lacks what the analysis is of; without it the analysis
-               is told of only where it is asked for
+    lacks      (engine, speed) -> whether its file lacks what the analysis is of, at the speed that
+               is asked for (rad/s) if any; without it the analysis is told of only where it is
+               asked for
     charts     what can be plotted of it
     figures    which of these a report has
     subject    what its sentences in a verdict are about
@@ -181,7 +184,8 @@ class Analysis:
     grids      (result) -> Grids by the name of its attribute, for what has dimensions
 
     `chains` are the fields of the question that a drive line without an engine may be asked too;
-    `estimates`: values that a file leaves out may be estimated, and results have ranges.
+    `estimates`: values that a file leaves out may be estimated, and results have ranges;
+    `marks_speed`: a speed that changes nothing, since the file has no masses or sizes, is marked.
     """
 
     name: str
@@ -194,7 +198,7 @@ class Analysis:
     compute: Later[Callable[[Any, Any], Any]]
     document: Later[Callable[[Any, Any, Any], Document]]
     answer: Later[Callable[[Engine, Any], Answer]]
-    lacks: Callable[[Engine], bool] | None = None
+    lacks: Callable[[Engine, float | None], bool] | None = None
     refuse: Later[Callable[[Engine | Chain, Any], None]] | None = None
     charts: tuple[Chart, ...] = ()
     figures: tuple[Figure, ...] = ()
@@ -209,10 +213,11 @@ class Analysis:
     grids: Later[Callable[[Any], Mapping[str, Grid]]] | None = None
     chains: tuple[str, ...] = ()
     estimates: bool = False
+    marks_speed: bool = False
 
-    def tells(self, engine: Engine) -> bool:
-        """Whether reports and verdicts have it of an engine."""
-        return self.lacks is not None and not self.lacks(engine)
+    def tells(self, engine: Engine, speed: float | None = None) -> bool:
+        """Whether reports and verdicts have it of an engine, at a speed (rad/s) or its own."""
+        return self.lacks is not None and not self.lacks(engine, speed)
 
     def told(self, source: Engine | Chain, question: Any) -> Document:
         """The document of a source, with the values of a question."""

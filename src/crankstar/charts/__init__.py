@@ -37,14 +37,11 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `pressures` | the pressure over volume or crank angle |
 | `torque` | gas and inertia torque over a cycle, by cylinder, load and order |
 | `side_thrusts` | the side thrust of the pistons |
-| `guide_moment_bars` | guide-force moments of each order |
 | `elevations` | the crankshaft from the side |
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
 | `polar_grid` | the circles of a polar diagram, with their values |
-| `polar_diagrams` | the load on each main bearing or crank pin as a polar diagram |
 | `vector_diagrams` | vectors of several kinds in polar diagrams to one scale |
 | `suspects` | the suspects of a diagnosis, measured and explained vectors |
-| `bending` | the bending moment along the crankshaft |
 | `balance_shafts` | the balance shafts from the front and from the side |
 | `curve_names` | the results of a sweep in the words of the field |
 | `sweeps` | a result over a number of the engine |
@@ -75,7 +72,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from crankstar.charts.amplitude_curves import amplitudes
     from crankstar.charts.balance_shafts import balance_shaft_chart
-    from crankstar.charts.bending import bending_chart
     from crankstar.charts.canvas import Canvas, drawn_on
     from crankstar.charts.crank_stars import crank_star
     from crankstar.charts.curve_names import names_of
@@ -88,11 +84,9 @@ if TYPE_CHECKING:
     from crankstar.charts.exhaust_orders import exhaust_order_chart
     from crankstar.charts.firing_rings import firing_ring
     from crankstar.charts.fronts import pareto_front, sequence_chart
-    from crankstar.charts.guide_moment_bars import guide_moment_chart
     from crankstar.charts.hodographs import hodograph
     from crankstar.charts.pair_sweeps import contours
     from crankstar.charts.paper import Paper, Print, printed
-    from crankstar.charts.polar_diagrams import polar_loads
     from crankstar.charts.pressures import pressure_chart
     from crankstar.charts.registry import CHARTS, side_by_side
     from crankstar.charts.saving import SUFFIXES, saved, saved_print
@@ -120,7 +114,6 @@ __all__ = [
     "Print",
     "amplitudes",
     "balance_shaft_chart",
-    "bending_chart",
     "best_stars",
     "contours",
     "crank_star",
@@ -128,7 +121,6 @@ __all__ = [
     "exhaust_order_chart",
     "firing_ring",
     "force_arrows",
-    "guide_moment_chart",
     "hodograph",
     "judged",
     "names_of",
@@ -136,7 +128,6 @@ __all__ = [
     "over_rods",
     "over_turn",
     "pareto_front",
-    "polar_loads",
     "polar_vectors",
     "polygon",
     "pressure_chart",
@@ -161,7 +152,6 @@ __all__ = [
 _HOMES = {
     "amplitude_curves": ("amplitudes",),
     "balance_shafts": ("balance_shaft_chart",),
-    "bending": ("bending_chart",),
     "canvas": ("Canvas", "drawn_on"),
     "crank_stars": ("crank_star",),
     "curve_names": ("names_of",),
@@ -177,7 +167,6 @@ _HOMES = {
     "hodographs": ("hodograph",),
     "pair_sweeps": ("contours",),
     "paper": ("Paper", "Print", "printed"),
-    "polar_diagrams": ("polar_loads",),
     "pressures": ("pressure_chart",),
     "registry": ("CHARTS", "side_by_side"),
     "saving": ("SUFFIXES", "saved", "saved_print"),
@@ -185,7 +174,6 @@ _HOMES = {
     "search_stars": ("best_stars",),
     "torsion_fronts": ("sequence_stars",),
     "side_thrusts": ("side_thrust_chart",),
-    "guide_moment_bars": ("guide_moment_chart",),
     "spectra": ("spectrum",),
     "strokes": ("stroke_chart",),
     "suspects": ("suspect_chart",),

@@ -101,25 +101,9 @@ _FIGURES = (
         N_("how hard the pistons press on their cylinder walls over a cycle"),
     ),
     _chart(
-        "guide-moments",
-        "guide_moment_bars:guide_moment_chart",
-        N_("guide-force moments of each order: H, which sways all heads, and X, which twists"),
-    ),
-    _chart(
         "forces",
         "cylinder_forces:force_arrows",
         N_("the forces of each cylinder at chosen crank angles"),
-    ),
-    _chart(
-        "bearing-loads",
-        "polar_diagrams:polar_loads",
-        N_("the load on each main bearing or crank pin over a turn, as a polar diagram"),
-        "Loaded",
-    ),
-    _chart(
-        "bending",
-        "bending:bending_chart",
-        N_("the bending moment along the crankshaft, with counterweights and without"),
     ),
     _chart(
         "balance-shafts",

@@ -9,10 +9,9 @@
 | `options` | options that several verbs share |
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
 | `speed_ranges` | what `analyze --speeds` prints |
-| `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
+| `inspect` | list, show, analyze, compare, verdict, strokes |
 | `isolating` | isolate |
 | `analyses` | the verbs of all analyses that are records |
-| `marine` | marine |
 | `estimating` | estimate |
 | `deriving` | derive, errata |
 | `firing` | orders, vees |
@@ -21,7 +20,6 @@
 | `search_job` | a search run, reported and kept in a file |
 | `sequencing` | search, where star and firing order are searched together |
 | `searching` | search |
-| `guide` | guide |
 | `balancing` | balance |
 | `workshop` | bobweight, drill, grade |
 | `matching` | match |

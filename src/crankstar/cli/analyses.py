@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import partial
 from inspect import Parameter as Argument
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from cyclopts import Parameter
 
-from crankstar.analysis.reader import Asked, asked, readings
+from crankstar.analysis.reader import Asked, asked, being_read, readings
 from crankstar.analysis.record import Analysis, Writes
 from crankstar.analysis.registry import analysis
 from crankstar.cli.options import (
@@ -25,6 +25,7 @@ from crankstar.cli.options import (
     engine_over_ranges,
     engine_place,
     engine_with_tree,
+    mark_speed,
     once,
     option,
     together,
@@ -94,9 +95,14 @@ def _argument(one: Asked) -> Argument:
     return Argument(
         one.name,
         Argument.KEYWORD_ONLY,
-        default=False if kind is bool else None,
+        default=False if kind is bool else _shown_default(one),
         annotation=Annotated[kind, how] if kind is bool else Annotated[kind | None, how],
     )
+
+
+def _shown_default(one: Asked) -> str | None:
+    """The default that help shows: a word."""
+    return one.default if isinstance(one.default, str) and one.default else None
 
 
 def _of_file(writes: Writes) -> Argument:
@@ -127,9 +133,12 @@ def _document(record: Analysis, read: Read) -> Document:
     if isinstance(source, Chain):
         with working(_(record.doing)):
             return record.told(source, question)
-    from crankstar.tables.ranges import ranged
+    from crankstar.tables.ranges import ranged, resting
 
     rests = resting_on(read.form, source, partial(record.answer.value, source, question))
+    if not record.estimates:
+        with working(_(record.doing)):
+            return resting(record.told(source, question), rests)
     several = 1 if read.spread is None else len(read.spread.engines)
     number = count(1)
     with _shown(_(record.doing), several) as tell:
@@ -169,26 +178,44 @@ def _read(record: Analysis, engine: str, options: dict[str, Any]) -> Read:
     load = once(partial(_loaded, record, engine, options.get("settings"), estimate=estimate))
     reading = readings(record.question.value, _over_speeds(options, fields), lambda: load()[0])
     forms = {name: bool(options.get(name)) for name in ("json", "csv")}
-    saved = [] if record.writes is None else [partial(_refuse_place, record.writes, options)]
     form, (source, spread, tree), *values = together(
-        partial(form_of, options.get("output"), TABLES, **forms), load, *reading.values(), *saved
+        partial(form_of, options.get("output"), TABLES, **forms),
+        load,
+        *reading.values(),
+        *_refusals(record, options, reading, lambda: load()[0]),
     )
     question = record.question.value(**dict(zip(reading, values, strict=False)))
-    if isinstance(source, Chain):
-        others = [one for one in fields if one.name not in record.chains]
-        unused = {one.reader.option: options.get(one.name) for one in others}
-        unused["--estimate"] = estimate
-        refuse_unused(unused, beside=_("a drive line without cylinders"))
-    refusals = [] if record.refuse is None else [partial(record.refuse.value, source, question)]
-    writes = record.writes
-    if writes is not None and writes.refuse is not None and options.get(writes.name) is not None:
-        refusals.append(partial(writes.refuse.value, question))
-    together(*refusals)
+    if record.marks_speed and isinstance(source, Engine):
+        mark_speed(options.get("speed"), source)
     return Read(source, spread, tree, question, form)
 
 
-def _refuse_place(writes: Writes, options: dict[str, Any]) -> None:
-    engine_place(options.get(writes.name), option=writes.option)
+def _refusals(
+    record: Analysis,
+    options: dict[str, Any],
+    reading: Mapping[str, Callable[[], Any]],
+    source: Callable[[], Engine | Chain],
+) -> Iterator[Callable[[], None]]:
+    """What refuses values that do not go together, and a file that cannot be written."""
+    question = being_read(record.question.value, reading)
+    refuse, writes = record.refuse, record.writes
+    if writes is not None and options.get(writes.name) is not None:
+        yield partial(engine_place, options[writes.name], option=writes.option)
+        if writes.refuse is not None:
+            yield partial(writes.refuse.value, question)
+    if refuse is not None:
+        yield lambda: refuse.value(source(), question)
+    yield lambda: _refuse_of_chain(record, options, source())
+
+
+def _refuse_of_chain(record: Analysis, options: dict[str, Any], source: Engine | Chain) -> None:
+    """Refuse what a drive line without cylinders cannot be asked. Raises RequestError."""
+    if isinstance(source, Chain):
+        fields = asked(record.question.value)
+        others = [one for one in fields if one.name not in record.chains]
+        unused = {one.reader.option: options.get(one.name) for one in others}
+        unused["--estimate"] = options.get("estimate")
+        refuse_unused(unused, beside=_("a drive line without cylinders"))
 
 
 def _loaded(

@@ -1,6 +1,6 @@
 """Verbs that print what is known of engines.
 
-list, show, analyze, bearings, compare, verdict, strokes.
+list, show, analyze, compare, verdict, strokes.
 """
 
 from __future__ import annotations
@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import count
-from typing import TYPE_CHECKING, Annotated, Any, cast, get_args
+from typing import TYPE_CHECKING, Annotated, Any
 
 from crankstar.cli.options import (
     Csv,
@@ -32,7 +31,7 @@ from crankstar.cli.options import (
     together,
     write_tree,
 )
-from crankstar.cli.output import display, progress
+from crankstar.cli.output import display
 from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
@@ -44,7 +43,6 @@ from crankstar.options.values import RequestError
 if TYPE_CHECKING:
     from crankstar.analysis.document import Document
     from crankstar.engine.engine import Engine
-    from crankstar.mechanics.gas import Cycle
 
 
 def list_engines(
@@ -132,7 +130,7 @@ def analyze(
     )
     mark_speed(speed, loaded)
     point = request.reference(reference, loaded)
-    _refuse_foreign(orders, [loaded], gas=False)
+    request.refuse_foreign(orders, [loaded], gas=False)
     answered = partial(of_amplitudes, loaded, speed=turning, both=True)
     if form != "txt":
         first = balance(loaded, reference=point)
@@ -167,73 +165,6 @@ def analyze(
         give(replace(document, parts=(*document.parts, *rows)), output, form=form, tree=tree)
     else:
         display(document, output)
-
-
-def _refuse_foreign(orders: str | None, engines: Sequence[Engine], *, gas: bool) -> None:
-    """Refuse orders that none of the engines can have. Raises OrderError, RequestError."""
-    from crankstar.mechanics.balance import balance
-    from crankstar.mechanics.occurring_orders import check_orders, foreign_orders
-
-    present = [order for engine in engines for order in balance(engine).force.orders.tolist()]
-    wanted = request.orders(None if orders == "all" else orders, present) or []
-    for engine in engines:
-        wanted = foreign_orders(engine, wanted, gas=gas)
-    check_orders(engines[0], wanted, gas=gas)
-
-
-def bearings(
-    engine: EngineName,
-    /,
-    *,
-    speed: Speed = None,
-    gas: Annotated[bool, option("--gas")] = False,
-    point: Annotated[str | None, option("--point", "With --gas.")] = None,
-    off: Annotated[str | None, option("--off")] = None,
-    model: Annotated[str, option("--model")] = "determinate",
-    orders: Orders = None,
-    settings: Settings = None,
-    estimate: Estimating = False,
-    json: Json = False,
-    csv: Csv = False,
-    output: Output = None,
-) -> None:
-    """Compute loads on main bearings and crank pins, guide forces, bending of the crankshaft."""
-    from crankstar.dynamics.bearings import Model
-    from crankstar.mechanics.gas import cycle
-    from crankstar.studies.answers import bearing_peaks
-    from crankstar.tables.bearings import bearing_document
-    from crankstar.tables.ranges import ranged
-
-    form = form_of(output, TABLES, json=json, csv=csv)
-    request.choice("--model", model, get_args(Model))
-    (loaded, spread), turning, silent = together(
-        partial(loaded_values, engine, settings, estimate=estimate),
-        partial(request.speed, speed),
-        partial(request.cylinders_off, off),
-    )
-    burning = gas or point is not None or bool(silent)
-    mark_speed(speed, loaded)
-    _refuse_foreign(orders, [loaded], gas=burning)
-    several = 1 if spread is None else len(spread.engines)
-    engines = count(1)
-
-    def sheet(each: Engine) -> Document:
-        advance(next(engines), several, "")
-        return bearing_document(
-            each,
-            speed=each.speed if turning is None else turning,
-            model=cast("Model", model),
-            orders=lambda present: request.orders(orders, present),
-            cycle=burnt(each),
-        )
-
-    def burnt(each: Engine) -> Cycle | None:
-        return cycle(each, point=point or "", speed=turning, off=silent) if burning else None
-
-    answered = partial(bearing_peaks, loaded, burnt, speed=turning, model=model)
-    with progress(_("Computing the loads ...")) as advance, words_for(form):
-        document = ranged(sheet, spread, loaded, rests=resting_on(form, loaded, answered))
-    give(document, output, form=form)
 
 
 def compare(
@@ -271,7 +202,7 @@ def compare(
     )
     engines = [each.engine for each in loaded]
     mark_speed(speed, *engines)
-    _refuse_foreign(orders, engines, gas=False)
+    request.refuse_foreign(orders, engines, gas=False)
     whole = analysis(engines[0], speed=turning)
     wanted = request.orders(orders, whole.normalised.force.orders.tolist()) or ()
     own = tables.told_apart(

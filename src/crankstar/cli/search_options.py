@@ -12,15 +12,6 @@ from crankstar.language.messages import _n
 from crankstar.options.refusals import RequestError, refusal, refuse_empty
 
 
-def not_compiled(error: ImportError) -> RequestError:
-    """What is said where numba is not installed."""
-    return RequestError(
-        "searches are compiled with numba ({error}); install it with: pip install "
-        '"crankstar[search]"',
-        error=error,
-    )
-
-
 def no_such_row(row: int, count: int) -> RequestError:
     """What is said where the answer ends before a row."""
     rows = _n("the answer has {count} row", "the answer has {count} rows", count, count=count)

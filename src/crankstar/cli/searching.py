@@ -20,7 +20,7 @@ from crankstar.cli.options import (
     write_engine,
 )
 from crankstar.cli.output import complain, display, working, writable, write_result
-from crankstar.cli.search_options import Form, Sequenced, Work, no_such_row, not_compiled
+from crankstar.cli.search_options import Form, Sequenced, Work, no_such_row
 from crankstar.cli.tabulating import give, words_for
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
@@ -28,6 +28,7 @@ from crankstar.language.quoting import one_line
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
 from crankstar.options.forms import ENGINES, PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
+from crankstar.options.refusals import not_compiled
 from crankstar.options.values import RequestError
 from crankstar.options.words import SearchWords, SequenceWords, sequence_options
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from crankstar.cli.options import Looks, engine_with_tree, write_engine
 from crankstar.cli.output import complain, display, progress, working, writable, write_result
-from crankstar.cli.search_options import Form, Work, no_such_row, not_compiled
+from crankstar.cli.search_options import Form, Work, no_such_row
 from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
@@ -18,6 +18,7 @@ from crankstar.options import search as options
 from crankstar.options import sequences
 from crankstar.options import values as request
 from crankstar.options.forms import ENGINES, PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
+from crankstar.options.refusals import not_compiled
 from crankstar.options.values import RequestError
 from crankstar.options.words import SearchWords, SequenceWords, sequence_options
 

@@ -28,9 +28,7 @@
 | `search` | the values of the options of a search |
 | `shapes` | a shape of torsion: straight, a mode of the engine's own, or numbers |
 | `sequences` | goals of a front over stars and firing sequences, as typed |
-| `marine` | shares, places, top bracings and power of `marine` |
 | `readers` | what the questions of several analyses have in common |
-| `guide` | numbers of cylinders and firing orders of `guide` |
 | `sounds` | the speeds and the pipes of a sound |
 | `sources` | engines as people name them, with the tree of their file |
 """

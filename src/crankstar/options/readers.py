@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import partial
 from typing import Any, Literal
 
@@ -16,6 +17,10 @@ from crankstar.options.gas import (
     weaker_cylinders,
 )
 from crankstar.options.ranges import speeds_of
+from crankstar.options.refusals import refusal
+
+SHARES = {"vertical": 0.0, "equal": 0.5, "horizontal": 1.0}
+"""Horizontal shares of a first-order moment by name."""
 
 
 def _orders(text: str) -> list[float] | None:
@@ -51,6 +56,26 @@ def _at(text: str, engine: Any) -> tuple[float, float, float] | None:
     return values.block_point(text, engine)
 
 
+def horizontal_share(text: str) -> float:
+    """The share of the first-order moment that is to be horizontal. Raises RequestError.
+
+    >>> horizontal_share("equal"), horizontal_share("30%")
+    (0.5, 0.3)
+    """
+    words = text.strip().lower()
+    if words in SHARES:
+        return SHARES[words]
+    number = re.fullmatch(r"(\d{1,3}(?:\.\d{1,9})?|\.\d{1,9})\s*(%?)", words)
+    share = float(number[1]) / (100 if number[2] else 1) if number else -1.0
+    if not 0 <= share <= 1:
+        raise refusal(
+            "--first-order",
+            text,
+            "give vertical, equal, horizontal, or the horizontal share, such as 0.5",
+        )
+    return share
+
+
 POINT = Reader("--point", str)
 """An operating point by its name."""
 SPEED = Reader("--speed", values.speed, number=numbers.speed)
@@ -73,3 +98,5 @@ OFF = Reader("--off", values.cylinders_off)
 """Numbers of cylinders that do not fire."""
 WEAKER = Reader("--weaker", weaker_cylinders)
 """Cylinders, and the share of their combustion that they lack."""
+FIRST_ORDER = Reader("--first-order", horizontal_share)
+"""The share of a first-order moment that is horizontal."""

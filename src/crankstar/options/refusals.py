@@ -17,6 +17,15 @@ def refusal(option: str, given: object, why: str, **values: object) -> RequestEr
     return RequestError(f"{option} {one_line(str(given))}: {_(why, **values)}")
 
 
+def not_compiled(error: ImportError) -> RequestError:
+    """The refusal of a search where numba is not installed."""
+    return RequestError(
+        "searches are compiled with numba ({error}); install it with: pip install "
+        '"crankstar[search]"',
+        error=error,
+    )
+
+
 def refuse_unused(
     options: Mapping[str, object], *, beside: str = "", without: str = "", why: str = ""
 ) -> None:

@@ -207,6 +207,18 @@ def orders(text: str | None, present: list[float]) -> list[float] | None:
     return list(dict.fromkeys(wanted))
 
 
+def refuse_foreign(text: str | None, engines: Sequence[Engine], *, gas: bool) -> None:
+    """Refuse orders that none of the engines can have. Raises OrderError, RequestError."""
+    from crankstar.mechanics.balance import balance
+    from crankstar.mechanics.occurring_orders import check_orders, foreign_orders
+
+    present = [order for engine in engines for order in balance(engine).force.orders.tolist()]
+    wanted = orders(None if text == "all" else text, present) or []
+    for engine in engines:
+        wanted = foreign_orders(engine, wanted, gas=gas)
+    check_orders(engines[0], wanted, gas=gas)
+
+
 def quantities(text: str | None) -> list[Derived]:
     """The quantities derived order by order, by default force and couple."""
     names = ["force", "couple"] if text is None else (listed(text) or [text])

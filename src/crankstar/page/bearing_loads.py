@@ -9,6 +9,8 @@ from typing import Literal
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analyses.bearings.document import MODELS, gas_sentences, peaks, pins
+from crankstar.analyses.bearings.wear_table import wear_table
 from crankstar.analysis.document import Document, Ranged, Table, Value
 from crankstar.dynamics.bearings import BearingError, BearingLoads, bearing_loads
 from crankstar.engine.engine import Engine
@@ -22,11 +24,9 @@ from crankstar.page.orders import vectors
 from crankstar.page.printed import printed
 from crankstar.page.records import BearingNumbers, Bearings, LoadShown
 from crankstar.spectra import Spectrum
-from crankstar.tables.bearings import MODELS, gas_sentences, peaks, pins
 from crankstar.tables.cells import ranged_text
 from crankstar.tables.conversion import in_units
 from crankstar.tables.ranges import merged
-from crankstar.tables.wear import wear_table
 
 SMALL = 1e-4
 """Share of the greatest order below which an order is not sent."""

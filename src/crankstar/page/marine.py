@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from crankstar.analyses.marine.large_engines import ship_engine, ship_parts
 from crankstar.analysis.document import Document
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
@@ -12,7 +13,6 @@ from crankstar.language.messages import _
 from crankstar.page.printed import printed
 from crankstar.page.records import ChartKey
 from crankstar.page.unit_records import Table
-from crankstar.tables.large_engines import ship_engine, ship_parts
 from crankstar.tables.ranges import merged
 
 FIGURE = "guide-moments"

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analyses.marine.large_engines import large_engine_table
 from crankstar.analysis.document import Table
 from crankstar.dynamics import sound
 from crankstar.dynamics.uneven import Running, driven
@@ -31,7 +32,6 @@ from crankstar.page.cycle_records import Chamber, Exhaust, Load, Pipe, Torque, W
 from crankstar.page.printed import printed
 from crankstar.page.unit_records import Unit
 from crankstar.spectra import Complex, Real, Spectrum
-from crankstar.tables.large_engines import large_engine_table
 from crankstar.tables.meshes import mesh_table
 from crankstar.tables.torque import assumed_notes, notes
 from crankstar.tables.torque_parts import side_thrust_tables

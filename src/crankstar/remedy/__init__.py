@@ -18,7 +18,6 @@
 | `placing` | where balance shafts must lie so that the block rolls least |
 | `shafts` | balance shafts that an engine needs, and the place of a pair without roll |
 | `end_weights` | weights at the ends that share the first-order moment between its planes |
-| `compensators` | contra-rotating masses that cancel a vertical moment, also about a node |
 | `sizing` | a remedy sized for other masses, its weights and shafts where they are |
 | `isolation` | the best mounts within limits |
 | `fitting` | an engine fitted with all of these; the cure that its verdict recommends |

@@ -11,7 +11,6 @@
 | `front` | the front page for a reader in a hurry, and the contents |
 | `pages` | crankshaft, strokes, orders, vectors, derivations, comparison |
 | `gas` | the gas cycle, torque over it, how evenly the engine runs |
-| `marine` | a large two-stroke engine in its ship: external and guide-force moments |
 | `tolerances` | how engines built to the tolerances of the file scatter |
 | `bearings` | loads on the main bearings, bending of the crankshaft |
 | `analyses` | the section of an analysis that is a record |

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from crankstar.analysis.document import Remarks, Table
-from crankstar.analysis.record import Analysis
+from crankstar.analysis.record import Analysis, Figure
 from crankstar.language.messages import _
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
@@ -13,7 +15,7 @@ from crankstar.tables.html import paragraph
 
 def section_of(record: Analysis, subject: Subject, gallery: Gallery) -> str:
     """Empty where the engine file lacks what the analysis is of."""
-    if not record.tells(subject.engine):
+    if not record.tells(subject.engine, subject.at):
         return ""
     question = record.question.value(speed=subject.at)
 
@@ -24,10 +26,15 @@ def section_of(record: Analysis, subject: Subject, gallery: Gallery) -> str:
 
     found = record.compute.value(subject.engine, question)
     drawn = [
-        gallery.figure(each.chart, _(each.caption), **each.quantities)
+        gallery.figure(each.chart, _(each.caption), **_options(each, subject))
         for each in record.figures
         if (subject.full or not each.more) and each.shows(found)
     ]
     lead = "".join(paragraph(fact.sentence) for fact in subject.facts if fact.about == record.name)
     shown = parts_html(subject.parts(tables))
     return section(_(record.title), lead + shown + figures(drawn), name=record.name)
+
+
+def _options(figure: Figure, subject: Subject) -> dict[str, Any]:
+    """Its quantity, and the speed of the report where it is drawn at one."""
+    return {**figure.quantities, **({"speed": subject.at} if figure.at_speed else {})}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from crankstar.analyses.bearings.document import MODELS, peaks
 from crankstar.analysis.document import Remarks, Table
 from crankstar.charts.canvas import Canvas
 from crankstar.dynamics.bearings import BearingError, BearingLoads, bearing_loads
@@ -13,7 +14,6 @@ from crankstar.mechanics.operating_points import GasError
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
-from crankstar.tables.bearings import MODELS, peaks
 from crankstar.tables.html import paragraph
 from crankstar.tables.torque import load_sentence
 

@@ -17,7 +17,6 @@ from crankstar.report import (
     front,
     gas,
     lettering,
-    marine,
     numbering,
     pages,
     remedies,
@@ -40,7 +39,6 @@ PAGES: tuple[tuple[str, pages.Page], ...] = (
     (N_("Writing gas and torque ..."), gas.gas),
 )
 MORE_PAGES: tuple[tuple[str, pages.Page], ...] = (
-    (N_("Writing the moments on the hull ..."), marine.marine),
     (N_("Writing the loads on bearings ..."), bearings.bearings),
     (N_("Writing the free response ..."), whirling.free_response),
     (N_("Writing the tolerances ..."), tolerances.tolerances),
@@ -59,7 +57,11 @@ def report(subject: Subject, *, tell: Callable[[str], None] = lambda _: None) ->
     """The report as the text of an HTML file; `tell` is called with what is being written."""
     drawings = Gallery(subject)
     body = []
-    own = [(record.doing, partial(analyses.section_of, record)) for record in all_analyses()]
+    own = [
+        (record.doing, partial(analyses.section_of, record))
+        for record in all_analyses()
+        if record.lacks is not None
+    ]
     for progress, page in (*PAGES, *own, *MORE_PAGES):
         tell(_(progress))
         body.append(page(subject, drawings))

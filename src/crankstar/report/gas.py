@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from crankstar.analyses.marine.large_engines import large_engine_table, ship_engine
 from crankstar.analysis.document import Remarks, Table
 from crankstar.dynamics.uneven import UnevenError, driven
 from crankstar.language.messages import N_, _
@@ -11,7 +12,6 @@ from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.html import paragraph
-from crankstar.tables.large_engines import large_engine_table, ship_engine
 from crankstar.tables.torque import torque_document
 
 FIGURES = (

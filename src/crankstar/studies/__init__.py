@@ -16,10 +16,6 @@
 | `response_answers` | the figures of answers that resonate: torsion, mounts, what a fault does |
 | `answers` | the figures of each analysis, of which the record says how far they may move |
 | `chart_answers` | the figures of what charts alone show |
-| `marine` | external and guide-force moments of an engine with weights and compensators |
-| `published_orders` | the firing orders of the catalog that were read in a source |
-| `family_torsion` | the chain of an engine with other numbers of throws, and its vector sums |
-| `engine_family` | the cylinders of an engine in rows of 5 to 12, each with the best order |
 | `judged_orders` | firing orders by the stress and the bearing loads that they make |
 | `sweep` | one or two values of an engine file varied, and what becomes of its quantities |
 | `sweep_answers` | what the results of a sweep rest on, at one of its values |

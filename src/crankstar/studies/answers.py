@@ -36,7 +36,6 @@ from crankstar.mechanics.operating_points import GasError, operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Spectrum
 from crankstar.studies.answer_parts import (
-    IN_GUIDES,
     TURNING,
     gas_of,
     in_own_unit,
@@ -44,12 +43,10 @@ from crankstar.studies.answer_parts import (
     usual_gas,
     without_speed,
 )
-from crankstar.studies.assumed_gas import usual_load
 from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.response_answers import felt
 
 if TYPE_CHECKING:
-    from crankstar.mechanics.guide_moments import GuideMoments
     from crankstar.studies.diagnosis import Diagnosis
 
 MakeCycle = Callable[[Engine], Cycle | None]
@@ -170,7 +167,7 @@ def _driven(engine: Engine, speed: float | None) -> list[Answer]:
     """The analyses of which a verdict tells, where the file has what they are of."""
     out: list[Answer] = []
     for record in analyses():
-        if record.facts is not None and record.tells(engine):
+        if record.facts is not None and record.tells(engine, speed):
             with suppress(MessageError):
                 out.append(record.answer.value(engine, record.question.value(speed=speed)))
     return out
@@ -320,43 +317,6 @@ def _why_gasless(engine: Engine, speed: float | None) -> str:
         return gas_of(engine, speed=speed)[1] or GAS_OPTION
     known = computable(engine) and not {"mass", "radius"} & {*engine.relative}
     return USUAL_OPTION if known else ""
-
-
-def external(engine: Engine, make: Callable[[Engine], Any]) -> Answer:
-    """The external moments and the moments of the guide forces of a ship's engine by order."""
-
-    def figures(each: Engine) -> Figures:
-        found = make(each)
-        out: dict[Figure, float] = {}
-        for order in found.after.orders.tolist():
-            sizes_there = [found.after.moment(order, side) for side in ("V", "H")]
-            out["couple", order] = float(np.nanmax([0.0, *sizes_there]))
-        return out | _guide_sizes(found.guide)
-
-    whole = make(engine)
-    usual = usual_gas(engine, speed=whole.after.speed)[0]
-    one_shaft = len({cylinder.shaft for cylinder in engine.cylinders}) == 1
-    return Answer(
-        figures=figures,
-        unit=lambda quantity, each: (
-            "N*m" if quantity.endswith("moment") else make(each).after.units.couple
-        ),
-        uses=("inertia", *(("gas",) if whole.cycle is not None else ())),
-        gas=whole.cycle,
-        choices=[usual_load(usual, figures, IN_GUIDES)] if usual and one_shaft else [],
-    )
-
-
-def _guide_sizes(found: GuideMoments | None) -> dict[Figure, float]:
-    """The moments of guide forces by order, N m; none where they are not computed."""
-    if found is None:
-        return {}
-    moments = {"H moment": found.h} | ({"X moment": found.x} if found.pitch_known else {})
-    return {
-        (name, float(order)): float(abs(size))
-        for name, sizes_of_all in moments.items()
-        for order, size in zip(found.orders, sizes_of_all, strict=True)
-    }
 
 
 def bobweights(engine: Engine, *, factor: float) -> Answer:

@@ -1,21 +1,17 @@
-"""The figures of what charts alone show: vectors of parts, side thrust, guide moments, bending."""
+"""The figures of what charts alone show: vectors of parts, side thrust."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
 import numpy as np
 
-from crankstar import spectra
 from crankstar.analysis.assumptions import Answer
-from crankstar.analysis.tried_values import Figure, Figures
+from crankstar.analysis.tried_values import Figures
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import pushed
 from crankstar.studies.answer_parts import TURNING
-from crankstar.studies.answers import IN_LOADS, MakeCycle
+from crankstar.studies.answers import MakeCycle
 
 
 def vectors(
@@ -56,57 +52,4 @@ def pressed(engine: Engine, make: MakeCycle) -> Answer:
         uses=("inertia", "gas"),
         gas=make(engine),
         given=TURNING,
-    )
-
-
-def guided(engine: Engine, make: MakeCycle) -> Answer:
-    """The moments of the guide forces by order: H of all cylinders, X of front against rear."""
-    from crankstar.mechanics.guide_moments import guide_moments
-
-    found = make(engine)
-
-    def figures(each: Engine) -> Figures:
-        again = make(each)
-        if again is None:
-            return {}
-        guide = guide_moments(each, again)
-        return {
-            (name, float(order)): float(abs(size))
-            for name, moments in (("H moment", guide.h), ("X moment", guide.x))
-            for order, size in zip(guide.orders, moments, strict=True)
-        }
-
-    return Answer(
-        figures=figures, unit=lambda _quantity, _engine: "N*m", uses=("inertia", "gas"), gas=found
-    )
-
-
-def bent(*, speed: float | None = None, models: Sequence[Any] = (None,)) -> Answer:
-    """The greatest bending moment of a crankshaft in its end bearings (None), or by models in all.
-
-    At a `speed` (rad/s), else at that of each engine.
-    """
-    from crankstar.dynamics.bearings import bending_moment
-
-    def bendings(each: Engine, model: Any) -> list[Any]:
-        own = each.speed if speed is None else speed
-        return [
-            bending_moment(each, shaft=shaft.name, speed=own, model=model)
-            for shaft in each.shafts
-            if shaft.throws
-        ]
-
-    def figures(each: Engine) -> Figures:
-        out: dict[Figure, float] = {}
-        for model in models:
-            name = "end bending" if model is None else "main bending"
-            peaks = [spectra.peaks(one.moment).max(initial=0.0) for one in bendings(each, model)]
-            out[name, None] = max(out.get((name, None), 0.0), *map(float, peaks))
-        return out
-
-    return Answer(
-        figures=figures,
-        unit=lambda _quantity, each: bendings(each, None)[0].unit,
-        uses=("inertia", "bearings"),
-        gasless=IN_LOADS,
     )

@@ -40,23 +40,16 @@
 | `pair_sweeps` | a sweep of two numbers, its best pairs and its front |
 | `scatter` | the scatter of an engine built to its tolerances |
 | `over_speeds` | amplitudes over the speed |
-| `wear` | where journals and pins are pressed most and least |
-| `oil_films` | specific pressures of main bearings and crank pins, and their least oil film |
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |
 | `gas_rolls` | the rolling moment on the block with gas, by which its remedies are judged |
 | `roll_cures` | the rolling moment that is left, and what would remove it |
 | `gas_words` | operating points, and what does not burn, in words |
-| `bearings` | loads on main bearings and crank pins, guide forces |
 | `torque_orders` | gas and inertia torque and the roll of the block by order |
 | `torque_parts` | side thrust, uneven forces and handbook harmonics |
 | `meshes` | gears between crankshafts: what each mesh passes on |
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `mount_points` | how the named points of a block shake |
-| `marine_doubts` | what is missing in a marine analysis, and what is hardly right |
-| `marine` | external and guide-force moments, and compensators |
-| `large_engines` | what views tell of large engines: guide-force moments, all that a ship needs |
-| `engine_family` | a family of engines with their firing orders, as a project guide |
 | `diagnoses` | what faults change, and which fault explains a measurement |
 | `matching` | parts matched to cylinders, and what is left |
 | `isolation` | the best mounts, beside those of the file |

@@ -245,7 +245,7 @@ def _moment_sentences(result: Balance, sums: Sums) -> str:
 def _of_analyses(engine: Engine, speed: float | None) -> Iterator[tuple[str, str]]:
     """What the analyses say whose tables the engine file has."""
     for record in analyses():
-        if record.facts is not None and record.tells(engine):
+        if record.facts is not None and record.tells(engine, speed):
             for sentence in record.facts.value(engine, speed=speed):
                 yield record.name, sentence
 

@@ -40,7 +40,7 @@ RECORD = Analysis(
     answer=Later("crankstar.analyses.mounts.answer:answer"),
     document=Later("crankstar.analyses.mounts.document:document"),
     grids=Later("crankstar.analyses.mounts.grids:grids"),
-    lacks=lambda engine: not engine.mounts,
+    lacks=lambda engine, _speed: not engine.mounts,
     charts=(
         Chart(
             "mount-layout",

@@ -37,7 +37,7 @@ RECORD = Analysis(
     answer=Later("crankstar.analyses.torsion.answer:answer"),
     document=Later("crankstar.analyses.torsion.document:document"),
     grids=Later("crankstar.analyses.torsion.grids:grids"),
-    lacks=lambda engine: engine.torsion is None,
+    lacks=lambda engine, _speed: engine.torsion is None,
     charts=(
         Chart(
             "torsion-modes",

@@ -4,32 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import pi
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from crankstar.analyses.guide.published_orders import Published
+from crankstar.analyses.guide.question import ChainDrive, Question
+from crankstar.analyses.marine.document import OF_GUIDES
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.mechanics.external_moments import unbalance_class
 from crankstar.mechanics.operating_points import OperatingState
-from crankstar.studies.engine_family import ChainDrive, Member
-from crankstar.studies.published_orders import Published
 from crankstar.tables.gas_words import at_points, cycle_state, state_facts
-from crankstar.tables.marine import OF_GUIDES
+
+if TYPE_CHECKING:
+    from crankstar.analyses.guide.engine_family import Member
 
 RPM = 30 / pi
 CHOSEN = {"best": N_("best"), "given": N_("given"), "published": N_("published")}
 
 
-def family_document(
-    engine: Engine,
-    members: Sequence[Member],
-    *,
-    goals: str,
-    horizontal_share: float | None = None,
-    drive: ChainDrive | None = None,
-) -> Document:
-    """The members of a family; `goals` says in words by what the best were found."""
+def document(engine: Engine, members: Sequence[Member], question: Question) -> Document:
+    """The members of a family, and by which goals the best were found."""
+    goals, drive = question.goal_words, question.chain_drive
+    horizontal_share = question.first_order
     notes = remarks(*_notes(members, goals, horizontal_share, drive), kind="note")
     parts = (Remarks((_heading(engine, members),)), _table(members), *notes)
     facts: dict[str, Any] = {

@@ -7,6 +7,8 @@ from math import ceil
 
 import numpy as np
 
+from crankstar.analysis.assumptions import Answer
+from crankstar.analysis.tried_values import Figures
 from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.drawing import BLUE, ORANGE, figure, layered
 from crankstar.charts.gas_curves import ROOM, about, without
@@ -20,7 +22,7 @@ from crankstar.language.shown_units import shown
 from crankstar.mechanics.gas import check_gas, cycle
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.mechanics.operating_points import GasError
-from crankstar.studies.chart_answers import guided
+from crankstar.studies.answers import MakeCycle
 
 TITLE = N_("Guide-force moments")
 AXIS = N_("moment ({unit})")
@@ -57,6 +59,28 @@ def guide_moment_chart(
         subtitle.append(_("Of gas alone."))
     rests = Rests([engine], partial(guided, make=make), "torque")
     return figure([[_bars(guide, series)]], title=_(TITLE), subtitle=subtitle, rests=rests)
+
+
+def guided(engine: Engine, make: MakeCycle) -> Answer:
+    """The moments of the guide forces by order: H of all cylinders, X of front against rear."""
+
+    def figures(each: Engine) -> Figures:
+        again = make(each)
+        if again is None:
+            return {}
+        guide = guide_moments(each, again)
+        return {
+            (name, float(order)): float(abs(size))
+            for name, moments in (("H moment", guide.h), ("X moment", guide.x))
+            for order, size in zip(guide.orders, moments, strict=True)
+        }
+
+    return Answer(
+        figures=figures,
+        unit=lambda _quantity, _engine: "N*m",
+        uses=("inertia", "gas"),
+        gas=make(engine),
+    )
 
 
 def _bars(guide: GuideMoments, series: list[tuple[str, str, np.ndarray]]) -> dict:

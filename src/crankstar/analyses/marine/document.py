@@ -8,7 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analyses.marine.doubts import doubts, power_text
+from crankstar.analyses.marine.marine_analysis import MarineAnalysis
+from crankstar.analyses.marine.question import Question
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, for_each, remarks
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text
 from crankstar.mechanics import guide_moments as guides
@@ -21,10 +25,8 @@ from crankstar.mechanics.external_moments import (
     unbalance_class,
 )
 from crankstar.mechanics.guide_moments import GuideMoments
-from crankstar.studies.marine import MarineAnalysis
 from crankstar.tables.gas_words import cycle_state, state_facts, state_words
 from crankstar.tables.headings import heading
-from crankstar.tables.marine_doubts import doubts, power_text
 
 RPM = 30 / pi
 MM = 1e3
@@ -36,11 +38,9 @@ SILENT = 1e-9
 """Share of the greatest moment below which one has no phase to tell."""
 
 
-def marine_document(
-    found: MarineAnalysis, *, bracing: tuple[float, float] | None = None
-) -> Document:
-    """All of an analysis. `bracing`: height of top bracings, and distance of their planes, m."""
-    engine = found.engine
+def document(engine: Engine, found: MarineAnalysis, question: Question) -> Document:
+    """All of an analysis, of the engine with what is added to it."""
+    engine, bracing = found.engine, question.bracing
     parts: list[Table | Remarks] = [heading(engine), _moment_table(found)]
     if found.compensators:
         parts.append(_compensator_table(found))

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analyses.marine.compensators import Compensator, compensators, with_compensators
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
@@ -24,7 +25,6 @@ from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.mechanics.operating_points import operating_state
-from crankstar.remedy.compensators import Compensator, compensators, with_compensators
 from crankstar.remedy.end_weights import with_end_weights
 from crankstar.spectra import Real
 

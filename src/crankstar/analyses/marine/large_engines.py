@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+from crankstar.analyses.marine.document import document, guide_table
+from crankstar.analyses.marine.marine_analysis import MarineAnalysis, marine
+from crankstar.analyses.marine.question import Question
 from crankstar.analysis.document import Remarks, Table
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.guide_moments import MarineError, guide_moments
-from crankstar.studies.marine import MarineAnalysis, marine
-from crankstar.tables.marine import guide_table, marine_document
 
 LARGE_BORE = 0.2
 """m, of engines that stand in ships and power plants: their guide-force moments matter."""
@@ -45,5 +46,5 @@ def ship_engine(engine: Engine, speed: float | None = None) -> MarineAnalysis | 
 
 def ship_parts(found: MarineAnalysis) -> list[Table | Remarks]:
     """Its tables and sentences, without the heading of the engine."""
-    _heading, *parts = marine_document(found).parts
+    _heading, *parts = document(found.engine, found, Question()).parts
     return parts

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from crankstar.analyses.marine.marine_analysis import MarineAnalysis
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.doubts import GREATEST_IMEP, point_doubts
-from crankstar.studies.marine import MarineAnalysis
 from crankstar.tables.torque import charge_sentences
 
 LEAST_RATED = 1e5

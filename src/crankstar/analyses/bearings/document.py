@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from math import degrees, pi
 
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analyses.bearings.answer import Loads
+from crankstar.analyses.bearings.film_table import film_table
+from crankstar.analyses.bearings.question import Question
+from crankstar.analyses.bearings.wear_table import wear_table
 from crankstar.analysis.document import Column, Document, Table, Value, for_each, remarks
-from crankstar.dynamics.bearings import BearingLoads, Model, bearing_loads, bending_moment
+from crankstar.dynamics.bearings import BearingLoads, Model, bending_moment
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
@@ -18,14 +22,13 @@ from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import greatest, highest, length, tops
 from crankstar.mechanics.gas import Cycle
+from crankstar.options import values
 from crankstar.spectra import Spectrum
 from crankstar.tables.conditions import unit_sentence, unit_sizes
 from crankstar.tables.gas_words import cycle_state, points_text, state_facts
 from crankstar.tables.headings import heading
-from crankstar.tables.oil_films import film_table
 from crankstar.tables.paths import shape
 from crankstar.tables.scales import scales
-from crankstar.tables.wear import wear_table
 
 NOTED = 0.02
 """Share of the greatest load of one order from which an order is printed."""
@@ -39,28 +42,19 @@ MODELS = {
 }
 
 
-def bearing_document(
-    engine: Engine,
-    *,
-    speed: float | None = None,
-    model: Model = "determinate",
-    orders: Callable[[list[float]], list[float] | None] = lambda _present: None,
-    cycle: Cycle | None = None,
-) -> Document:
-    """Peaks of all bearings, pins and walls over a turn, and the bearings by order.
+def document(engine: Engine, computed: Loads, question: Question) -> Document:
+    """Peaks of all bearings, pins and walls over a revolution, and the bearings by order.
 
-    `orders` chooses from those present; by default those of note, for machines all. With a `cycle`
-    the loads of its gas are in them, at its speed.
+    Orders are those asked for, or else the significant ones, for machines all.
     """
-    turning = engine.speed if speed is None else speed
-    if cycle is not None:
-        turning = cycle.speed
-    loads = bearing_loads(engine, speed=turning, model=model, cycle=cycle)
+    cycle, turning, model = computed.cycle, computed.speed, question.model
+    loads = computed.of_parts
     noted = NOTED if cycle is None else NOTED_WITH_GAS
-    present = main_orders(loads, share=0.0)
-    asked = orders(present)
-    told, every = (
-        by_order(loads, sorted(of_any(("orders", share), asked or main_orders(loads, share=share))))
+    orders = values.orders(question.orders, main_orders(loads, share=0.0))
+    shown, every = (
+        by_order(
+            loads, sorted(of_any(("orders", share), orders or main_orders(loads, share=share)))
+        )
         for share in (noted, 0.0)
     )
     result = balance(engine, speed=turning)
@@ -91,7 +85,7 @@ def bearing_document(
             heading(engine),
             *remarks(*notes, kind="note"),
             peaks(engine, loads, gas=cycle is not None),
-            *for_each(told, every),
+            *for_each(shown, every),
             pins(loads),
             walls(loads),
             wear_table(engine, loads),

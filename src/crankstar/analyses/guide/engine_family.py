@@ -19,6 +19,10 @@ from typing import Literal
 
 import numpy as np
 
+from crankstar.analyses.guide.family_torsion import Twist, not_grown, twist, with_throws
+from crankstar.analyses.guide.published_orders import Published, backwards
+from crankstar.analyses.guide.question import ChainDrive
+from crankstar.analyses.marine.marine_analysis import MarineAnalysis, marine
 from crankstar.engine.copies import with_values, wrapped
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Throw
@@ -32,23 +36,10 @@ from crankstar.search.faults import SearchError
 from crankstar.search.options import SearchOptions, search_for
 from crankstar.search.question import Best
 from crankstar.search.stars import Star, Stars
-from crankstar.studies.family_torsion import Twist, not_grown, twist, with_throws
-from crankstar.studies.marine import MarineAnalysis, marine
-from crankstar.studies.published_orders import Published, backwards
 
-LEAST, MOST = 2, 14
-"""Numbers of cylinders of a family; of more the search takes long."""
 Chosen = Literal["best", "given", "published"]
 OF_FAMILY = {"alike-order": "family-alike-order", "alike-throws": "family-alike-throws"}
 """Faults of one search, and of the same search among others."""
-
-
-@dataclass(frozen=True)
-class ChainDrive:
-    """A wider gap between the two middle cylinders, from so many cylinders up, m or pitches."""
-
-    cylinders: int
-    wider: float
 
 
 @dataclass(frozen=True)

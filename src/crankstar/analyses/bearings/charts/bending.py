@@ -18,6 +18,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.analysis.assumptions import Answer
+from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.drawing import (
     BLUE,
@@ -47,7 +48,7 @@ from crankstar.mechanics import bounds
 from crankstar.remedy.counterweights import RemedyError, with_web_weights, without_counterweights
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import in_own_unit, narrowed
-from crankstar.studies.chart_answers import bent
+from crankstar.studies.answers import IN_LOADS
 
 FACTOR = 0.5
 """Balance factor of the weights that are compared where the engine file gives none."""
@@ -296,3 +297,33 @@ def _places(
             taken = at + half
     words = of_rows(numbers).mark("text", baseline="bottom", fontSize=SMALL, color=GREY)
     yield words.encode(x=x, y=y, text=field("text:N"))
+
+
+def bent(*, speed: float | None = None, models: Sequence[Any] = (None,)) -> Answer:
+    """The greatest bending moment of a crankshaft in its end bearings (None), or by models in all.
+
+    At a `speed` (rad/s), else at that of each engine.
+    """
+
+    def bendings(each: Engine, model: Any) -> list[Any]:
+        own = each.speed if speed is None else speed
+        return [
+            bending_moment(each, shaft=shaft.name, speed=own, model=model)
+            for shaft in each.shafts
+            if shaft.throws
+        ]
+
+    def figures(each: Engine) -> Figures:
+        out: dict[Figure, float] = {}
+        for model in models:
+            name = "end bending" if model is None else "main bending"
+            peaks = [spectra.peaks(one.moment).max(initial=0.0) for one in bendings(each, model)]
+            out[name, None] = max(out.get((name, None), 0.0), *map(float, peaks))
+        return out
+
+    return Answer(
+        figures=figures,
+        unit=lambda _quantity, each: bendings(each, None)[0].unit,
+        uses=("inertia", "bearings"),
+        gasless=IN_LOADS,
+    )
