@@ -121,13 +121,19 @@ class Measure:
 class Writes:
     """The engine that an analysis makes of one: the option of its file, and what makes it.
 
-    engine     (engine, question) -> Engine
+    engine     (engine, question) -> Engine; (result) -> Engine if it is `of_result`
     refuse     (question): refuses to write an engine to which nothing is done
+    more       how the analysis uses the option
+
+    Where the engine is of the result, the assumptions of the document are those of that engine.
+    Where the option is --output, the document itself is printed only, as text or JSON.
     """
 
     option: str
-    engine: Later[Callable[[Engine, Any], Engine]]
+    engine: Later[Callable[..., Engine]]
     refuse: Later[Callable[[Any], None]] | None = None
+    more: str = ""
+    of_result: bool = False
 
     @property
     def name(self) -> str:
@@ -140,13 +146,29 @@ class Writes:
 
 
 @dataclass(frozen=True)
+class Picture:
+    """The chart of a result, which -o writes where its name ends as that of a picture.
+
+    draw       (result, question) -> Chart
+    title      of {engine}, a sentence of the catalog of messages
+    more       what -o says of it
+    """
+
+    draw: Later[Callable[[Any, Any], Any]]
+    title: str
+    more: str
+
+
+@dataclass(frozen=True)
 class Analysis:
     """A capability, by what every host needs of it.
 
     `name` is that of its command; `about` says in a line what it computes, `takes` of what; `doing`
     is shown while it does, `title` heads its section. All are sentences of the catalog of messages.
 
-    question   a frozen dataclass; its fields, each annotated with a Reader, are the options
+    question   a frozen dataclass; its fields, each annotated with a Reader, are the options, and
+               words that follow the engine
+    needs      (engine): refuses one that lacks what is computed with, with a MessageError
     refuse     (source, question): refuses what does not go together, with a RequestError
     compute    (source, question) -> result
     document   (source, result, question) -> Document, for readers and machines
@@ -164,9 +186,12 @@ class Analysis:
                the file and `speed`, or `alone` at that speed (rad/s), of all orders or one
     natural    () -> Answer: the figures of free vibration alone
     writes     the engine that it makes, which an option writes as a file
+    picture    what is drawn of its result, where -o names a picture
 
     `chains` are the fields of the question that a drive line without an engine may be asked too;
-    `estimates`: values that a file leaves out may be estimated, and results have ranges.
+    `estimates`: values that a file leaves out may be estimated, and results have ranges; `steps`:
+    compute takes long, and `tell=`, to be called with the steps done and their number;
+    `by_audience`: answer also takes `audience=`, as readers are shown less than machines.
     """
 
     name: str
@@ -177,8 +202,9 @@ class Analysis:
     question: Later[type[Any]]
     compute: Later[Callable[[Any, Any], Any]]
     document: Later[Callable[[Any, Any, Any], Document]]
-    answer: Later[Callable[[Engine, Any], Answer]]
+    answer: Later[Callable[..., Answer]]
     lacks: Callable[[Engine], bool] | None = None
+    needs: Later[Callable[[Engine], object]] | None = None
     refuse: Later[Callable[[Engine | Chain, Any], None]] | None = None
     charts: tuple[Chart, ...] = ()
     figures: tuple[Figure, ...] = ()
@@ -190,8 +216,11 @@ class Analysis:
     measured: Later[Callable[..., float]] | None = None
     natural: Later[Callable[[], Answer]] | None = None
     writes: Writes | None = None
+    picture: Picture | None = None
     chains: tuple[str, ...] = ()
     estimates: bool = False
+    steps: bool = False
+    by_audience: bool = False
 
     def tells(self, engine: Engine) -> bool:
         """Whether reports and verdicts have it of an engine."""
