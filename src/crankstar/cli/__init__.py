@@ -26,7 +26,7 @@
 | `workshop` | bobweight, drill, grade |
 | `matching` | match |
 | `correcting` | correct |
-| `diagnosing` | fault, diagnose |
+| `diagnosing` | diagnose |
 | `picturing` | plot |
 | `drawing` | draw, animate |
 | `sounding` | sound |

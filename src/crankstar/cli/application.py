@@ -71,7 +71,6 @@ VERBS = {
     "errata": "deriving:errata",
     "estimate": "estimating:estimate",
     "export": "exporting:export",
-    "fault": "diagnosing:fault",
     "grade": "workshop:grade",
     "guide": "guide:guide",
     "isolate": "isolating:isolate",
