@@ -2,6 +2,7 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `diagnose/` | which fault explains measured vibration |
 | `fault/` | what a fault changes in what shakes the block |
 | `genset/` | how evenly a generating set runs, and several on one foundation |
 | `mounts/` | an engine on its mounts: natural modes, vibration, what the mounts pass on |

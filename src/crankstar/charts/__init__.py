@@ -43,7 +43,6 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `polar_grid` | the circles of a polar diagram, with their values |
 | `polar_diagrams` | the load on each main bearing or crank pin as a polar diagram |
 | `vector_diagrams` | vectors of several kinds in polar diagrams to one scale |
-| `suspects` | the suspects of a diagnosis, measured and explained vectors |
 | `bending` | the bending moment along the crankshaft |
 | `balance_shafts` | the balance shafts from the front and from the side |
 | `curve_names` | the results of a sweep in the words of the field |
@@ -101,7 +100,6 @@ if TYPE_CHECKING:
     from crankstar.charts.side_thrusts import side_thrust_chart
     from crankstar.charts.spectra import spectrum
     from crankstar.charts.strokes import stroke_chart
-    from crankstar.charts.suspects import suspect_chart
     from crankstar.charts.sweeps import swept
     from crankstar.charts.torque import torque_chart
     from crankstar.charts.torsion_fronts import sequence_stars
@@ -151,7 +149,6 @@ __all__ = [
     "side_thrust_chart",
     "spectrum",
     "stroke_chart",
-    "suspect_chart",
     "svg",
     "swept",
     "torque_chart",
@@ -188,7 +185,6 @@ _HOMES = {
     "guide_moment_bars": ("guide_moment_chart",),
     "spectra": ("spectrum",),
     "strokes": ("stroke_chart",),
-    "suspects": ("suspect_chart",),
     "sweeps": ("swept",),
     "torque": ("torque_chart",),
     "vector_diagrams": ("Diagram", "Named", "polar_vectors"),

@@ -26,7 +26,6 @@
 | `workshop` | bobweight, drill, grade |
 | `matching` | match |
 | `correcting` | correct |
-| `diagnosing` | diagnose |
 | `picturing` | plot |
 | `drawing` | draw, animate |
 | `sounding` | sound |

@@ -65,7 +65,6 @@ VERBS = {
     "compare": "inspect:compare",
     "correct": "correcting:correct",
     "derive": "deriving:derive",
-    "diagnose": "diagnosing:diagnose",
     "draw": "drawing:draw",
     "drill": "workshop:drill",
     "errata": "deriving:errata",

@@ -46,11 +46,9 @@ from crankstar.studies.answer_parts import (
 )
 from crankstar.studies.assumed_gas import usual_load
 from crankstar.studies.assumed_values import assumed_values
-from crankstar.studies.response_answers import felt
 
 if TYPE_CHECKING:
     from crankstar.mechanics.guide_moments import GuideMoments
-    from crankstar.studies.diagnosis import Diagnosis
 
 MakeCycle = Callable[[Engine], Cycle | None]
 GAS_OPTION = N_("--gas adds it")
@@ -369,21 +367,6 @@ def bobweights(engine: Engine, *, factor: float) -> Answer:
             ("bobweight", None): max(bobweight(pin, factor) for pin in loads(each))
         },
         unit=lambda _quantity, _engine: unit,
-    )
-
-
-def explained(found: Diagnosis) -> Answer:
-    """What a diagnosis explains: the velocity at the first place of its readings, by their orders.
-
-    At the highest of their speeds.
-    """
-    return felt(
-        found.engine,
-        (),
-        point=found.point,
-        speed=found.states[-1].speed,
-        orders=sorted({each.order for each in found.readings}),
-        at=found.readings[0].place,
     )
 
 

@@ -1,18 +1,22 @@
-"""Which fault explains a measurement."""
+"""Which fault explains a measurement, as tables and sentences."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from math import pi
 from typing import Any
 
 import numpy as np
 
-from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
+from crankstar.analyses.diagnose.diagnosis import EXPLAINS, FEW, Diagnosis, Suspect
+from crankstar.analyses.diagnose.question import Question
+from crankstar.analyses.diagnose.readings import AXES
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, for_each, remarks
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
-from crankstar.studies.diagnosis import EXPLAINS, FEW, Diagnosis, Suspect
-from crankstar.studies.readings import AXES
 from crankstar.studies.single_faults import Fault, fault_facts, fault_text, limits
 from crankstar.tables.gas_words import state_facts, state_words
 
@@ -25,13 +29,31 @@ SHARES = ("weight", "combustion")
 NAMES = {"up": N_("up"), "right": N_("right"), "z": N_("along")}
 
 
-def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Document:
+def document(engine: Engine, found: Diagnosis, question: Question) -> Document:
     """The suspects, what the likeliest leaves unexplained reading by reading."""
-    verdict = _verdict(found)
-    states = [state_words(found.engine, state) for state in found.states]
-    parts: list[Table | Remarks] = [*remarks(*verdict, *states)]
-    if (suspects_of(found) or (every and found.suspects)) and not found.healthy:
-        parts += [_suspects(found, every=every), _readings(found)]
+    states = [state_words(engine, state) for state in found.states]
+    parts: list[Table | Remarks] = [*remarks(*_verdict(found), *states)]
+    if found.suspects and not found.healthy:
+        shown = suspects_of(found)[:ROWS]
+        parts += for_each(_suspects(found, shown), _suspects(found, found.suspects))
+        parts.append(replace(_readings(found), audience="all" if shown else "machines"))
+    parts += remarks(*_notes(found, before=question.before is not None), kind="note")
+    facts = {
+        "format": 1,
+        "speeds_rpm": [float(f"{(each.speed or 0.0) * RPM:.12g}") for each in found.states],
+        "operating_points": [each.point or None for each in found.states],
+        "points": [state_facts(each)["points"] for each in found.states],
+        "difference_share": found.share,
+        "explained": found.found and not found.healthy,
+        "healthy": found.healthy,
+        "pair": None if found.pair is None else _plain_suspect(found.pair),
+        "cannot_be_told_apart": [_plain_suspect(each) for each in found.alike],
+    }
+    return Document(engine.name, tuple(parts), facts)
+
+
+def _notes(found: Diagnosis, *, before: bool) -> list[str]:
+    """What the numbers mean; `before`: a measurement before the fault is compared with."""
     notes = [
         _(
             "Explained: share of the mean square of the difference, as velocity over its error, "
@@ -53,8 +75,8 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
         if found.engine.mounts
         else _("The block is taken as free: the file has no mounts."),
     ]
-    told = found.suspects if every else suspects_of(found)[:ROWS]
-    spent = [each.faults[0] for each in told if _takes_all(each.faults[0], found)]
+    shown = suspects_of(found)[:ROWS]
+    spent = [each.faults[0] for each in shown if _takes_all(each.faults[0], found)]
     if spent and not found.healthy:
         notes.append(
             _(
@@ -62,18 +84,7 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
                 faults="; ".join(fault_text(fault, found.engine) for fault in spent),
             )
         )
-    facts = {
-        "format": 1,
-        "speeds_rpm": [float(f"{(each.speed or 0.0) * RPM:.12g}") for each in found.states],
-        "operating_points": [each.point or None for each in found.states],
-        "points": [state_facts(each)["points"] for each in found.states],
-        "difference_share": found.share,
-        "explained": found.found and not found.healthy,
-        "healthy": found.healthy,
-        "pair": None if found.pair is None else _plain_suspect(found.pair),
-        "cannot_be_told_apart": [_plain_suspect(each) for each in found.alike],
-    }
-    return Document(found.engine.name, (*parts, *remarks(*notes, kind="note")), facts)
+    return notes
 
 
 def _takes_all(fault: Fault, found: Diagnosis) -> bool:
@@ -178,7 +189,7 @@ def _verdict(found: Diagnosis) -> list[str]:
     return lines
 
 
-def _suspects(found: Diagnosis, *, every: bool) -> Table:
+def _suspects(found: Diagnosis, suspects: Sequence[Suspect]) -> Table:
     columns = (
         Column(_("fault"), kind="text", label=True),
         Column("", kind="text", key="kind", machine=True),
@@ -192,7 +203,7 @@ def _suspects(found: Diagnosis, *, every: bool) -> Table:
         Column(_("left, rms"), "mm/s", key="left_rms", digits=4),
     )
     rows: list[tuple[Value, ...]] = []
-    for suspect in found.suspects if every else suspects_of(found)[:ROWS]:
+    for suspect in suspects:
         (fault,) = suspect.faults
         left = found.difference - suspect.rows
         rms = 1e3 * float(np.sqrt((np.abs(left) ** 2).mean() / 2))
