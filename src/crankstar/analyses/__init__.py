@@ -5,6 +5,7 @@
 | `diagnose/` | which fault explains measured vibration |
 | `fault/` | what a fault changes in what shakes the block |
 | `genset/` | how evenly a generating set runs, and several on one foundation |
+| `isolate/` | the best mounts within limits |
 | `mounts/` | an engine on its mounts: natural modes, vibration, what the mounts pass on |
 | `torque/` | torque of gas and inertia, and how evenly the engine runs |
 | `torsion/` | how a crankshaft or a drive line twists |

@@ -10,7 +10,6 @@
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
 | `speed_ranges` | what `analyze --speeds` prints |
 | `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
-| `isolating` | isolate |
 | `analyses` | the verbs of all analyses that are records |
 | `marine` | marine |
 | `estimating` | estimate |

@@ -60,7 +60,7 @@ def __getattr__(name: str) -> Callable[..., None]:
 
 def verb(record: Analysis) -> Callable[..., None]:
     """The function of a command line that asks an analysis, with the options of its question."""
-    fields = asked(record.question.value)
+    fields, writes = asked(record.question.value), record.writes
     names = ["engine", *(one.name for one in fields if one.reader.follows)]
 
     def run(*words: str, **options: Any) -> None:
@@ -73,7 +73,7 @@ def verb(record: Analysis) -> Callable[..., None]:
             annotation=Annotated[str, Parameter(help=record.takes)],
         ),
         *map(_argument, fields),
-        *([] if record.writes is None else [_of_file(record.writes)]),
+        *([] if writes is None or _only_printed(record) else [_of_file(writes)]),
         *(
             Argument(
                 name,
@@ -110,8 +110,13 @@ def _of_file(writes: Writes) -> Argument:
         writes.name,
         Argument.KEYWORD_ONLY,
         default=None,
-        annotation=Annotated[str | None, option(writes.option, writes.more)],
+        annotation=_path(writes.option, writes.more),
     )
+
+
+def _path(name: str, more: str) -> Any:
+    """The type of an option that names a file."""
+    return Annotated[str | None, option(name, more)]
 
 
 def _shared(record: Analysis) -> dict[str, Any]:
@@ -120,9 +125,10 @@ def _shared(record: Analysis) -> dict[str, Any]:
     if not record.estimates:
         del shared["estimate"]
     if record.picture is not None:
-        shared["output"] = Annotated[str | None, option("--output", record.picture.more)]
-    if _only_printed(record):
-        del shared["csv"], shared["output"]
+        shared["output"] = _path("--output", record.picture.more)
+    if record.writes is not None and _only_printed(record):
+        del shared["csv"]
+        shared["output"] = _path("--output", record.writes.more)
     return shared
 
 

@@ -72,7 +72,6 @@ VERBS = {
     "export": "exporting:export",
     "grade": "workshop:grade",
     "guide": "guide:guide",
-    "isolate": "isolating:isolate",
     "list": "inspect:list_engines",
     "marine": "marine:marine",
     "match": "matching:match",

@@ -20,7 +20,6 @@
 | `end_weights` | weights at the ends that share the first-order moment between its planes |
 | `compensators` | contra-rotating masses that cancel a vertical moment, also about a node |
 | `sizing` | a remedy sized for other masses, its weights and shafts where they are |
-| `isolation` | the best mounts within limits |
 | `fitting` | an engine fitted with all of these; the cure that its verdict recommends |
 """
 

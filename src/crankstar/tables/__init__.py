@@ -58,7 +58,6 @@
 | `large_engines` | what views tell of large engines: guide-force moments, all that a ship needs |
 | `engine_family` | a family of engines with their firing orders, as a project guide |
 | `matching` | parts matched to cylinders, and what is left |
-| `isolation` | the best mounts, beside those of the file |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
 | `placings` | the places of balance shafts, and what they leave of the roll |
 | `remedies` | the balancing sheet |
