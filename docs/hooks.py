@@ -309,17 +309,20 @@ def functions(_: str) -> str:
     """The Python function of every analysis, its arguments as its question has them."""
     from crankstar.analysis.reader import asked
     from crankstar.analysis.registry import NAMES, analysis
-    from crankstar.options.vocabulary import meaning
+    from crankstar.python.functions import meaning_of
 
     parts: list[str] = []
     for name in NAMES:
         record = analysis(name)
         fields = asked(record.question.value)
-        call = ", ".join(["engine", *(f"{one.name}={one.default!r}" for one in fields)])
+        words = [
+            one.name if one.reader.follows else f"{one.name}={one.default!r}" for one in fields
+        ]
+        call = ", ".join(["engine", *words])
         lines = [f"### crankstar.{name}", "", f"`{name}({call})`", "", record.about, ""]
         lines += ["| argument | meaning |", "|---|---|"]
         for one in fields:
-            text = meaning(one.reader.option, one.reader.more).replace("|", "\\|")
+            text = meaning_of(one).replace("|", "\\|")
             lines.append(f"| `{one.name}` | {text} |")
         figures = ", ".join(f"`{chart.name}`" for chart in record.charts)
         lines += ["", f"Figures: {figures}."] if figures else []

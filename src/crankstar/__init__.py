@@ -50,7 +50,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from crankstar.analyses.marine.marine_analysis import MarineAnalysis, marine
     from crankstar.derive import derivation, family, signs
     from crankstar.dynamics.bearings import BearingLoads, Bending
     from crankstar.dynamics.uneven import Running, driven, flywheel_for
@@ -76,7 +75,13 @@ if TYPE_CHECKING:
     from crankstar.tables.comparison import compare
     from crankstar.tables.verdict import verdict
 
+    bearings: Callable[..., Result]
+    diagnose: Callable[..., Result]
+    fault: Callable[..., Result]
     genset: Callable[..., Result]
+    guide: Callable[..., Result]
+    isolate: Callable[..., Result]
+    marine: Callable[..., Result]
     mounts: Callable[..., Result]
     torque: Callable[..., Result]
     torsion: Callable[..., Result]
@@ -84,7 +89,6 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOMES = {
-    "analyses.marine.marine_analysis": ("MarineAnalysis", "marine"),
     "dynamics.whirl": ("whirl",),
     "dynamics.uneven": ("Running", "driven", "flywheel_for"),
     "dynamics.bearings": ("BearingLoads", "Bending"),
@@ -123,7 +127,6 @@ __all__ = [
     "EngineError",
     "EngineFileError",
     "GasTorque",
-    "MarineAnalysis",
     "Mechanism",
     "Reference",
     "Result",
@@ -137,16 +140,21 @@ __all__ = [
     "Weight",
     "balance",
     "bearing_loads",
+    "bearings",
     "bending_moment",
     "compare",
     "cycle",
     "derivation",
+    "diagnose",
     "driven",
     "family",
+    "fault",
     "flywheel_for",
     "gas_torque",
     "genset",
     "grouped",
+    "guide",
+    "isolate",
     "load",
     "marine",
     "mounts",

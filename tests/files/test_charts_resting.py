@@ -15,6 +15,9 @@ from tests.twisting_engines import TORSION
 
 import crankstar
 from crankstar import charts
+from crankstar.analyses.diagnose.charts import suspect_chart
+from crankstar.analyses.diagnose.diagnosis import diagnosed
+from crankstar.analyses.diagnose.readings import Reading
 from crankstar.charts import resting
 from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import SMALL, text_width
@@ -24,8 +27,6 @@ from crankstar.files import engine_of
 from crankstar.language.messages import spoken
 from crankstar.page.figures import chart as page_chart
 from crankstar.studies import answers
-from crankstar.studies.diagnosis import diagnosed
-from crankstar.studies.readings import Reading
 from crankstar.studies.single_faults import Fault, shaken
 
 AUDI = "audi-25-tfsi"
@@ -181,7 +182,7 @@ def test_the_chart_of_a_diagnosis_rests_on_the_block_it_shakes() -> None:
         for at, order in enumerate(shake.orders)
         for axis in (0, 1)
     ]
-    chart = charts.suspect_chart(diagnosed(engine, readings))
+    chart = suspect_chart(diagnosed(engine, readings))
     found = rests(chart)
     assert {"block.inertia", "block.up"} <= {*found}
     assert {row["moves"]["quantity"] for row in found.values() if row["moves"]} & {"velocity"}

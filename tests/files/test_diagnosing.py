@@ -23,10 +23,10 @@ from tests.methods.test_diagnosis import (
     without_weight,
 )
 
+from crankstar.analyses.diagnose.diagnosis import expected
+from crankstar.analyses.diagnose.readings import AXES
 from crankstar.files import engine_of, tree_text
 from crankstar.spectra import Complex
-from crankstar.studies.diagnosis import expected
-from crankstar.studies.readings import AXES
 from crankstar.studies.single_faults import Fault
 
 Refused = Callable[..., str]

@@ -13,10 +13,10 @@ from tests.commands import Run
 from tests.files.test_mounts import GROUND
 
 import crankstar
+from crankstar.analyses.isolate.isolation import Isolation, MountLimits, isolated
 from crankstar.dynamics.mount_response import rms
 from crankstar.files import engine_of, toml
 from crankstar.remedy.counterweights import RemedyError
-from crankstar.remedy.isolation import Isolation, MountLimits, isolated
 
 G = 9.80665
 FOUR: dict[str, Any] = {

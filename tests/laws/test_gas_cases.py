@@ -14,12 +14,12 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
 import crankstar
+from crankstar.analyses.diagnose.diagnosis import Reading, diagnosed, expected
 from crankstar.analyses.genset.generating_set import generating_set
 from crankstar.dynamics.uneven import driven, flywheel_for
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle, cycle, events
 from crankstar.mechanics.gas_torque import over_cycle
-from crankstar.studies.diagnosis import Reading, diagnosed, expected
 from crankstar.studies.single_faults import Fault
 
 Array = NDArray[Any]

@@ -10,6 +10,8 @@ import pytest
 from tests.files.test_mounts import BLOCK, THREE
 
 from crankstar import spectra
+from crankstar.analyses.diagnose.diagnosis import diagnosed, expected
+from crankstar.analyses.diagnose.readings import Reading, readings_of
 from crankstar.dynamics.mount_analysis import mounts
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of, tree_of
@@ -18,8 +20,6 @@ from crankstar.files.lists import list_of
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import crankshaft_torque
 from crankstar.spectra import Complex
-from crankstar.studies.diagnosis import diagnosed, expected
-from crankstar.studies.readings import Reading, readings_of
 from crankstar.studies.single_faults import (
     DiagnosisError,
     Fault,

@@ -40,8 +40,10 @@ MORE: dict[str, dict[str, Any]] = {
 }
 """What the functions need besides an engine."""
 GAS = ("cycle", "driven", "flywheel_for", "side_thrust")
-ANALYSES = ("genset", "mounts", "torque", "torsion")
-OWN = {"load", "names", "scatter", "widget", *ANALYSES}
+ANALYSES = ("bearings", "genset", "marine", "mounts", "torque", "torsion")
+ASKING = ("diagnose", "fault", "guide", "isolate")
+"""Analyses that are asked for more than an engine, or search long."""
+OWN = {"load", "names", "scatter", "widget", *ANALYSES, *ASKING}
 """They load engines themselves, or ask for more of one than others have."""
 
 
@@ -515,14 +517,16 @@ def test_marine_reads_its_arguments_as_people_give_them() -> None:
     found = asked(BURNING, rated_power="250 kW", compensate={2: (0.4, -0.4)}, node=None)
     assert found.power == 250e3
     assert len(found.compensators) == 2
+    texts = asked(BURNING, rated_power=250e3, compensate={2: ["0.4 m", "-0.4 m"]})
+    assert texts.to_dict() == found.to_dict()
     for wrong, words in (
         ({"compensate": [2, 0.4]}, "compensate takes orders with places along the shaft"),
         ({"compensate": {2: 0.4}}, "compensate takes orders with places along the shaft"),
         ({"compensate": {2: ["x"]}}, "compensate"),
         ({"node": "far"}, "node"),
         ({"rated_power": PINS}, "rated_power"),
-        ({"horizontal_share": "equal"}, "horizontal_share"),
-        ({"phase_error": NOTHING}, "phase_error"),
+        ({"first_order": "much"}, "first_order"),
+        ({"phase_error": []}, "phase_error"),
     ):
         with pytest.raises((TypeError, ValueError), match=words):
             asked(BURNING, **wrong)

@@ -19,11 +19,12 @@ from tests.methods.test_diagnosis import four, heavy, lines, seen
 
 import crankstar
 from crankstar import charts
+from crankstar.analyses.diagnose.charts import suspect_chart
+from crankstar.analyses.diagnose.diagnosis import diagnosed
 from crankstar.charts.themes import THEMES
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import spoken
 from crankstar.remedy import with_counterweights
-from crankstar.studies.diagnosis import diagnosed
 
 __all__ = ["refused", "run"]
 
@@ -288,7 +289,7 @@ def test_names_of_faults_and_of_tolerances_are_not_cut(page: Page) -> None:
     found = crankstar.scatter("i6", changes=masses | {"speed": "6000 rpm"}, count=1000)
     suspects = diagnosed(four(), lines(seen(heavy(3, "reciprocating_mass", "708.4 g"))))
     drawings = {
-        "suspects": charts.svg(charts.suspect_chart(suspects), ""),
+        "suspects": charts.svg(suspect_chart(suspects), ""),
         "scatter": charts.svg(charts.scatter_chart(found, quantities=("force",)), ""),
     }
     for name, picture in zip(drawings, measured(page, [*drawings.values()]), strict=True):

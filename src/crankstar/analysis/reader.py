@@ -15,7 +15,9 @@ class Reader:
     value depends on it (`of_source`), as places do, and by name the values of other fields on which
     it depends (`beside`). `more` is how one analysis uses the option, as a sentence of the catalog
     of messages. `number` checks what a Python function is given that is no text, in SI units, and
-    takes what `read` takes; without it such a value is written as text.
+    takes what `read` takes; without it such a value is written as text. Without hyphens the option
+    is the name of a word that follows the engine (`follows`), has no default, and `more` is what it
+    means.
 
     >>> percent = Reader("--factor", lambda text: float(text.rstrip("%")) / 100)
     >>> percent.read("52%"), percent.saying("Default: that of the file.").more
@@ -28,6 +30,15 @@ class Reader:
     of_source: bool = False
     beside: tuple[str, ...] = ()
     number: Callable[..., Any] | None = None
+
+    @property
+    def follows(self) -> bool:
+        """Whether it reads a word that follows the engine, of no option.
+
+        >>> Reader("measured", str).follows, Reader("--speed", float).follows
+        (True, False)
+        """
+        return not self.option.startswith("-")
 
     def saying(self, more: str) -> Reader:
         """The same, with how an analysis uses it."""
@@ -45,6 +56,8 @@ class Asked(NamedTuple):
 def asked(question: type[Any]) -> tuple[Asked, ...]:
     """The fields of a question in their order; each is annotated with its Reader.
 
+    Those that follow the engine are the first.
+
     >>> from crankstar.analysis.registry import analysis
     >>> [each.reader.option for each in asked(analysis("mounts").question.value)]
     ['--point', '--speed', '--speeds', '--at', '--orders']
@@ -53,7 +66,7 @@ def asked(question: type[Any]) -> tuple[Asked, ...]:
     out: list[Asked] = []
     for field in fields(question):
         reader = next(each for each in hints[field.name].__metadata__ if isinstance(each, Reader))
-        if field.default is MISSING:
+        if field.default is MISSING and not reader.follows:
             raise TypeError(f"{question.__name__}.{field.name} has no default")
         out.append(Asked(field.name, reader, field.default))
     return tuple(out)

@@ -136,13 +136,19 @@ class Grid:
 class Writes:
     """The engine that an analysis makes of one: the option of its file, and what makes it.
 
-    engine     (engine, question) -> Engine
+    engine     (engine, question) -> Engine; (result) -> Engine if it is `of_result`
     refuse     (question): refuses to write an engine to which nothing is done
+    more       how the analysis uses the option
+
+    Where the engine is of the result, the assumptions of the document are those of that engine.
+    Where the option is --output, the document itself is printed only, as text or JSON.
     """
 
     option: str
-    engine: Later[Callable[[Engine, Any], Engine]]
+    engine: Later[Callable[..., Engine]]
     refuse: Later[Callable[[Any], None]] | None = None
+    more: str = ""
+    of_result: bool = False
 
     @property
     def name(self) -> str:
@@ -155,14 +161,31 @@ class Writes:
 
 
 @dataclass(frozen=True)
+class Picture:
+    """The chart of a result, which -o writes where its name ends as that of a picture.
+
+    draw       (result, question) -> Chart
+    title      of {engine}, a sentence of the catalog of messages
+    more       what -o says of it
+    """
+
+    draw: Later[Callable[[Any, Any], Any]]
+    title: str
+    more: str
+
+
+@dataclass(frozen=True)
 class Analysis:
     """A capability, by what every host needs of it.
 
     `name` is that of its command; `about` says in a line what it computes, `takes` of what; `doing`
     is shown while it does, `title` heads its section. All are sentences of the catalog of messages.
-    `example` is an engine of the catalog that has what it needs, or a file that would have it.
+    `example` is what follows the command in an example: an engine of the catalog that has what it
+    needs, or a file that would have it, and options.
 
-    question   a frozen dataclass; its fields, each annotated with a Reader, are the options
+    question   a frozen dataclass; its fields, each annotated with a Reader, are the options, and
+               words that follow the engine
+    needs      (engine): refuses one that lacks what is computed with, with a MessageError
     refuse     (source, question): refuses what does not go together, with a RequestError
     compute    (source, question) -> result
     document   (source, result, question) -> Document, for readers and machines
@@ -182,10 +205,13 @@ class Analysis:
     natural    () -> Answer: the figures of free vibration alone
     writes     the engine that it makes, which an option writes as a file
     grids      (result) -> Grids by the name of its attribute, for what has dimensions
+    picture    what is drawn of its result, where -o names a picture
 
     `chains` are the fields of the question that a drive line without an engine may be asked too;
     `estimates`: values that a file leaves out may be estimated, and results have ranges;
-    `marks_speed`: a speed that changes nothing, since the file has no masses or sizes, is marked.
+    `marks_speed`: a speed that changes nothing, since the file has no masses or sizes, is marked;
+    `steps`: compute takes long, and `tell=`, to be called with the steps done and their number;
+    `by_audience`: answer also takes `audience=`, as readers are shown less than machines.
     """
 
     name: str
@@ -197,8 +223,9 @@ class Analysis:
     question: Later[type[Any]]
     compute: Later[Callable[[Any, Any], Any]]
     document: Later[Callable[[Any, Any, Any], Document]]
-    answer: Later[Callable[[Engine, Any], Answer]]
+    answer: Later[Callable[..., Answer]]
     lacks: Callable[[Engine, float | None], bool] | None = None
+    needs: Later[Callable[[Engine], object]] | None = None
     refuse: Later[Callable[[Engine | Chain, Any], None]] | None = None
     charts: tuple[Chart, ...] = ()
     figures: tuple[Figure, ...] = ()
@@ -211,9 +238,12 @@ class Analysis:
     natural: Later[Callable[[], Answer]] | None = None
     writes: Writes | None = None
     grids: Later[Callable[[Any], Mapping[str, Grid]]] | None = None
+    picture: Picture | None = None
     chains: tuple[str, ...] = ()
     estimates: bool = False
     marks_speed: bool = False
+    steps: bool = False
+    by_audience: bool = False
 
     def tells(self, engine: Engine, speed: float | None = None) -> bool:
         """Whether reports and verdicts have it of an engine, at a speed (rad/s) or its own."""

@@ -16,7 +16,10 @@ if TYPE_CHECKING:
 
     from crankstar.analysis.record import Analysis, Measure
 
-NAMES = ("torsion", "mounts", "torque", "genset", "marine", "guide", "bearings")
+NAMES = (
+    *("torsion", "mounts", "torque", "genset", "marine", "guide", "bearings"),
+    *("fault", "diagnose", "isolate"),
+)
 """The folders of `crankstar.analyses`, in the order in which hosts go over them."""
 GROUP = "crankstar.analyses"
 

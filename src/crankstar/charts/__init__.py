@@ -41,7 +41,6 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
 | `polar_grid` | the circles of a polar diagram, with their values |
 | `vector_diagrams` | vectors of several kinds in polar diagrams to one scale |
-| `suspects` | the suspects of a diagnosis, measured and explained vectors |
 | `balance_shafts` | the balance shafts from the front and from the side |
 | `curve_names` | the results of a sweep in the words of the field |
 | `sweeps` | a result over a number of the engine |
@@ -95,7 +94,6 @@ if TYPE_CHECKING:
     from crankstar.charts.side_thrusts import side_thrust_chart
     from crankstar.charts.spectra import spectrum
     from crankstar.charts.strokes import stroke_chart
-    from crankstar.charts.suspects import suspect_chart
     from crankstar.charts.sweeps import swept
     from crankstar.charts.torque import torque_chart
     from crankstar.charts.torsion_fronts import sequence_stars
@@ -142,7 +140,6 @@ __all__ = [
     "side_thrust_chart",
     "spectrum",
     "stroke_chart",
-    "suspect_chart",
     "svg",
     "swept",
     "torque_chart",
@@ -176,7 +173,6 @@ _HOMES = {
     "side_thrusts": ("side_thrust_chart",),
     "spectra": ("spectrum",),
     "strokes": ("stroke_chart",),
-    "suspects": ("suspect_chart",),
     "sweeps": ("swept",),
     "torque": ("torque_chart",),
     "vector_diagrams": ("Diagram", "Named", "polar_vectors"),

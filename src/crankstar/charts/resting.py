@@ -30,7 +30,6 @@ from crankstar.tables.assumptions import assumption_facts, assumption_remarks, l
 from crankstar.tables.field_names import field_name
 
 if TYPE_CHECKING:
-    from crankstar.studies.diagnosis import Diagnosis
     from crankstar.studies.sweep import Curve, Sweep
 
 FOOT = "rests"
@@ -314,8 +313,3 @@ def of_sweep(sweep: Sweep, curves: Sequence[Curve]) -> Rests:
     found = judged(sweep, curves)
     at = ", ".join(f"{field_name(path)} = {value}" for path, value in found.values.items())
     return Rests([found.engine], lambda _engine: found.answer, "sweep", at)
-
-
-def of_diagnosis(found: Diagnosis) -> Rests:
-    """Of a figure of what a fault explains of readings."""
-    return Rests([found.engine], lambda _engine: answers.explained(found), "diagnose")

@@ -10,7 +10,6 @@
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
 | `speed_ranges` | what `analyze --speeds` prints |
 | `inspect` | list, show, analyze, compare, verdict, strokes |
-| `isolating` | isolate |
 | `analyses` | the verbs of all analyses that are records |
 | `estimating` | estimate |
 | `deriving` | derive, errata |
@@ -24,7 +23,6 @@
 | `workshop` | bobweight, drill, grade |
 | `matching` | match |
 | `correcting` | correct |
-| `diagnosing` | fault, diagnose |
 | `picturing` | plot |
 | `drawing` | draw, animate |
 | `sounding` | sound |

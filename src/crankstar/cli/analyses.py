@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from functools import partial
 from inspect import Parameter as Argument
 from inspect import Signature
@@ -31,17 +31,18 @@ from crankstar.cli.options import (
     together,
     write_engine,
 )
-from crankstar.cli.output import progress, working
+from crankstar.cli.output import complain, progress, working, write_bytes
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.files.box import Spread
 from crankstar.language.messages import _
-from crankstar.options.forms import TABLES, form_of
+from crankstar.options.forms import PICTURES, TABLES, form_of
 from crankstar.options.values import refuse_unused
 from crankstar.options.vocabulary import OPTIONS
 
 if TYPE_CHECKING:
+    from crankstar.analysis.assumptions import Answer, Assumption
     from crankstar.analysis.document import Document
 
 TYPES = {"nothing": bool, "text": str, "several texts": list[str], "whole number": int}
@@ -60,19 +61,20 @@ def __getattr__(name: str) -> Callable[..., None]:
 
 def verb(record: Analysis) -> Callable[..., None]:
     """The function of a command line that asks an analysis, with the options of its question."""
+    fields, writes = asked(record.question.value), record.writes
+    names = ["engine", *(one.name for one in fields if one.reader.follows)]
 
-    def run(engine: str, /, **options: Any) -> None:
-        answer(record, engine, options)
+    def run(*words: str, **options: Any) -> None:
+        answer(record, {**dict(zip(names, words, strict=True)), **options})
 
-    shared = {name: kind for name, kind in SHARED.items() if name != "estimate" or record.estimates}
     arguments = [
         Argument(
             "engine",
             Argument.POSITIONAL_ONLY,
             annotation=Annotated[str, Parameter(help=record.takes)],
         ),
-        *map(_argument, asked(record.question.value)),
-        *([] if record.writes is None else [_of_file(record.writes)]),
+        *map(_argument, fields),
+        *([] if writes is None or _only_printed(record) else [_of_file(writes)]),
         *(
             Argument(
                 name,
@@ -80,7 +82,7 @@ def verb(record: Analysis) -> Callable[..., None]:
                 default=None if name in ("settings", "output") else False,
                 annotation=kind,
             )
-            for name, kind in shared.items()
+            for name, kind in _shared(record).items()
         ),
     ]
     run.__doc__ = record.about
@@ -90,6 +92,9 @@ def verb(record: Analysis) -> Callable[..., None]:
 
 
 def _argument(one: Asked) -> Argument:
+    if one.reader.follows:
+        word = Annotated[str, Parameter(help=one.reader.more)]
+        return Argument(one.name, Argument.POSITIONAL_ONLY, annotation=word)
     kind = TYPES[OPTIONS[one.reader.option].takes]
     how = option(one.reader.option, one.reader.more)
     return Argument(
@@ -110,55 +115,147 @@ def _of_file(writes: Writes) -> Argument:
         writes.name,
         Argument.KEYWORD_ONLY,
         default=None,
-        annotation=Annotated[str | None, option(writes.option)],
+        annotation=_path(writes.option, writes.more),
     )
 
 
-def answer(record: Analysis, engine: str, options: dict[str, Any]) -> None:
+def _path(name: str, more: str) -> Any:
+    """The type of an option that names a file."""
+    return Annotated[str | None, option(name, more)]
+
+
+def _shared(record: Analysis) -> dict[str, Any]:
+    """The options of SHARED that an analysis has."""
+    shared = dict(SHARED)
+    if not record.estimates:
+        del shared["estimate"]
+    if record.picture is not None:
+        shared["output"] = _path("--output", record.picture.more)
+    if record.writes is not None and _only_printed(record):
+        del shared["csv"]
+        shared["output"] = _path("--output", record.writes.more)
+    return shared
+
+
+def _only_printed(record: Analysis) -> bool:
+    """Whether -o names the engine that it makes, and not its document."""
+    return record.writes is not None and record.writes.name == "output"
+
+
+def answer(record: Analysis, options: dict[str, Any]) -> None:
     """Answer a command line: read all of it, compute, and write what it asks for."""
-    output = options.get("output")
-    read = _read(record, engine, options)
+    read = _read(record, options)
+    if read.form in PICTURES:
+        _draw(record, read, options.get("output"))
+        return
     with words_for(read.form):
-        document = _document(record, read)
-    saved = None if record.writes is None else options.get(record.writes.name)
-    if record.writes is not None and saved is not None and isinstance(read.source, Engine):
-        made = record.writes.engine.value(read.source, read.question)
-        write_engine(made, read.tree, saved, option=record.writes.option)
-    give(document, output, form=read.form)
+        document, result = _document(record, read)
+    writes = record.writes
+    if writes is not None and (path := options.get(writes.name)) is not None:
+        _write(writes, read, result, path)
+    give(document, None if _only_printed(record) else options.get("output"), form=read.form)
 
 
-def _document(record: Analysis, read: Read) -> Document:
-    """What is told of the source, over its ranges, with what it rests on; while the work shows."""
+def _write(writes: Writes, read: Read, result: Any, path: str) -> None:
+    """Write the engine that an analysis makes."""
+    if isinstance(read.source, Engine):
+        made = _made(writes, result) or writes.engine.value(read.source, read.question)
+        write_engine(made, read.tree, path, option=_spelt(writes))
+
+
+def _made(writes: Writes | None, result: Any) -> Engine | None:
+    """The engine that a result has made."""
+    return writes.engine.value(result) if writes is not None and writes.of_result else None
+
+
+def _spelt(writes: Writes) -> str:
+    """The option of a file as it is named in a refusal."""
+    return "-o" if writes.option == "--output" else writes.option
+
+
+def _draw(record: Analysis, read: Read, output: str | None) -> None:
+    """Write the picture of a result."""
+    from crankstar.options import charts as chart_request
+
+    assert record.picture is not None  # noqa: S101  # only then it has forms of pictures
+    drawing = chart_request.charts()
+    title = _(record.picture.title, engine=read.source.name)
+    plain = dict.fromkeys(("theme", "width", "height", "dpi", "font_size"))
+    look = chart_request.paper(read.form, **plain)
+    with _shown(record, 1) as tell:
+        result = _computed(record, read.source, read.question, tell)
+        draw = partial(record.picture.draw.value, result, read.question)
+        printed = drawing.printed(draw, look, title=title)
+        write_bytes(drawing.saved_print(printed, read.form, title=title), output)
+    for line in printed.chart.notes:
+        complain(line)
+
+
+def _document(record: Analysis, read: Read) -> tuple[Document, Any]:
+    """What is told of the source, over its ranges, with what it rests on; and its result.
+
+    The work is shown meanwhile.
+    """
     source, question = read.source, read.question
     if isinstance(source, Chain):
         with working(_(record.doing)):
-            return record.told(source, question)
+            return record.told(source, question), None
     from crankstar.tables.ranges import ranged, resting
 
-    rests = resting_on(read.form, source, partial(record.answer.value, source, question))
-    if not record.estimates:
-        with working(_(record.doing)):
-            return resting(record.told(source, question), rests)
     several = 1 if read.spread is None else len(read.spread.engines)
     number = count(1)
-    with _shown(_(record.doing), several) as tell:
+    results: list[Any] = []
+    with _shown(record, several) as tell:
 
         def told(each: Engine) -> Document:
-            tell(next(number))
-            return record.told(each, question)
+            if several > 1:
+                tell(next(number), several)
+            results.append(_computed(record, each, question, None if several > 1 else tell))
+            return record.document.value(each, results[-1], question)
 
-        return ranged(told, read.spread, source, rests=rests)
+        def rests() -> Sequence[Assumption]:
+            about = _made(record.writes, results[0]) or source
+            found = resting_on(read.form, about, partial(_answered, record, about, read))
+            return () if found is None else found()
+
+        if record.estimates:
+            document = ranged(told, read.spread, source, rests=rests)
+        else:
+            document = resting(told(source), rests)
+        return document, results[0]
+
+
+def _computed(
+    record: Analysis, source: Engine | Chain, question: Any, tell: Callable[[int, int], None] | None
+) -> Any:
+    """The result; `tell` is called after each step of a long one."""
+    steps = {"tell": tell} if record.steps else {}
+    return record.compute.value(source, question, **steps)
+
+
+def _answered(record: Analysis, engine: Engine, read: Read) -> Answer:
+    """The figures of the answer in the form that is asked for."""
+    audience = "readers" if read.form == "txt" else "machines"
+    return record.answer.value(
+        engine, read.question, **({"audience": audience} if record.by_audience else {})
+    )
 
 
 @contextmanager
-def _shown(doing: str, several: int) -> Iterator[Callable[[int], None]]:
-    """Show that work is under way; of several engines also with which one, which is called."""
-    if several == 1:
+def _shown(record: Analysis, several: int) -> Iterator[Callable[[int, int], None]]:
+    """Show that work is under way; of steps or several engines also how many are done.
+
+    Steps are ended in order by the first interrupt.
+    """
+    doing = _(record.doing)
+    if several == 1 and not record.steps:
         with working(doing):
-            yield lambda _number: None
+            yield lambda _done, _of: None
         return
-    with progress(doing) as tell:
-        yield lambda number: tell(number, several, "")
+    from crankstar.search.interrupts import ended_once
+
+    with ended_once() if record.steps else nullcontext(), progress(doing) as tell:
+        yield lambda done, of: tell(done, of, f"{done}/{of}")
 
 
 class Read(NamedTuple):
@@ -171,15 +268,17 @@ class Read(NamedTuple):
     form: str
 
 
-def _read(record: Analysis, engine: str, options: dict[str, Any]) -> Read:
+def _read(record: Analysis, options: dict[str, Any]) -> Read:
     """All of a command line. Raises MessageError with every error of it."""
     fields = asked(record.question.value)
     estimate = bool(options.get("estimate"))
-    load = once(partial(_loaded, record, engine, options.get("settings"), estimate=estimate))
+    settings = options.get("settings")
+    load = once(partial(_loaded, record, options["engine"], settings, estimate=estimate))
     reading = readings(record.question.value, _over_speeds(options, fields), lambda: load()[0])
     forms = {name: bool(options.get(name)) for name in ("json", "csv")}
+    output = None if _only_printed(record) else options.get("output")
     form, (source, spread, tree), *values = together(
-        partial(form_of, options.get("output"), TABLES, **forms),
+        partial(form_of, output, _forms(record), **forms),
         load,
         *reading.values(),
         *_refusals(record, options, reading, lambda: load()[0]),
@@ -200,7 +299,7 @@ def _refusals(
     question = being_read(record.question.value, reading)
     refuse, writes = record.refuse, record.writes
     if writes is not None and options.get(writes.name) is not None:
-        yield partial(engine_place, options[writes.name], option=writes.option)
+        yield partial(engine_place, options[writes.name], option=_spelt(writes))
         if writes.refuse is not None:
             yield partial(writes.refuse.value, question)
     if refuse is not None:
@@ -218,6 +317,11 @@ def _refuse_of_chain(record: Analysis, options: dict[str, Any], source: Engine |
         refuse_unused(unused, beside=_("a drive line without cylinders"))
 
 
+def _forms(record: Analysis) -> tuple[str, ...]:
+    """The forms in which an analysis is written."""
+    return TABLES if record.picture is None else (*TABLES, *PICTURES)
+
+
 def _loaded(
     record: Analysis, name: str, settings: list[str] | None, *, estimate: bool
 ) -> tuple[Engine | Chain, Spread | None, dict[str, Any] | None]:
@@ -225,11 +329,14 @@ def _loaded(
     if record.chains:
         source, spread = engine_or_chain(name, settings, estimate=estimate)
         return source, spread, None
+    spread = None
     if record.estimates:
         (engine, spread), tree = engine_over_ranges(name, settings, estimate=estimate)
-        return engine, spread, tree
-    engine, tree = engine_with_tree(name, settings)
-    return engine, None, tree
+    else:
+        engine, tree = engine_with_tree(name, settings)
+    if record.needs is not None:
+        record.needs.value(engine)
+    return engine, spread, tree
 
 
 def _over_speeds(options: dict[str, Any], fields: Sequence[Asked]) -> dict[str, Any]:

@@ -16,7 +16,6 @@
 | `gas` | a degree of irregularity, mean effective pressures |
 | `remedies` | weights, what they minimise, balance shafts |
 | `workshop` | a drill, a measured unbalance, a grade, as a balancing shop types them |
-| `isolating` | what is minimised of mounts, and the limits of stiffness, place, sag, frequency |
 | `trial_runs` | runs with trial weights, from a list |
 | `coefficients` | influence coefficients of a machine, to a list and back |
 | `numbers` | numbers of the public functions as people give them: speeds, orders, places |

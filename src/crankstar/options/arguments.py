@@ -29,7 +29,6 @@ from crankstar.options.numbers import (
     is_number,
     orders,
     point,
-    power,
     pressure,
     speed,
     speeds,
@@ -377,44 +376,9 @@ def _check_flag(argument: str, given: Any) -> None:
         )
 
 
-def _if_given(check: Callable[[str, Any], None]) -> Callable[[str, Any], None]:
-    """A check that lets None pass."""
-
-    def checked(argument: str, given: Any) -> None:
-        if given is not None:
-            check(argument, given)
-
-    return checked
-
-
-def _check_places(argument: str, given: Any) -> None:
-    """Raises TypeError for what has no places for each order, ValueError for far ones."""
-    orders_known = isinstance(given, Mapping) and all(
-        isinstance(order, int) and not isinstance(order, bool) for order in given
-    )
-    listed = orders_known and all(
-        isinstance(places, Iterable) and not isinstance(places, str | bytes | Mapping)
-        for places in given.values()
-    )
-    if not listed:
-        raise TypeError(
-            _(
-                "{argument} takes orders with places along the shaft, such as {example}, not "
-                "{given}",
-                argument=argument,
-                example="{2: [6.0, -6.0]}",
-                given=quoted(given),
-            )
-        )
-    for places in given.values():
-        for place in places:
-            check_place(argument, place)
-
-
 MEASURED: Mapping[str, Callable[[str, Any], Any]] = {
     **dict.fromkeys(("imep", "bmep", "peak_pressure"), pressure),
     "flywheel": inertia,
-    "rated_power": power,
 }
 """The arguments that are quantities, by name: their readers."""
 READERS: Mapping[str, Callable[[Any], Any]] = {
@@ -427,11 +391,8 @@ READERS: Mapping[str, Callable[[Any], Any]] = {
 }
 """What reads an argument of this name."""
 CHECKS: Mapping[str, Callable[[str, Any], None]] = {
-    **dict.fromkeys(("factor", "share", "phase_error"), check_number),
+    **dict.fromkeys(("factor", "share"), check_number),
     **dict.fromkeys(("up", "right"), check_place),
-    "horizontal_share": _if_given(check_number),
-    "node": _if_given(check_place),
-    "compensate": _check_places,
     **dict.fromkeys(("bare", "estimate", "relatives"), _check_flag),
 }
 """What refuses a wrong argument of this name."""

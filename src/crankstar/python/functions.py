@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache, partial
 from inspect import Parameter, Signature
 from numbers import Integral, Real
+from pathlib import Path
 from typing import Any, TypeVar, get_type_hints
 
 from crankstar.analysis.reader import Asked, asked
 from crankstar.analysis.record import Analysis
 from crankstar.analysis.registry import analysis
+from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import given as quoted
@@ -21,8 +24,6 @@ from crankstar.python.results import Result
 T = TypeVar("T")
 EXAMPLE = '{"cylinder.stroke": "90 mm"}'
 """Of values by key path."""
-NUMBERS = ("nothing", "whole number")
-"""What the parser of the command line reads as a number or a flag itself."""
 
 
 @cache
@@ -35,14 +36,21 @@ def function(name: str) -> Callable[..., Result]:
     record = analysis(name)
     fields = asked(record.question.value)
 
-    def ask(engine: EngineLike, /, **arguments: Any) -> Result:
-        return answered(record, engine, arguments)
+    follow = [one.name for one in fields if one.reader.follows]
+
+    def ask(engine: EngineLike, /, *words: Any, **arguments: Any) -> Result:
+        if len(words) > len(follow):
+            raise TypeError(_takes(record, _("{count} words", count=len(words) + 1)))
+        return answered(record, engine, {**dict(zip(follow, words, strict=False)), **arguments})
 
     hints = get_type_hints(record.question.value)
     keywords = [
         *(
             Parameter(
-                one.name, Parameter.KEYWORD_ONLY, default=one.default, annotation=hints[one.name]
+                one.name,
+                Parameter.POSITIONAL_OR_KEYWORD if one.reader.follows else Parameter.KEYWORD_ONLY,
+                default=Parameter.empty if one.reader.follows else one.default,
+                annotation=hints[one.name],
             )
             for one in fields
         ),
@@ -65,7 +73,7 @@ def function(name: str) -> Callable[..., Result]:
 
 def _docstring(record: Analysis, fields: Iterable[Asked]) -> str:
     """What the function computes, and what each argument is."""
-    lines = [f"    {one.name}: {meaning(one.reader.option, one.reader.more)}" for one in fields]
+    lines = [f"    {one.name}: {meaning_of(one)}" for one in fields]
     return "\n".join(
         [
             record.about,
@@ -76,39 +84,67 @@ def _docstring(record: Analysis, fields: Iterable[Asked]) -> str:
             f"    changes: values of the engine file by key path, such as {EXAMPLE}.",
             *(["    estimate: fill in what the file leaves out."] if record.estimates else []),
             "",
-            f'>>> table = crankstar.{record.name}("{record.example}").to_frame()',
+            f">>> table = crankstar.{record.name}({_example(record, fields)}).to_frame()",
         ]
     )
 
 
+def meaning_of(one: Asked) -> str:
+    """What an argument means, as the help of the command says it."""
+    return one.reader.more if one.reader.follows else meaning(one.reader.option, one.reader.more)
+
+
+def _example(record: Analysis, fields: Iterable[Asked]) -> str:
+    """The arguments of an example: those of its command line."""
+    names = {one.reader.option: one.name for one in fields}
+    words = shlex.split(record.example)
+    out: list[str] = []
+    while words:
+        word = words.pop(0)
+        if word not in names:
+            out.append(f'"{word}"')
+        elif OPTIONS[word].takes == "nothing":
+            out.append(f"{names[word]}=True")
+        else:
+            out.append(f'{names[word]}="{words.pop(0)}"')
+    return ", ".join(out)
+
+
 def answered(record: Analysis, engine: EngineLike, arguments: Mapping[str, Any]) -> Result:
     """The result of an analysis. Raises TypeError, ValueError, MessageError of the analysis."""
-    fields = {one.name: one for one in asked(record.question.value)}
+    fields = asked(record.question.value)
     own = {"changes", *(["estimate"] if record.estimates else [])}
     for name in arguments:
-        if name not in fields and name not in own:
-            raise TypeError(
-                _(
-                    "{function} takes no argument {name}; it takes {names}",
-                    function=record.name,
-                    name=name,
-                    names=", ".join(["engine", *fields, *sorted(own)]),
-                )
-            )
-    source = _source(record, engine, arguments)
+        if name not in own and name not in [one.name for one in fields]:
+            raise TypeError(_takes(record, name))
+    for one in fields:
+        if one.reader.follows and arguments.get(one.name) is None:
+            raise TypeError(_("{function} needs {name}", function=record.name, name=one.name))
+    loaded_engine = _source(record, engine, arguments)
+    source = loaded_engine.source
+    reading = {one.name: _reading(one, arguments, source) for one in fields}
     values: dict[str, Any] = {}
-    for name, one in fields.items():
-        if arguments.get(name) is not None:
-            values[name] = _value(one, arguments[name], source)
+    for one in fields:
+        beside = {name: values[name] for name in one.reader.beside}
+        values[one.name] = reading[one.name](beside)
     question = record.question.value(**values)
+    if record.needs is not None and isinstance(source, Engine):
+        record.needs.value(source)
     if record.refuse is not None:
-        _in_python(record, partial(record.refuse.value, source.source, question))
-    return Result(
-        record,
-        source.source,
-        question,
-        _in_python(record, partial(record.compute.value, source.source, question)),
-        source,
+        _in_python(record, partial(record.refuse.value, source, question))
+    result = _in_python(record, partial(record.compute.value, source, question))
+    return Result(record, source, question, result, loaded_engine)
+
+
+def _takes(record: Analysis, name: str) -> str:
+    """What is said of an argument that there is not."""
+    fields = [one.name for one in asked(record.question.value)]
+    own = ["changes", *(["estimate"] if record.estimates else [])]
+    return _(
+        "{function} takes no argument {name}; it takes {names}",
+        function=record.name,
+        name=name,
+        names=", ".join(["engine", *fields, *own]),
     )
 
 
@@ -141,28 +177,38 @@ def _source(record: Analysis, engine: EngineLike, arguments: Mapping[str, Any]) 
     return source
 
 
-def _value(one: Asked, value: Any, source: Loaded) -> Any:
-    """One argument, read as its reader reads it. Raises TypeError, ValueError."""
-    beside = (source.source,) if one.reader.of_source else ()
-    _check_kind(one, value)
-    if not isinstance(value, str) and one.reader.number is not None:
-        return one.reader.number(value, *beside)
-    several = OPTIONS[one.reader.option].takes == "several texts"
-    text = _text(one, value) if not isinstance(value, str) else [value] if several else value
-    try:
-        return one.reader.read(text, *beside)
-    except MessageError as error:
-        raise ValueError(str(error).replace(one.reader.option, one.name)) from None
+def _reading(
+    one: Asked, arguments: Mapping[str, Any], source: Engine | Chain
+) -> Callable[[Mapping[str, Any]], Any]:
+    """What reads one argument, from the values of the fields that it depends on."""
+    value, reader = arguments.get(one.name), one.reader
+    engine = (source,) if reader.of_source else ()
+
+    def read(beside: Mapping[str, Any]) -> Any:
+        if value is None:
+            return one.default
+        try:
+            if not isinstance(value, str) and reader.number is not None:
+                return reader.number(value, *engine)
+            return reader.read(_typed(one, value), *engine, **beside)
+        except MessageError as error:
+            raise ValueError(str(error).replace(reader.option, one.name)) from None
+
+    return read
 
 
-def _check_kind(one: Asked, value: Any) -> None:
-    """Raises TypeError for what is no flag or no whole number where one is asked for."""
-    takes = OPTIONS[one.reader.option].takes
-    if takes == "nothing" and not isinstance(value, bool):
+def _typed(one: Asked, value: Any) -> Any:
+    """A value as the command line has it: lists with commas, pairs with =. Raises TypeError."""
+    takes = "text" if one.reader.follows else OPTIONS[one.reader.option].takes
+    if takes == "nothing":
+        if isinstance(value, bool):
+            return value
         raise TypeError(
             _("{argument} takes True or False, not {given}", argument=one.name, given=quoted(value))
         )
-    if takes == "whole number" and (isinstance(value, bool) or not isinstance(value, Integral)):
+    if takes == "whole number":
+        if isinstance(value, Integral) and not isinstance(value, bool):
+            return int(value)
         raise TypeError(
             _(
                 "{argument} takes a whole number, not {given}",
@@ -170,17 +216,15 @@ def _check_kind(one: Asked, value: Any) -> None:
                 given=quoted(value),
             )
         )
-
-
-def _text(one: Asked, value: Any) -> Any:
-    """A value as the command line has it: numbers as they are, lists with commas, pairs with =."""
-    several = OPTIONS[one.reader.option].takes == "several texts"
+    several = takes == "several texts"
+    if isinstance(value, str | Path):
+        return [str(value)] if several else str(value)
     if isinstance(value, Mapping):
         return [f"{key}={each}" for key, each in value.items()]
-    if isinstance(value, Iterable):
+    if isinstance(value, Iterable) and not isinstance(value, bytes):
         return [str(each) for each in value] if several else ",".join(str(each) for each in value)
-    if isinstance(value, Real):
-        return value if OPTIONS[one.reader.option].takes in NUMBERS else str(value)
+    if isinstance(value, Real) and not isinstance(value, bool):
+        return [str(value)] if several else str(value)
     raise TypeError(
         _("{argument} takes a number or text, not {given}", argument=one.name, given=quoted(value))
     )

@@ -127,10 +127,12 @@ class Result:
     def _document(self, *, resting: bool) -> Document:
         if isinstance(self.source, Chain):
             return self._of_source
-        from crankstar.tables.ranges import ranged
+        from crankstar.tables import ranges
 
         rests = (lambda: self.rests_on) if resting else None
-        return ranged(self._told, self.loaded.spread, self.source, rests=rests)
+        if self.analysis.estimates:
+            return ranges.ranged(self._told, self.loaded.spread, self.source, rests=rests)
+        return ranges.resting(self._of_source, rests)
 
     @cached_property
     def _of_source(self) -> Document:
@@ -147,7 +149,11 @@ class Result:
             return ()
         from crankstar.studies.answers import rests_on
 
-        return tuple(rests_on(self.source, self.analysis.answer.value(self.source, self.question)))
+        record, writes = self.analysis, self.analysis.writes
+        made = writes is not None and writes.of_result
+        about = writes.engine.value(self.value) if writes is not None and made else self.source
+        audience = {"audience": "machines"} if record.by_audience else {}
+        return tuple(rests_on(about, record.answer.value(about, self.question, **audience)))
 
     @cached_property
     def tables(self) -> Mapping[str, Table]:

@@ -19,7 +19,6 @@
 | `shafts` | balance shafts that an engine needs, and the place of a pair without roll |
 | `end_weights` | weights at the ends that share the first-order moment between its planes |
 | `sizing` | a remedy sized for other masses, its weights and shafts where they are |
-| `isolation` | the best mounts within limits |
 | `fitting` | an engine fitted with all of these; the cure that its verdict recommends |
 """
 

@@ -13,7 +13,7 @@
 | `assumed_gas` | what is assumed of gas and valves, and what gas an answer leaves out |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |
 | `answer_parts` | answers about fewer quantities, and several as one |
-| `response_answers` | the figures of answers that resonate: torsion, mounts, what a fault does |
+| `response_answers` | what shakes a block with faults, by figures |
 | `answers` | the figures of each analysis, of which the record says how far they may move |
 | `chart_answers` | the figures of what charts alone show |
 | `judged_orders` | firing orders by the stress and the bearing loads that they make |
@@ -33,6 +33,4 @@
 | `matching` | a batch matched to the cylinders of an engine, and what chance and classes leave |
 | `matched_sets` | a batch divided among several engines, each set matched |
 | `single_faults` | faults of an engine, and what each changes in what shakes its block |
-| `readings` | readings of vibration from a list, by order, place and direction |
-| `diagnosis` | the likeliest fault by measured vibration |
 """

@@ -18,7 +18,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -44,10 +44,6 @@ from crankstar.studies.answer_parts import (
     without_speed,
 )
 from crankstar.studies.assumed_values import assumed_values
-from crankstar.studies.response_answers import felt
-
-if TYPE_CHECKING:
-    from crankstar.studies.diagnosis import Diagnosis
 
 MakeCycle = Callable[[Engine], Cycle | None]
 GAS_OPTION = N_("--gas adds it")
@@ -329,21 +325,6 @@ def bobweights(engine: Engine, *, factor: float) -> Answer:
             ("bobweight", None): max(bobweight(pin, factor) for pin in loads(each))
         },
         unit=lambda _quantity, _engine: unit,
-    )
-
-
-def explained(found: Diagnosis) -> Answer:
-    """What a diagnosis explains: the velocity at the first place of its readings, by their orders.
-
-    At the highest of their speeds.
-    """
-    return felt(
-        found.engine,
-        (),
-        point=found.point,
-        speed=found.states[-1].speed,
-        orders=sorted({each.order for each in found.readings}),
-        at=found.readings[0].place,
     )
 
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -418,3 +418,13 @@ def fault_name(fault: Fault, engine: Engine) -> str:
         name = fault.shaft or engine.shafts[0].name
         return _("weight {number} of {shaft} lost", number=fault.number, shaft=name)
     return _("weight {number} lost", number=fault.number)
+
+
+def fault_facts(fault: Fault) -> dict[str, Any]:
+    """A fault for machines.
+
+    >>> fault_facts(Fault("combustion", 3))
+    {'kind': 'combustion', 'number': 3, 'size': 1.0}
+    """
+    out: dict[str, Any] = {"kind": fault.kind, "number": fault.number, "size": fault.size}
+    return {**out, "shaft": fault.shaft} if fault.shaft else out

@@ -23,6 +23,7 @@ RECORD = Analysis(
     takes=N_("Name from the catalog, engine file, or - for standard input."),
     doing=N_("Computing the loads ..."),
     title=N_("Bearings"),
+    example="audi-25-tfsi --gas",
     question=Later("crankstar.analyses.bearings.question:Question"),
     compute=Later("crankstar.analyses.bearings.answer:compute"),
     answer=Later("crankstar.analyses.bearings.answer:answer"),

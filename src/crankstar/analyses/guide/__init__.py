@@ -23,6 +23,7 @@ RECORD = Analysis(
     takes=N_("Name from the catalog, engine file, or - for standard input."),
     doing=N_("Searching firing orders ..."),
     title=N_("Family"),
+    example="man-s90mc-c --numbers 6,7",
     question=Later("crankstar.analyses.guide.question:Question"),
     compute=Later("crankstar.analyses.guide.answer:compute"),
     answer=Later("crankstar.analyses.guide.answer:answer"),

@@ -29,6 +29,7 @@ RECORD = Analysis(
     takes=N_("Name from the catalog, engine file, or - for standard input."),
     doing=N_("Computing the moments ..."),
     title=N_("In the ship"),
+    example="man-s90mc-c",
     question=Later("crankstar.analyses.marine.question:Question"),
     refuse=Later("crankstar.analyses.marine.question:refuse"),
     compute=Later("crankstar.analyses.marine.answer:compute"),

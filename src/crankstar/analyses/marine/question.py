@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import radians
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from crankstar.analyses.marine.compensators import GREATEST_ORDER
 from crankstar.analysis.reader import Reader
@@ -14,8 +15,9 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import LENGTH, POSITION, POWER
 from crankstar.files import units
 from crankstar.language.messages import _
-from crankstar.options import readers, values
-from crankstar.options.numbers import is_number
+from crankstar.language.quoting import given as quoted
+from crankstar.options import numbers, readers, values
+from crankstar.options.numbers import check_number, check_place, is_number
 from crankstar.options.refusals import RequestError, refusal, refuse_unused
 
 
@@ -85,11 +87,60 @@ def bracing(text: str) -> tuple[float, float]:
     return height, apart
 
 
+def positions(given: Any, engine: Engine) -> dict[int, tuple[float, ...]]:
+    """Positions of the compensators of each order, of Python: numbers, or text with a unit.
+
+    Numbers are metres, of an engine without a bore pitch bore pitches.
+
+    Raises TypeError for what is no dict of places by order, RequestError for wrong ones.
+
+    >>> from crankstar.files.catalog import load
+    >>> positions({2: [3.0, "-3"]}, load("man-s90mc-c"))
+    {2: (3.0, -3.0)}
+    """
+    whole = isinstance(given, Mapping) and all(
+        isinstance(order, int) and not isinstance(order, bool) for order in given
+    )
+    listed = whole and all(isinstance(each, Iterable) for each in given.values())
+    if not listed:
+        raise TypeError(
+            _(
+                "{argument} takes orders with places along the shaft, such as {example}, not "
+                "{given}",
+                argument="compensate",
+                example="{2: [6.0, -6.0]}",
+                given=quoted(given),
+            )
+        )
+    unit = "" if "pitch" in engine.relative else " m"
+    texts: list[str] = []
+    for order, places in given.items():
+        each = [places] if isinstance(places, str) else [*places]
+        for place in each:
+            if not isinstance(place, str):
+                check_place("compensate", place)
+        parts = [place if isinstance(place, str) else f"{float(place)!r}{unit}" for place in each]
+        texts.append(f"{order}: {', '.join(parts)}")
+    return compensations(texts, engine)
+
+
+def late(given: Any) -> float:
+    """By how much compensators come late, radians. Raises TypeError, ValueError."""
+    check_number("phase_error", given)
+    return float(given)
+
+
+def along(given: Any, _engine: Engine) -> float:
+    """A place along the crankshaft, m. Raises TypeError, ValueError."""
+    check_place("node", given)
+    return float(given)
+
+
 SPEEDS = readers.SPEEDS.saying("External moments go with its square.")
-RATED_POWER = Reader("--rated-power", power)
-COMPENSATE = Reader("--compensate", compensations, of_source=True)
-PHASE_ERROR = Reader("--phase-error", phase_error)
-NODE = Reader("--node", node, of_source=True)
+RATED_POWER = Reader("--rated-power", power, number=partial(numbers.power, "rated_power"))
+COMPENSATE = Reader("--compensate", compensations, of_source=True, number=positions)
+PHASE_ERROR = Reader("--phase-error", phase_error, number=late)
+NODE = Reader("--node", node, of_source=True, number=along)
 BRACING = Reader("--bracing", bracing)
 ORDERS = readers.ORDERS_OR_ALL.saying("Of both tables. Default: those of note.")
 

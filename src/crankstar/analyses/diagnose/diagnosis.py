@@ -35,13 +35,13 @@ from typing import Literal, NamedTuple
 import numpy as np
 from scipy.optimize import lsq_linear
 
+from crankstar.analyses.diagnose.readings import Reading
 from crankstar.dynamics.whirl import body
 from crankstar.engine.engine import Engine
 from crankstar.engine.rigid_block import moved
 from crankstar.mechanics.gas_loads import vibrating_state
 from crankstar.mechanics.operating_points import OperatingState
 from crankstar.spectra import Complex, Real
-from crankstar.studies.readings import Reading
 from crankstar.studies.single_faults import (
     DiagnosisError,
     Fault,

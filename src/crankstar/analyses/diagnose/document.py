@@ -1,162 +1,59 @@
-"""What faults change in what shakes an engine, and which fault explains a measurement."""
+"""Which fault explains a measurement, as tables and sentences."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import pi
 from typing import Any
 
 import numpy as np
 
-from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
-from crankstar.dynamics.whirl import body
+from crankstar.analyses.diagnose.diagnosis import EXPLAINS, FEW, Diagnosis, Suspect
+from crankstar.analyses.diagnose.question import Question
+from crankstar.analyses.diagnose.readings import AXES
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, for_each, remarks
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
-from crankstar.studies.diagnosis import EXPLAINS, FEW, Diagnosis, Suspect
-from crankstar.studies.readings import AXES
-from crankstar.studies.single_faults import Fault, Shaken, fault_text, limits
+from crankstar.studies.single_faults import Fault, fault_facts, fault_text, limits
 from crankstar.tables.gas_words import state_facts, state_words
 
 RPM = 30 / pi
 ROWS = 12
 """Suspects that are shown to readers; all are in JSON and CSV."""
-VISIBLE = 1e-3
-"""Share of the greatest of a column from which a change is told."""
 SAME_MASS = 1e-6
 SHARES = ("weight", "combustion")
 """Faults whose size is a share of what there is; that of others is a mass."""
 NAMES = {"up": N_("up"), "right": N_("right"), "z": N_("along")}
 
 
-def faults_document(
-    before: Shaken,
-    after: Shaken,
-    faults: Sequence[Fault],
-    *,
-    point: Sequence[float] | None,
-    every: bool,
-) -> Document:
-    """What is felt with faults and without: force, couple, roll, torque, motion of a point."""
-    engine = before.engine
-    names = [fault_text(fault, engine) for fault in faults]
-    table, fresh = _changes(before, after, point, every=every)
-    lines = [state_words(engine, before.state), _("With: {faults}.", faults=", ".join(names))]
-    if fresh:
-        lines.append(
-            _(
-                "New orders, or more than twice what they were: {orders}.",
-                orders=", ".join(f"{order:g}" for order in fresh),
-            )
-        )
-    notes = [
-        _velocity_of(before, point),
-        _(
-            "Force and couple are the greatest of the turning vector, about the centre of mass; "
-            "roll and torque include the gas."
-        )
-        if engine.gas is not None
-        else _(
-            "Force and couple are the greatest of the turning vector, about the centre of mass; "
-            "roll and torque are without gas."
-        ),
-        _("The point moves as the block on its mounts does.")
-        if before.mounted
-        else _("The point moves as the free block does: the file has no mounts."),
-    ]
-    facts: dict[str, Any] = {
+def document(engine: Engine, found: Diagnosis, question: Question) -> Document:
+    """The suspects, what the likeliest leaves unexplained reading by reading."""
+    states = [state_words(engine, state) for state in found.states]
+    parts: list[Table | Remarks] = [*remarks(*_verdict(found), *states)]
+    if found.suspects and not found.healthy:
+        shown = suspects_of(found)[:ROWS]
+        parts += for_each(_suspects(found, shown), _suspects(found, found.suspects))
+        parts.append(replace(_readings(found), audience="all" if shown else "machines"))
+    parts += remarks(*_notes(found, before=question.before is not None), kind="note")
+    facts = {
         "format": 1,
-        "speed_rpm": float(f"{before.speed * RPM:.12g}"),
-        "operating_point": before.state.point or None,
-        "points": state_facts(before.state)["points"],
-        "mounted": before.mounted,
-        "point_mm": [round(1e3 * float(each), 6) for each in _place(before, point)],
-        "faults": [_plain(fault) for fault in faults],
-        "new_orders": fresh,
+        "speeds_rpm": [float(f"{(each.speed or 0.0) * RPM:.12g}") for each in found.states],
+        "operating_points": [each.point or None for each in found.states],
+        "points": [state_facts(each)["points"] for each in found.states],
+        "difference_share": found.share,
+        "explained": found.found and not found.healthy,
+        "healthy": found.healthy,
+        "pair": None if found.pair is None else _plain_suspect(found.pair),
+        "cannot_be_told_apart": [_plain_suspect(each) for each in found.alike],
     }
-    if not (every or table.rows):
-        lines.append(
-            _(
-                "Nothing changes by more than {share} % of the greatest order.",
-                share=number(100 * VISIBLE),
-            )
-        )
-    parts: list[Table | Remarks] = [*remarks(*lines), *([table] if every or table.rows else [])]
-    parts += remarks(*notes, kind="note")
     return Document(engine.name, tuple(parts), facts)
 
 
-def shown_orders(document: Document) -> list[float]:
-    """The orders of which a document of faults shows a row."""
-    return [
-        row[0] for table in document.tables for row in table.rows if isinstance(row[0], int | float)
-    ]
-
-
-def _place(before: Shaken, point: Sequence[float] | None) -> Sequence[float]:
-    """The point whose velocity is told, m (up, right, along): the centre of mass unless given."""
-    return body(before.engine).centre if point is None else point
-
-
-def _velocity_of(before: Shaken, point: Sequence[float] | None) -> str:
-    up, right, along = (number(round(1e3 * each, 6)) for each in _place(before, point))
-    if point is None:
-        return _(
-            "The velocity is that of the centre of mass: {up} mm up, {right} mm to the right, "
-            "{along} mm along. --at names another point.",
-            up=up,
-            right=right,
-            along=along,
-        )
-    return _(
-        "The velocity is that of the point {up} mm up, {right} mm to the right, {along} mm along.",
-        up=up,
-        right=right,
-        along=along,
-    )
-
-
-def _plain(fault: Fault) -> dict[str, Any]:
-    out: dict[str, Any] = {"kind": fault.kind, "number": fault.number, "size": fault.size}
-    return {**out, "shaft": fault.shaft} if fault.shaft else out
-
-
-def _changes(
-    before: Shaken, after: Shaken, point: Sequence[float] | None, *, every: bool
-) -> tuple[Table, list[float]]:
-    """Order by order what there was and what there is, and the orders that are new."""
-    first, then = before.sizes(point), after.sizes(point)
-    top = np.maximum(first, then).max(axis=0)
-    least = VISIBLE * np.where(top > 0, top, 1.0)
-    rows: list[tuple[Value, ...]] = []
-    fresh: list[float] = []
-    for at, order in enumerate(before.orders.tolist()):
-        changed = np.abs(then[at] - first[at]) > least
-        if (then[at] > np.maximum(2 * first[at], 10 * least)).any():
-            fresh.append(order)
-        if every or changed.any():
-            pairs = np.column_stack([first[at], then[at]]).ravel()
-            rows.append((order, *map(float, pairs)))
-    columns = [Column(_("order"), key="order", label=True)]
-    for said, key, unit in (
-        (N_("force"), "force", "N"),
-        (N_("couple"), "couple", "N*m"),
-        (N_("roll"), "roll", "N*m"),
-        (N_("torque"), "torque", "N*m"),
-        (N_("velocity of the point, rms"), "velocity", "mm/s"),
-    ):
-        columns.append(Column(_("{quantity} before", quantity=_(said)), unit, key=f"before/{key}"))
-        columns.append(Column(_("{quantity} now", quantity=_(said)), unit, key=f"now/{key}"))
-    return Table(_("What changes"), tuple(columns), tuple(rows), key="orders"), fresh
-
-
-def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Document:
-    """The suspects, what the likeliest leaves unexplained reading by reading."""
-    verdict = _verdict(found)
-    states = [state_words(found.engine, state) for state in found.states]
-    parts: list[Table | Remarks] = [*remarks(*verdict, *states)]
-    if (suspects_of(found) or (every and found.suspects)) and not found.healthy:
-        parts += [_suspects(found, every=every), _readings(found)]
+def _notes(found: Diagnosis, *, before: bool) -> list[str]:
+    """What the numbers mean; `before`: a measurement before the fault is compared with."""
     notes = [
         _(
             "Explained: share of the mean square of the difference, as velocity over its error, "
@@ -178,8 +75,8 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
         if found.engine.mounts
         else _("The block is taken as free: the file has no mounts."),
     ]
-    told = found.suspects if every else suspects_of(found)[:ROWS]
-    spent = [each.faults[0] for each in told if _takes_all(each.faults[0], found)]
+    shown = suspects_of(found)[:ROWS]
+    spent = [each.faults[0] for each in shown if _takes_all(each.faults[0], found)]
     if spent and not found.healthy:
         notes.append(
             _(
@@ -187,18 +84,7 @@ def diagnosis_document(found: Diagnosis, *, every: bool, before: bool) -> Docume
                 faults="; ".join(fault_text(fault, found.engine) for fault in spent),
             )
         )
-    facts = {
-        "format": 1,
-        "speeds_rpm": [float(f"{(each.speed or 0.0) * RPM:.12g}") for each in found.states],
-        "operating_points": [each.point or None for each in found.states],
-        "points": [state_facts(each)["points"] for each in found.states],
-        "difference_share": found.share,
-        "explained": found.found and not found.healthy,
-        "healthy": found.healthy,
-        "pair": None if found.pair is None else _plain_suspect(found.pair),
-        "cannot_be_told_apart": [_plain_suspect(each) for each in found.alike],
-    }
-    return Document(found.engine.name, (*parts, *remarks(*notes, kind="note")), facts)
+    return notes
 
 
 def _takes_all(fault: Fault, found: Diagnosis) -> bool:
@@ -208,7 +94,10 @@ def _takes_all(fault: Fault, found: Diagnosis) -> bool:
 
 
 def _plain_suspect(suspect: Suspect) -> dict[str, Any]:
-    return {"faults": [_plain(fault) for fault in suspect.faults], "explained": suspect.explained}
+    return {
+        "faults": [fault_facts(fault) for fault in suspect.faults],
+        "explained": suspect.explained,
+    }
 
 
 def suspect_text(suspect: Suspect, found: Diagnosis) -> str:
@@ -300,7 +189,7 @@ def _verdict(found: Diagnosis) -> list[str]:
     return lines
 
 
-def _suspects(found: Diagnosis, *, every: bool) -> Table:
+def _suspects(found: Diagnosis, suspects: Sequence[Suspect]) -> Table:
     columns = (
         Column(_("fault"), kind="text", label=True),
         Column("", kind="text", key="kind", machine=True),
@@ -314,7 +203,7 @@ def _suspects(found: Diagnosis, *, every: bool) -> Table:
         Column(_("left, rms"), "mm/s", key="left_rms", digits=4),
     )
     rows: list[tuple[Value, ...]] = []
-    for suspect in found.suspects if every else suspects_of(found)[:ROWS]:
+    for suspect in suspects:
         (fault,) = suspect.faults
         left = found.difference - suspect.rows
         rms = 1e3 * float(np.sqrt((np.abs(left) ** 2).mean() / 2))

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING
 
+from crankstar.analyses.diagnose.diagnosis import Diagnosis
+from crankstar.analyses.diagnose.document import NAMES, suspect_text, suspects_of
+from crankstar.analyses.diagnose.figures import explained
+from crankstar.analyses.diagnose.question import Question
+from crankstar.analyses.diagnose.readings import AXES
 from crankstar.charts.canvas import panel_width
 from crankstar.charts.drawing import BLUE, GREY, ChartError, Panel, figure, layered
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
 from crankstar.charts.letters import SMALL, text_width
-from crankstar.charts.resting import of_diagnosis
+from crankstar.charts.resting import Rests
 from crankstar.charts.vector_diagrams import Diagram, Named, diagram_panels
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
-from crankstar.tables.diagnoses import NAMES, suspect_text, suspects_of
-
-if TYPE_CHECKING:
-    from crankstar.studies.diagnosis import Diagnosis
 
 BARS, READINGS = 8, 4
 """Suspects and readings that are drawn: the likeliest, and the greatest."""
@@ -28,6 +28,12 @@ ROOM = 1.25
 """The room of names over their width as it is measured here."""
 
 
+def picture(found: Diagnosis, question: Question) -> Chart:
+    """The chart of a diagnosis. Raises ChartError."""
+    del question
+    return suspect_chart(found)
+
+
 def suspect_chart(found: Diagnosis) -> Chart:
     """Explained share of the likeliest faults; vectors of the greatest readings. Raises ChartError.
 
@@ -35,8 +41,6 @@ def suspect_chart(found: Diagnosis) -> Chart:
     """
     if not found.suspects:
         raise ChartError(_("no fault changes anything at these readings"))
-    from crankstar.studies.readings import AXES
-
     order = sorted(range(len(found.readings)), key=lambda at: -abs(found.difference[at]))
     diagrams: list[Diagram] = []
     for at in order[:READINGS]:
@@ -63,7 +67,11 @@ def suspect_chart(found: Diagnosis) -> Chart:
             found.engine.name,
             _("vectors: the difference in mm/s, its phase clockwise from up"),
         ],
-        rests=of_diagnosis(found),
+        rests=Rests(
+            [found.engine],
+            lambda engine: explained(engine, found.readings, point=found.point),
+            "diagnose",
+        ),
     )
 
 

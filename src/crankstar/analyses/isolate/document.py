@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
+from crankstar.analyses.isolate.answer import Isolated
+from crankstar.analyses.isolate.isolation import KEPT, Isolation, MountLimits
+from crankstar.analyses.isolate.question import Question
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_worst import ROLL, roll_mode
+from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import Mount
 from crankstar.language.messages import N_, _, _n
-from crankstar.remedy.isolation import KEPT, Isolation, MountLimits
 from crankstar.tables.gas_words import range_words
 from crankstar.tables.headings import heading
 from crankstar.tables.mount_points import told_point
@@ -36,10 +39,10 @@ UNITS = {
 """The unit of an aim, and how many of it are in SI."""
 
 
-def isolation_document(
-    best: Isolation, before: MountAnalysis, after: MountAnalysis, limits: MountLimits
-) -> Document:
+def document(engine: Engine, result: Isolated, question: Question) -> Document:
     """The gain, the mounts and the modes before and after, and what kind of optimum it is."""
+    del engine, question
+    best, limits, before, after = result
     parts: list[Table | Remarks] = [
         heading(best.engine),
         _gain(best, before, after),
