@@ -32,6 +32,6 @@ RECORD = Analysis(
     picture=Picture(
         Later("crankstar.analyses.diagnose.charts:picture"),
         N_("{engine}: diagnosis"),
-        N_("A picture (.svg) has the suspects and vectors."),
+        "A picture (.svg) has the suspects and vectors.",
     ),
 )

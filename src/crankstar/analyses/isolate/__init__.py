@@ -29,7 +29,7 @@ RECORD = Analysis(
     writes=Writes(
         "--output",
         Later("crankstar.analyses.isolate.answer:best_engine"),
-        more=N_("The engine on the best mounts."),
+        more="The engine on the best mounts.",
         of_result=True,
     ),
     steps=True,

@@ -12,7 +12,7 @@ from crankstar.analysis.reader import Reader
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import LENGTH, SPEED, Quantity
 from crankstar.files import units
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import _
 from crankstar.options import readers
 from crankstar.options import values as request
 from crankstar.options.ranges import speeds_of
@@ -24,7 +24,7 @@ WIDEST = 1e4
 LARGEST = 10.0
 """Metres: places are not moved further."""
 GREATEST_STARTS = 64
-MINIMISE = N_(
+MINIMISE = (
     "force (on the ground), mounts (the forces of all) or velocity (of the point): the greatest "
     "over the speeds; each also with rms in front; or roll (what is not roll in the mode of roll)."
 )
