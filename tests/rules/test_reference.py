@@ -11,9 +11,6 @@ import pytest
 from tests.rules.test_docs import script
 
 import crankstar
-from crankstar.analysis.registry import NAMES as ANALYSES
-from crankstar.analysis.registry import analysis
-from crankstar.files import catalog
 
 pytestmark = pytest.mark.quick
 
@@ -50,17 +47,6 @@ def test_every_public_function_says_what_its_arguments_are(name: str) -> None:
         parameters = inspect.signature(function).parameters.values()
         unsaid = [one.name for one in parameters if one.annotation is one.empty]
         assert [one for one in unsaid if one not in ("self", "cls")] == []
-
-
-@pytest.mark.parametrize(
-    "name", [name for name in ANALYSES if analysis(name).example in catalog.names()]
-)
-def test_the_example_of_an_analysis_gives_a_table(name: str) -> None:
-    """It stands in the docstring of its function, which no module has."""
-    example = (inspect.getdoc(getattr(crankstar, name)) or "").partition(">>> ")[2]
-    known: dict[str, Any] = {"crankstar": crankstar}
-    exec(example, known)  # noqa: S102
-    assert len(known["table"]) > 0
 
 
 def entries() -> set[str]:
