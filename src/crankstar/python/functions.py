@@ -33,7 +33,10 @@ def function(name: str) -> Callable[..., Result]:
     >>> function("mounts").__name__, [*function("torque").__signature__.parameters][:3]
     ('mounts', ['engine', 'speed', 'point'])
     """
-    record = analysis(name)
+    try:
+        record = analysis(name)
+    except KeyError:  # a hyphen of a command is no sign of a name
+        record = analysis(name.replace("_", "-"))
     fields = asked(record.question.value)
 
     follow = [one.name for one in fields if one.reader.follows]

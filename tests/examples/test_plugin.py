@@ -1,0 +1,71 @@
+"""The package in examples/plugin, built and installed, adds a command, a section, a function."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from math import pi
+from pathlib import Path
+
+import pytest
+
+PLUGIN = Path(__file__).parents[2] / "examples" / "plugin"
+STROKE, ROD, SPEED = 92.8e-3, 144e-3, 200 * pi
+"""Of the five of the catalog [m], and 6000 rpm [rad/s]."""
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """The environment of programs that find the package."""
+    folder = tmp_path_factory.mktemp("plugin")
+    source = shutil.copytree(PLUGIN, folder / "source")
+    subprocess.run(
+        [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)],
+        cwd=source,
+        check=True,
+        capture_output=True,
+    )
+    [wheel] = folder.glob("*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(folder / "site")
+    return {**os.environ, "PYTHONPATH": str(folder / "site"), "CRANKSTAR_LANG": "en"}
+
+
+def run(environment: dict[str, str], *words: str) -> subprocess.CompletedProcess[str]:
+    """A program of this Python, in an environment."""
+    return subprocess.run(
+        [sys.executable, *words], env=environment, capture_output=True, text=True, check=False
+    )
+
+
+def test_it_is_a_command_that_computes(installed: dict[str, str]) -> None:
+    words = ("-m", "crankstar", "piston-speed", "audi-25-tfsi", "--speed", "6000 rpm", "--json")
+    [row] = json.loads(run(installed, *words).stdout)["piston_speed"]
+    radius = STROKE / 2
+    assert row["mean_speed"] == pytest.approx(2 * STROKE * 100)
+    assert row["acceleration"] == pytest.approx(radius * SPEED**2 * (1 + radius / ROD))
+    refused = run(installed, "-m", "crankstar", "piston-speed", "i4", "--speed", "quick")
+    assert refused.returncode == 2
+    assert "--speed" in refused.stderr
+    assert "cylinder.stroke" in refused.stderr
+
+
+def test_it_is_in_the_help_and_in_the_report(installed: dict[str, str], tmp_path: Path) -> None:
+    assert "piston-speed" in run(installed, "-m", "crankstar", "--help").stdout
+    place = tmp_path / "report.html"
+    run(installed, "-m", "crankstar", "report", "audi-25-tfsi", "-o", str(place))
+    assert "acceleration at top dead centre" in place.read_text(encoding="utf-8")
+
+
+def test_it_is_a_function_of_python(installed: dict[str, str]) -> None:
+    code = (
+        "import crankstar; found = crankstar.piston_speed('audi-25-tfsi', speed='6000 rpm'); "
+        "print(found.mean, *found.to_frame().columns)"
+    )
+    mean, *columns = run(installed, "-c", code).stdout.split()
+    assert float(mean) == pytest.approx(2 * STROKE * 100)
+    assert columns == ["speed_rpm", "mean_speed_m_per_s", "acceleration_m_per_s2"]
