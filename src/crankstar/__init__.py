@@ -59,6 +59,7 @@ if TYPE_CHECKING:
     from crankstar.files import EngineFileError
     from crankstar.files.catalog import load, names
     from crankstar.language.faults import EngineError
+    from crankstar.language.messages import MessageError
     from crankstar.mechanics.balance import Balance, grouped, of_parts, total
     from crankstar.mechanics.excitation import Reference, Totals
     from crankstar.mechanics.gas import Cycle, cycle
@@ -66,6 +67,7 @@ if TYPE_CHECKING:
     from crankstar.mechanics.mechanism import Mechanism
     from crankstar.mechanics.side_thrust import SideThrust, side_thrust
     from crankstar.page.widget import widget
+    from crankstar.python import records as records
     from crankstar.python.results import Result
     from crankstar.python.sums import balance, bearing_loads, bending_moment
     from crankstar.remedy.counterweights import with_counterweights
@@ -98,6 +100,7 @@ _HOMES = {
     "files": ("EngineFileError",),
     "files.catalog": ("load", "names"),
     "language.faults": ("EngineError",),
+    "language.messages": ("MessageError",),
     "mechanics.balance": ("Balance", "grouped", "of_parts", "total"),
     "mechanics.excitation": ("Reference", "Totals"),
     "mechanics.gas": ("Cycle", "cycle"),
@@ -117,6 +120,9 @@ _HOMES = {
 """The module of each public name. All are loaded on first use: a command line that is interrupted
 while numpy is being loaded ends quietly, since it is running before."""
 
+_MODULES = {"charts": "charts", "records": "python.records", "spectra": "spectra"}
+"""Modules that are public under a name of their own, loaded on first use."""
+
 __all__ = [
     "Balance",
     "BearingLoads",
@@ -128,6 +134,7 @@ __all__ = [
     "EngineFileError",
     "GasTorque",
     "Mechanism",
+    "MessageError",
     "Reference",
     "Result",
     "Rod",
@@ -188,6 +195,8 @@ def __getattr__(name: str) -> "Any":
                 value = import_module("crankstar.options.arguments").read(value)
             globals()[name] = value
             return value
+    if name in _MODULES:
+        return import_module(f"crankstar.{_MODULES[name]}")
     if not name.startswith("_"):
         from crankstar.python.functions import function
 
@@ -202,7 +211,7 @@ def __getattr__(name: str) -> "Any":
 
 def __dir__() -> list[str]:
     """Names for completion, those not yet loaded included."""
-    return sorted({*globals(), *__all__})
+    return sorted({*globals(), *__all__, *_MODULES})
 
 
 def _registered_in_notebook() -> None:

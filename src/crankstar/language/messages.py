@@ -109,6 +109,10 @@ class MessageError(ValueError):
     """An error whose text is for the reader, which every host shows as it is.
 
     A sentence is translated as `_` does; without values it stands as it is.
+
+    >>> raise MessageError("give the mass, such as {example}", example="500 g")
+    Traceback (most recent call last):
+    crankstar.language.messages.MessageError: give the mass, such as 500 g
     """
 
     def __init__(self, sentence: str, /, **values: object) -> None:

@@ -3,6 +3,7 @@
 | module, bottom to top | one line |
 |---|---|
 | `results` | what a function gives: its numbers, tables, arrays, figures |
+| `records` | the records of an engine file |
 | `sums` | forces, couples and bearing loads at the speed of the file |
 | `functions` | the function of each analysis, its arguments read as people write them |
 """
