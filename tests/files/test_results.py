@@ -132,7 +132,7 @@ def test_its_signature_is_what_may_be_asked() -> None:
     signature = inspect.signature(crankstar.torsion)
     assert [*signature.parameters] == [
         *("engine", "point", "speed", "speeds", "orders", "modes", "holzer"),
-        *("changes", "estimate"),
+        *("off", "weaker", "changes", "estimate"),
     ]
     assert "modes: How many modes" in (crankstar.torsion.__doc__ or "")
     for wrong in (2.5, True, "many"):

@@ -147,7 +147,7 @@ def test_the_columns_of_a_frame_are_those_of_the_csv() -> None:
     ("call", "told"),
     [
         (lambda: SWEEP(None), "sweep: missing .*'over'"),
-        (lambda: SWEEP(None, "x=0..1"), "path of an engine file, not None"),
+        (lambda: SWEEP(None, "x=0..1"), "a path or a dict of keys, not None"),
         (lambda: SWEEP("i4", None), "over takes text .* not None"),
         (lambda: SWEEP("i4", "x", None), "sweep: too many"),
         (lambda: WATCHED(None), "watched: missing .*'what'"),

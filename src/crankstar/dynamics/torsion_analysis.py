@@ -8,7 +8,7 @@ only, and critical speeds of the orders that are asked for.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -31,10 +31,10 @@ from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.dynamics.torsion_variable import variable_response
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
-from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.maxima import refined
 from crankstar.mechanics.occurring_orders import check_orders
-from crankstar.mechanics.operating_points import GasError, operating_state
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.spectra import Real
 
 STEPS = 151
@@ -121,12 +121,15 @@ def torsion(
     speeds: Sequence[float] | Real = (),
     orders: Sequence[float] | None = None,
     modes: int | None = None,
+    off: Collection[int] = (),
+    weaker: Mapping[int, float] | None = None,
 ) -> TorsionAnalysis:
     """The torsional vibration of an engine with a table [torsion], or of a drive line.
 
     `speed` is one of which more is listed, else that of the point; `speeds` are those of the range
     (rad/s); critical speeds are those of `orders`, and of so many `modes`; the response has all
-    orders. Raises TorsionError,
+    orders. Cylinders that are `off` are motored, `weaker` ones lack a share of their combustion.
+    Raises TorsionError,
     OrderError for an order that does not occur in an engine, and GasError for an operating point
     that it has not.
 
@@ -138,7 +141,14 @@ def torsion(
     ('flywheel', (1, 48, 6), '')
     """
     found = torsion_on_grid(
-        source, point=point, speed=speed, speeds=speeds, orders=orders, modes=modes
+        source,
+        point=point,
+        speed=speed,
+        speeds=speeds,
+        orders=orders,
+        modes=modes,
+        off=off,
+        weaker=weaker,
     )
     return found if isinstance(source, Chain) else peaked(found)
 
@@ -152,6 +162,8 @@ def torsion_on_grid(
     orders: Sequence[float] | None = None,
     modes: int | None = None,
     single: bool = True,
+    off: Collection[int] = (),
+    weaker: Mapping[int, float] | None = None,
 ) -> TorsionAnalysis:
     """The same as `torsion` at the speeds of the range and critical ones, not yet at the peaks.
 
@@ -163,7 +175,7 @@ def torsion_on_grid(
     if isinstance(source, Chain):
         return _of_chain(source, chain, free, speeds, orders, modes)
     check_orders(source, orders or (), gas=True)
-    found, why = _cycle(source, point, speed)
+    found, why = cycle_or_reason(source, point=point, speed=speed, off=off, weaker=weaker)
     if point and speed is None and not len(speeds):
         speed = operating_state(source, point=point).speed
     wanted, assumed = _range(source, speed, speeds)
@@ -301,16 +313,6 @@ def _of_chain(
         else ()
     )
     return TorsionAnalysis(chain, free, wanted, meeting, None, None, None, None)
-
-
-def _cycle(engine: Engine, point: str, speed: float | None) -> tuple[Cycle | None, str]:
-    """The cycle of an operating point, or why there is none."""
-    try:
-        return cycle(engine, point=point, speed=speed), ""
-    except GasError as error:
-        if point:
-            raise
-        return None, str(error)
 
 
 def _range(

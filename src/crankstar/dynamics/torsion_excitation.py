@@ -75,7 +75,7 @@ def excitation(
 
     Without a `cycle` of the moving parts alone; the orders are all up to 24 that a cycle has. The
     gas is that of the cycle, or between two speeds (rad/s), the `ends`, that of a named point or of
-    the points of the file.
+    the points of the file, with the cylinders off and weaker that the cycle has so.
 
     >>> from crankstar.dynamics.torsion_chain import torsion_chain
     >>> from crankstar.files.catalog import load
@@ -102,7 +102,8 @@ def excitation(
     none = np.zeros((len(chain.names), wanted.size), complex)
     course = None
     if cycle is not None and ends is not None:
-        course = gas_course(engine, burnt, ends=ends, point=point)
+        load = {"off": cycle.off, "weaker": dict(cycle.weaker)}
+        course = gas_course(engine, burnt, ends=ends, point=point, **load)
     gas = none if cycle is None else burnt(cycle)
     if not {"mass", "radius"}.isdisjoint(engine.relative):
         return Excitation(wanted, gas, None, course)

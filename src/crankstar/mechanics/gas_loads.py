@@ -17,7 +17,7 @@ of the engine.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise, permutations
 from typing import Any, NamedTuple
@@ -172,6 +172,7 @@ def gas_course(
     *,
     ends: tuple[float, float],
     point: str = "",
+    off: Collection[int] = (),
     weaker: Mapping[int, float] | None = None,
 ) -> GasCourse:
     """Values of the cycle that are linear in the pressure, at any speed between two (rad/s).
@@ -183,7 +184,7 @@ def gas_course(
     """
 
     def of(name: str, speed: float) -> Complex:
-        return value(cycle(engine, point=name, speed=speed, weaker=weaker))
+        return value(cycle(engine, point=name, speed=speed, off=off, weaker=weaker))
 
     known = {} if point else points_by_speed(engine)
     knots = [speed for speed in known if ends[0] < speed < ends[1]]

@@ -21,6 +21,8 @@ def compute(source: Engine | Chain, asked: Question) -> TorsionAnalysis:
         speeds=asked.speeds,
         orders=asked.orders,
         modes=asked.modes,
+        off=asked.off,
+        weaker=dict(asked.weaker),
     )
     if asked.holzer is not None and asked.holzer > len(found.modes):
         count = len(found.modes)
@@ -31,4 +33,11 @@ def compute(source: Engine | Chain, asked: Question) -> TorsionAnalysis:
 
 def answer(engine: Engine, asked: Question) -> Answer:
     """The figures that it says first."""
-    return twist(engine, point=asked.point, speed=asked.speed, speeds=asked.speeds)
+    return twist(
+        engine,
+        point=asked.point,
+        speed=asked.speed,
+        speeds=asked.speeds,
+        off=asked.off,
+        weaker=dict(asked.weaker),
+    )

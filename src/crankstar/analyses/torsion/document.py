@@ -29,13 +29,16 @@ from crankstar.engine.torsion import LOSS_FACTOR, STEEL, Chain
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.doubts import torsion_doubts
+from crankstar.mechanics.gas import Cycle
 from crankstar.spectra import Real
 from crankstar.tables.gas_words import (
+    burning_words,
     cycle_state,
     range_facts,
     range_words,
     state_facts,
     state_words,
+    weaker_facts,
 )
 from crankstar.tables.headings import heading
 from crankstar.tables.torque import assumed_notes
@@ -67,7 +70,7 @@ def document(source: Engine | Chain, found: TorsionAnalysis, asked: Question) ->
         parts += [_worst_table(found, found.response)] if chain.sections else []
     if found.at is not None:
         parts += [
-            _section_table_at(found.at, found.exact),
+            _section_table_at(found.at, found.exact, found.cycle),
             _order_table(found, found.at, asked.orders),
         ]
     heat = found.at or found.response
@@ -91,6 +94,8 @@ def _facts(source: Engine | Chain, found: TorsionAnalysis) -> dict[str, Any]:
         "speed_rpm": None if cycle is None or cycle.speed is None else cycle.speed * RPM,
         "gas_over_speeds": range_facts(source, found.point) if isinstance(source, Engine) else [],
         "imep": None if cycle is None else cycle.imep,
+        "off": [] if cycle is None else list(cycle.off),
+        "weaker": weaker_facts(cycle),
         "without_gas": found.without_gas or None,
         "free_end": found.chain.names[found.free_end],
         "assumed": [*found.chain.assumed, *(() if cycle is None else cycle.assumed)],
@@ -188,6 +193,8 @@ def _worst_table(found: TorsionAnalysis, own: Response) -> Table:
         low=number(float(own.speeds[0] * RPM)),
         high=number(float(own.speeds[-1] * RPM)),
     )
+    if found.cycle is not None:
+        title = burning_words(title, found.cycle)
     turns = own.peak_turn(found.free_end)
     top = int(np.argmax(turns))
     note = _(
@@ -203,9 +210,11 @@ def _worst_table(found: TorsionAnalysis, own: Response) -> Table:
     )
 
 
-def _section_table_at(own: Response, exact: Response | None) -> Table:
+def _section_table_at(own: Response, exact: Response | None, cycle: Cycle | None) -> Table:
     """Torque and stress of each shaft at one speed, and with the inertia of each angle."""
     title = _("Vibration at {rpm} rpm", rpm=number(float(own.speeds[0] * RPM)))
+    if cycle is not None:
+        title = burning_words(title, cycle)
     table = _sections(title, own, own.peak[0], own.added[0], None, (), key="sections_at_speed")
     if exact is None:
         return table

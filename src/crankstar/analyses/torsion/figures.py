@@ -38,6 +38,8 @@ def twist(
     point: str = "",
     speed: float | None = None,
     speeds: Sequence[float] | Real = (),
+    off: Sequence[int] = (),
+    weaker: Mapping[int, float] | None = None,
 ) -> Answer:
     """The first natural frequency of torsion, and how far and how hard the crankshaft is twisted.
 
@@ -45,7 +47,8 @@ def twist(
     shear stress of a shaft over the speeds (its torque where none has a diameter); of the order
     that resonates most, the turn of the free end at that resonance.
     """
-    fixed: dict[str, Any] = {"point": point, "speed": speed, "single": False}
+    load = {"off": off, "weaker": weaker}
+    fixed: dict[str, Any] = {"point": point, "speed": speed, "single": False, **load}
     whole = torsion_on_grid(engine, speeds=speeds, **fixed)
     ends = [float(whole.speeds[0]), float(whole.speeds[-1])] if len(whole.speeds) else []
 
