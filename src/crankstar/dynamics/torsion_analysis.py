@@ -31,10 +31,10 @@ from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.dynamics.torsion_variable import variable_response
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
-from crankstar.mechanics.gas import Cycle, cycle_or_reason
+from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.maxima import refined
 from crankstar.mechanics.occurring_orders import check_orders
-from crankstar.mechanics.operating_points import operating_state
+from crankstar.mechanics.operating_points import GasError, operating_state
 from crankstar.spectra import Real
 
 STEPS = 151
@@ -175,7 +175,7 @@ def torsion_on_grid(
     if isinstance(source, Chain):
         return _of_chain(source, chain, free, speeds, orders, modes)
     check_orders(source, orders or (), gas=True)
-    found, why = cycle_or_reason(source, point=point, speed=speed, off=off, weaker=weaker)
+    found, why = _cycle(source, point, speed, off, weaker or {})
     if point and speed is None and not len(speeds):
         speed = operating_state(source, point=point).speed
     wanted, assumed = _range(source, speed, speeds)
@@ -313,6 +313,22 @@ def _of_chain(
         else ()
     )
     return TorsionAnalysis(chain, free, wanted, meeting, None, None, None, None)
+
+
+def _cycle(
+    engine: Engine,
+    point: str,
+    speed: float | None,
+    off: Collection[int],
+    weaker: Mapping[int, float],
+) -> tuple[Cycle | None, str]:
+    """The cycle of an operating point, or why there is none."""
+    try:
+        return cycle(engine, point=point, speed=speed, off=off, weaker=weaker), ""
+    except GasError as error:
+        if point or off or weaker:
+            raise
+        return None, str(error)
 
 
 def _range(
