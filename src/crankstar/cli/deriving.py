@@ -129,6 +129,7 @@ def _chapters(
 ) -> list[Any]:
     """The chapters of what is asked for, at a speed and to a power of λ."""
     from crankstar import derive as exact
+    from crankstar.tables.resting_derivations import with_record
 
     signs, names, orders, symbolic = given.signs, given.names, given.orders, given.symbolic
     point = given.point
@@ -145,14 +146,16 @@ def _chapters(
         tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
         if symbolic is not None:
             chapters.append(exact.family(loaded, number, kind, symbol=symbolic))
-        elif kind == "torque":
-            chapters.append(exact.inertia_torque(loaded, number, speed=turning, power=power or 7))
-        else:
-            chapters.append(
-                exact.derivation(
-                    loaded, number, kind, reference=point, speed=turning, power=power or 7
-                )
+            continue
+        made = (
+            exact.inertia_torque(loaded, number, speed=turning, power=power or 7)
+            if kind == "torque"
+            else exact.derivation(
+                loaded, number, kind, reference=point, speed=turning, power=power or 7
             )
+        )
+        about = {"order": number, "quantity": kind, "speed": turning, "reference": point}
+        chapters.append(with_record(made, loaded, **about))
     return chapters
 
 
