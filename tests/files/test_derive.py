@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from tests.catalog import EVERY_ENGINE
 from tests.commands import Run
@@ -438,3 +439,32 @@ def test_the_pistons_alone_have_a_name_of_their_own_beside_rotating_masses() -> 
     names = [(line.name.below, line) for line in lines if isinstance(line.name, Symbol)]
     assert len({line.chain[-1] for below, line in names if below == "up"}) == 1
     assert any(below.startswith("pistons") for below, _line in names)
+
+
+def test_newtons_of_a_derivation_have_what_they_rest_on(run: Run) -> None:
+    """The rotating masses, which the file lacks, make the couple of order 1 two or three times."""
+    asked = ("--quantity", "couple", "--orders", "1")
+    out = " ".join(run("derive", "audi-25-tfsi", *asked).out.split())
+    size = float(out.partition("at most ")[2].split()[0])
+    assert size == pytest.approx(417.949, rel=1e-5)
+    rocking = crankstar.total(crankstar.balance("audi-25-tfsi")).couple
+    first = int(np.flatnonzero(rocking.orders == 1.0)[0])
+    ways = abs(rocking.forward[first]) + abs(rocking.backward[first])
+    assert size == pytest.approx(ways, rel=1e-5)
+    record = out.partition("417.949")[2]
+    assert "cylinder.rotating_mass" in record
+    assert "747 to 1260" in record
+    marked = run("derive", "audi-25-tfsi", *asked, "--format", "markdown").out
+    assert "cylinder.rotating" in marked.partition("417.949")[2]
+
+
+def test_a_derivation_without_newtons_has_no_record(run: Run) -> None:
+    for name in ("i4", "v8-cross-plane"):
+        for quantity in ("force", "couple"):
+            out = run("derive", name, "--quantity", quantity, "--orders", "2").out
+            assert "cylinder.rotating_mass" not in out
+
+
+def test_the_torque_of_a_derivation_has_what_it_rests_on(run: Run) -> None:
+    out = run("derive", "audi-25-tfsi", "--quantity", "torque", "--orders", "5").out
+    assert "cylinder.rod_length:" in out.partition("14.1942")[2]

@@ -22,6 +22,8 @@ from crankstar.firing.intervals import firing
 from crankstar.mechanics.doubts import doubts
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.operating_points import SCAVENGING, ignition
+from crankstar.tables.bobweights import bobweights
+from crankstar.tables.cures import proposal
 
 
 def mistakes(**tables: Any) -> list[str]:
@@ -413,3 +415,19 @@ def test_shares_of_the_reciprocating_mass_are_not_headed_as_bobweights(run: Run)
     ).out
     assert "No bobweights" not in whole
     assert "846" in whole
+
+
+@pytest.mark.parametrize("name", ["i4", "bmw-f800", "honda-b18c", "v8-cross-plane"])
+def test_without_a_rotating_mass_nothing_is_a_bobweight_in_any_unit(name: str) -> None:
+    """It is the rotating mass that makes one, not the kilograms."""
+    engine = crankstar.load(name)
+    headed = bobweights(crankstar.load("audi-25-tfsi"), 0.5)
+    lacking = bobweights(engine, 0.5)
+    assert (lacking.title, lacking.columns[-1].heading) == (
+        headed.title,
+        headed.columns[-1].heading,
+    )
+    assert "bobweight " not in proposal(engine)
+    whole = bobweights(crankstar.load(name, changes={"cylinder.rotating_mass": 1.2}), 0.5)
+    assert whole.title != headed.title
+    assert whole.columns[-1].heading != headed.columns[-1].heading

@@ -72,3 +72,36 @@ def test_what_a_cylinder_lacks_is_given_once(
     ran = run(verb, "audi-25-tfsi", *words)
     assert (ran.code, ran.out) == (2, "")
     assert said in ran.err
+
+
+@pytest.mark.parametrize("quantity", ["motion", "gas", "twist", "motion,gas"])
+@pytest.mark.parametrize("symbol", ["phi", "n"])
+def test_a_symbol_beside_what_has_no_orders_is_refused(
+    run: Run, quantity: str, symbol: str
+) -> None:
+    ran = run("derive", "i4", "--quantity", quantity, "--symbolic", symbol)
+    assert (ran.code, ran.out) == (2, "")
+    assert "--symbolic" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("quantity", "option"),
+    [
+        ("force", "--reference=0.5"),
+        ("force,motion", "--reference=0.5"),
+        ("gas,twist", "--reference=0.5"),
+        ("gas,twist", "--power=4"),
+        ("motion,gas", "--speed=1000 rpm"),
+    ],
+)
+def test_an_option_of_other_quantities_is_refused(run: Run, quantity: str, option: str) -> None:
+    name, _equals, value = option.partition("=")
+    ran = run("derive", "i4", "--quantity", quantity, name, value)
+    assert (ran.code, ran.out) == (2, "")
+    assert name in ran.err
+
+
+def test_a_notation_that_is_used_anyway_is_marked(run: Run) -> None:
+    for words in (("--signs", "--notation", "sinitsyn"), ("--notation", "crankstar")):
+        assert "--notation changes nothing" in run("derive", "i4", *words).err
+    assert not run("derive", "i4", "--signs").err

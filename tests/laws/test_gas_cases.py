@@ -19,8 +19,11 @@ from crankstar.analyses.genset.generating_set import generating_set
 from crankstar.dynamics.uneven import driven, flywheel_for
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle, cycle, events
-from crankstar.mechanics.gas_torque import over_cycle
+from crankstar.mechanics.gas_torque import gas_torque, over_cycle
+from crankstar.studies.answers import summary, torques
+from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.single_faults import Fault
+from crankstar.tables.torque_orders import by_order
 
 Array = NDArray[Any]
 CASES = Path(__file__).parents[1] / "cases"
@@ -131,6 +134,68 @@ def test_the_frame_of_a_generating_set_gets_what_the_rotor_takes() -> None:
     for order, right in ((2.0, 207.69), (4.0, 293.13), (6.0, 127.99)):
         assert of_order(frame, order) == pytest.approx(right, rel=2e-3)
         assert sums[order] == pytest.approx(right, rel=1e-4)
+
+
+ANGLES = np.arange(8) * (pi / 2)
+COURSE = np.array([1.0, 2.0, 1.0, 0.2, 1.0, 2.0, 1.0, 0.2])
+"""The load of the pump over its cycle."""
+
+
+def of_course(order: float) -> float:
+    """The amplitude of an order of a load of straight lines, N m, by the changes of its slope.
+
+    f'' is a row of impulses, so that k^2 a_k = |sum of the changes times exp(-i k theta)|/(2 pi).
+    """
+    slope = (np.roll(COURSE, -1) - COURSE) / (pi / 2)
+    steps = slope - np.roll(slope, 1)
+    swept = 4 * pi / 4 * 0.1**2 * 0.12
+    mean = 8e5 * swept / (4 * pi)  # imep V/(4 pi)
+    wave = abs((steps * np.exp(-1j * order * ANGLES)).sum()) / (2 * pi * order**2)
+    return float(mean * wave / COURSE.mean())
+
+
+def test_the_frame_of_a_set_feels_the_course_of_its_load() -> None:
+    engine = crankstar.load(CASES / "four-pump.toml")
+    sums = {each.order: each.one for each in generating_set(engine).sums if each.quantity == "roll"}
+    assert (sums[1.0], sums[3.0]) == pytest.approx((166.75, 18.528), rel=1e-4)
+    for order in (1.0, 3.0, 5.0):  # a four has none of these by itself
+        assert sums[order] == pytest.approx(of_course(order), rel=3e-4)
+    found = cycle(engine)
+    waves = by_order(engine, found, gas_torque(found))
+    roll, framed = (
+        dict(zip(waves.orders, np.abs(wave), strict=True)) for wave in (waves.roll, waves.framed)
+    )
+    assert roll[1.0] == 0
+    assert framed[1.0] == pytest.approx(sums[1.0])
+
+
+def test_what_leaves_the_reaction_of_a_load_out_records_it() -> None:
+    engine = crankstar.load(CASES / "four-pump.toml")
+    for answer, times in ((summary(engine), 1), (torques(engine, cycle, sums=True), 0)):
+        values = assumed_values(engine, answer)
+        rests = [each for each in values if each.path == "drive.load_torque"]
+        assert [each.status for each in rests] == ["left out"] * times
+        for each in rests:
+            assert each.moved is not None
+            assert each.moved.order == 1.0
+            assert (each.moved.now, each.moved.high) == pytest.approx((0, 166.75), rel=1e-4)
+
+
+@pytest.mark.release
+def test_the_rotor_of_a_set_takes_what_its_frame_feels_of_a_course() -> None:
+    """-J dw/dt, integrated with the load; a rotor so heavy that the speed is all but even."""
+    engine = crankstar.load(CASES / "four-pump.toml")
+    found = cycle(engine)
+    rotor = 120.0
+    period = np.linspace(0, 4 * pi, COUNT + 1)
+    course = np.interp(period, ANGLES, COURSE, period=4 * pi)
+    speed = Shot(engine, found, rotor, course).speed[:COUNT]
+    wave = np.fft.rfft(speed)
+    slope = np.fft.irfft(wave * 1j * np.fft.rfftfreq(COUNT, 1 / COUNT) / 2, COUNT)
+    frame = -rotor * speed * slope
+    sums = {each.order: each.one for each in generating_set(engine).sums if each.quantity == "roll"}
+    for order in (1.0, 2.0, 3.0, 4.0):
+        assert of_order(frame, order) == pytest.approx(sums[order], rel=5e-3)
 
 
 def test_a_misfire_compresses_the_charge_of_the_trace_by_its_own_polytrope() -> None:

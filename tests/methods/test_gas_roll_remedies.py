@@ -13,6 +13,9 @@ from crankstar.engine.engine import Engine
 from crankstar.files import read
 from crankstar.mechanics.gas import cycle
 from crankstar.options.balancing import BalanceOptions, balanced
+from crankstar.remedy.fitting import recommended
+from crankstar.report.front import _rolling
+from crankstar.report.subject import Subject
 from crankstar.tables.gas_rolls import gas_roll_of
 from crankstar.tables.remedies import balancing_sheet
 from crankstar.tables.roll_cures import roll_left
@@ -122,3 +125,47 @@ def test_the_summary_of_an_engine_with_gas_has_both_rolls() -> None:
     told = [fact.sentence for fact in verdict(genset(), relatives=False) if fact.about == "roll"]
     assert "1500 rpm: largest at order 4, 293.13 N m" in told[0]
     assert "order 2, 424.36 N m" in told[1]
+
+
+SINGLE = CASES / "single-on-wheels.toml"
+BEFORE, AFTER = "174.53 N m", "753.04 N m"
+"""Order 1 of its roll with gas, without and with the shaft that cures its primary force."""
+
+
+def test_a_shaft_off_the_axis_adds_its_force_times_its_arm() -> None:
+    engine = read(SINGLE)
+    fitted = recommended(engine)
+    assert fitted is not None
+    rolls = [gas_roll_of(each, speed=None) for each in (engine, fitted.after)]
+    (before, after) = [each.at(1.0) for each in rolls if each is not None]
+    (shaft,) = (each for each in fitted.after.shafts if not each.throws)
+    (weight,) = shaft.weights
+    speed = engine.speed or 0.0
+    assert abs(after - before) == pytest.approx(weight.unbalance * speed**2 * abs(shaft.up))
+    assert (abs(before), abs(after)) == pytest.approx((174.53, 753.04), abs=0.006)
+
+
+def test_verdict_and_report_have_the_roll_before_and_after_the_remedy() -> None:
+    engine = read(SINGLE)
+    facts = verdict(engine, relatives=False)
+    (grown,) = (fact.sentence for fact in facts if fact.about == "remedied")
+    fitted = recommended(engine)
+    assert fitted is not None
+    (sheet,) = remaining(balancing_sheet(balanced(engine, BalanceOptions(recommended=True)))).notes
+    assert BEFORE in sheet
+    assert AFTER in sheet
+    left = roll_left(fitted.after, speed=None, before=engine)
+    for sentence in (grown, left):
+        assert sheet in sentence
+        assert sentence.index(BEFORE) < sentence.index(AFTER)
+
+
+def test_a_verdict_whose_remedy_reduces_the_roll_has_no_warning() -> None:
+    facts = verdict(genset({"speed": "3000 rpm"}), relatives=False)
+    assert not [fact for fact in facts if fact.about == "remedied"]
+
+
+def test_the_front_page_has_both_values_of_the_roll() -> None:
+    subject = Subject(read(SINGLE), {}, "")
+    (line,) = _rolling(subject)
+    assert line.index(BEFORE) < line.index(AFTER)

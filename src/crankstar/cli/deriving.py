@@ -66,7 +66,7 @@ def derive(
     point = request.reference(reference, loaded)
     if power is not None and not 1 <= power <= 24:
         raise refusal("--power", power, "give a power of λ from 1 to 24")
-    names = request.listed(quantity)
+    names, kinds = request.listed(quantity), request.quantities(quantity)
     silent = request.cylinders_off(off)
     given = {
         "--orders": orders,
@@ -80,7 +80,7 @@ def derive(
     wanted: list[tuple[Fraction, request.Derived]] = [
         (number, kind)
         for number in request.derived_orders("1,2" if orders is None else orders)
-        for kind in request.quantities(quantity)
+        for kind in kinds
     ]
     letters = notations.chosen(
         ("sinitsyn" if signs else "crankstar") if notation is None else notation
@@ -98,7 +98,7 @@ def derive(
             {
                 "--speed": None if speed is None else lambda: (derived(None, power), letters),
                 "--power": None if power is None else lambda: (derived(turning, None), letters),
-                "--notation": None if letters == usual else lambda: (chapters, usual),
+                "--notation": None if notation is None else lambda: (chapters, usual),
             },
         )
     if form == "text":
@@ -129,6 +129,7 @@ def _chapters(
 ) -> list[Any]:
     """The chapters of what is asked for, at a speed and to a power of λ."""
     from crankstar import derive as exact
+    from crankstar.tables.resting_derivations import with_record
 
     signs, names, orders, symbolic = given.signs, given.names, given.orders, given.symbolic
     point = given.point
@@ -145,14 +146,16 @@ def _chapters(
         tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
         if symbolic is not None:
             chapters.append(exact.family(loaded, number, kind, symbol=symbolic))
-        elif kind == "torque":
-            chapters.append(exact.inertia_torque(loaded, number, speed=turning, power=power or 7))
-        else:
-            chapters.append(
-                exact.derivation(
-                    loaded, number, kind, reference=point, speed=turning, power=power or 7
-                )
+            continue
+        made = (
+            exact.inertia_torque(loaded, number, speed=turning, power=power or 7)
+            if kind == "torque"
+            else exact.derivation(
+                loaded, number, kind, reference=point, speed=turning, power=power or 7
             )
+        )
+        about = {"order": number, "quantity": kind, "speed": turning, "reference": point}
+        chapters.append(with_record(made, loaded, **about))
     return chapters
 
 
@@ -178,13 +181,25 @@ def _refuse_unused(given: Mapping[str, Any], names: Sequence[str]) -> None:
     if signs:
         beside("--signs", "--orders", "--quantity", "--power", "--speed", "--symbolic")
     elif symbolic is not None:
+        _of_orders("--symbolic", symbolic, names)
         beside("--symbolic", *of_order[2:])
-    elif names == ["torque"]:
-        beside("--quantity torque", "--reference")
-    elif names in (["gas"], ["twist"]):
-        beside(f"--quantity {names[0]}", *of_order[2:])
-    elif names == ["motion"]:
-        beside("--quantity motion", "--orders", "--speed", "--reference")
+    elif names and not BY_ORDER & {*names}:
+        also = "--power" if "motion" not in names else ""
+        beside(f"--quantity {','.join(names)}", *filter(None, (also, "--speed", "--reference")))
+    elif names and "couple" not in names:
+        beside(f"--quantity {','.join(names)}", "--reference")
+    if names == ["motion"]:
+        beside("--quantity motion", "--orders")
+
+
+BY_ORDER = {"force", "couple", "torque"}
+"""Quantities that are derived order by order, in newtons where there is a speed."""
+
+
+def _of_orders(option: str, value: str, names: Sequence[str]) -> None:
+    """Refuse an option beside quantities of which none is derived order by order."""
+    if names and not BY_ORDER & {*names}:
+        request.refuse_unused({option: value}, beside=f"--quantity {','.join(names)}")
 
 
 def errata(

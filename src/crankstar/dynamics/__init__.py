@@ -9,6 +9,7 @@
 | `oil_film` | the orbit of a journal in its oil, and the least film |
 | `uneven` | the speed of the crankshaft over a cycle, and the flywheel that evens it |
 | `generator_angle` | how far a generator runs ahead of its mean turn and behind it |
+| `load_reaction` | what a driven machine does to the frame that it is fixed to |
 | `uneven_forces` | what the uneven speed changes in force and couple |
 | `meshes` | what the gears between crankshafts pass on over a cycle |
 | `crank_stiffness` | the torsional stiffness of a crank throw by published formulas |

@@ -12,10 +12,11 @@ whole orders only, and nothing to the mean.
 
 Head and pistons are pushed apart with equal forces, so that gas makes no force on the block: what
 remains is a moment about the crank axis, minus the torque in the sense of rotation. That holds
-wherever the load stands: with a torque of the load that is steady, the rotor takes the alternating
+wherever the load is: with a torque of the load that is steady, the rotor takes the alternating
 torque, J dw/dt = T - T_L, and the block its reaction, -J dw/dt, all of it. Only the mean depends on
 the load. One on its own ground leaves its reaction, -T_L, on the block; one on the same frame, as
-the stator of a generating set, takes it back.
+the stator of a generating set, takes it back, and what of it alternates with it
+(`dynamics.load_reaction`).
 """
 
 from __future__ import annotations

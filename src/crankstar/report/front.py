@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, passage
 from crankstar.remedy.fitting import recommended, recommended_like
 from crankstar.report.markup import figure
 from crankstar.report.subject import Subject
@@ -64,10 +64,11 @@ def _rolling(subject: Subject) -> Sequence[str]:
     fitted = recommended(own)
 
     def line(each: Subject) -> list[str]:
-        engine = each.engine
-        if fitted is not None:
-            engine = recommended_like(fitted, own, engine).after
-        return [roll_left(engine, speed=each.at)]
+        if fitted is None:
+            return [roll_left(each.engine, speed=each.at)]
+        like = recommended_like(fitted, own, each.engine)
+        left = roll_left(like.after, speed=each.at, before=each.engine)
+        return [passage((fitted.description, left))] if left else []
 
     return [*filter(None, subject.lines(line))]
 

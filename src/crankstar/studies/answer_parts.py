@@ -104,6 +104,9 @@ def joined(parts: Sequence[Answer]) -> Answer:
         given=set.intersection(*({*part.given} for part in parts)),
         gasless=next((part.gasless for part in parts if part.gasless), ""),
         why_gasless=next((part.why_gasless for part in parts if part.why_gasless), ""),
+        without_reaction=next(
+            (part.without_reaction for part in parts if part.without_reaction is not None), None
+        ),
         tunings=[each for part in parts for each in part.tunings],
     )
 

@@ -99,6 +99,7 @@ def amplitudes(
         unit=unit,
         uses=("inertia", "gas") if both else ("inertia",),
         gas=without if both else None,
+        without_reaction=without if both else None,
         least=lambda each: _pushed(each, speed, reference),
         without_gas=usual if both else without or usual,
         gasless="" if gas or (both and without is not None) else IN_ROLL,
@@ -106,11 +107,15 @@ def amplitudes(
     )
 
 
-def _rolls(name: str, engine: Engine, found: Cycle) -> dict[Figure, float]:
-    """The rolling moment of gas and inertia by order."""
+def _rolls(
+    name: str, engine: Engine, found: Cycle, *, one_frame: bool = False
+) -> dict[Figure, float]:
+    """The rolling moment of gas and inertia by order; of `one_frame` with the driven machine."""
+    from crankstar.dynamics.load_reaction import on_one_frame
     from crankstar.studies.gas_results import roll_of
 
-    return _by_order(name, roll_of(engine, found))
+    roll = roll_of(engine, found)
+    return _by_order(name, on_one_frame(roll, engine, found) if one_frame else roll)
 
 
 def compared(
@@ -199,6 +204,7 @@ def outlook(
         unit=unit,
         uses=("inertia", "gas"),
         gas=found,
+        without_reaction=found,
         least=lambda each: _pushed(each, speed, reference),
     )
 
@@ -216,7 +222,7 @@ def torques(
 
     With `running` the degree of irregularity where the `flywheel` (kg m^2) is known, and the one
     for a degree of `irregularity`. With `sums` force, couple and roll besides, as several engines
-    have them, not the torques; without gas too.
+    have them with what they drive on their frame, not the torques; without gas too.
     """
     found = make(engine)
     if sums and found is None:
@@ -226,7 +232,7 @@ def torques(
         again = make(each)
         if again is None:  # an engine whose gas cannot be computed is no end of a range
             raise GasError("the engine file has no table [gas]")
-        rolls = _rolls("roll", each, again)
+        rolls = _rolls("roll", each, again, one_frame=sums)
         if running:
             rolls |= _evenness(each, again, flywheel, irregularity)
         if sums:
@@ -247,6 +253,7 @@ def torques(
         ),
         uses=("inertia", "gas", *(("running",) if running and flywheel is None else ())),
         gas=found,
+        without_reaction=None if sums else found,
     )
 
 

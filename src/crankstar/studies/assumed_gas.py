@@ -32,7 +32,7 @@ from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.charge_air import CHARGED, RICHEST, STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, cycle
-from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
+from crankstar.mechanics.gas_torque import added, gas_torque, roll_with_gas
 from crankstar.mechanics.operating_points import ASSUMED, GasError
 from crankstar.mechanics.remains import summed
 
@@ -142,6 +142,39 @@ def without_gas(engine: Engine, found: Cycle) -> Assumption:
     return Assumption(
         "left out", name, reason, unit="" if ends[0] is None else "bar",
         low=ends[0], high=ends[1], values=fires, moved=change,
+    )  # fmt: skip
+
+
+def without_reaction(engine: Engine, found: Cycle) -> Iterator[Assumption]:
+    """The reaction of a load with a course, which a file does not say the frame of.
+
+    None of a steady load.
+    """
+    from crankstar.dynamics.load_reaction import load_reaction
+    from crankstar.studies.gas_results import roll_of
+
+    reaction = load_reaction(engine, found)
+    if reaction is None:
+        return
+    roll = roll_of(engine, found)
+    both = added(roll, reaction)
+    alone, sizes = (
+        np.abs(spectra.amplitude(spectra.selected(each, both.orders))) for each in (roll, both)
+    )
+    most = int(np.argmax(np.abs(sizes - alone)))
+    top = max(float(sizes.max()), float(alone.max()))
+    change = Moved(
+        "roll", float(both.orders[most]), "N*m", float(alone[most]),
+        float(sizes[most]), float(sizes[most]),
+        float(abs(sizes[most] - alone[most])) / top if top else 0.0,
+    )  # fmt: skip
+    yield Assumption(
+        "left out", "drive.load_torque",
+        N_(
+            "its reaction is not in the rolling moment; it acts on the block only where the driven "
+            "machine is fixed to the same frame"
+        ),
+        moved=change,
     )  # fmt: skip
 
 

@@ -12,6 +12,7 @@
 | `hulls` | how far convex hulls of amplitudes are from zero |
 | `tops` | what is great in a table, beside which a difference is rounding |
 | `assumptions` | what an answer rests on, as sentences |
+| `resting_derivations` | what the newtons of a derivation rest on |
 | `ranges` | analyses of estimated engines: each number with its range |
 | `estimates` | what `estimate` fills in |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |

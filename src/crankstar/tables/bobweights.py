@@ -132,7 +132,7 @@ def bobweights(engine: Engine, factor: float, *, notes: Sequence[str] = ()) -> T
             )
             for count in sorted({len(pin.cylinders) for pin in pins} - {0, 1})
         ),
-        *_off_half(pins, factor),
+        *([] if lacks_rotating(engine) else _off_half(pins, factor)),
         *_own(pins),
     )
     title = _("Bobweights")
@@ -150,8 +150,8 @@ def _bobweight_law(factor: float) -> str:
 
 
 def lacks_rotating(engine: Engine) -> bool:
-    """Whether the file has masses in kg, and none that turns with a crank pin."""
-    return "mass" not in engine.relative and not any(pin.rotating for pin in loads(engine))
+    """Whether the file has no mass that turns with a crankpin, in kg or in the mass of a piston."""
+    return not any(pin.rotating for pin in loads(engine))
 
 
 def _bobweight_head(engine: Engine) -> str:
@@ -244,6 +244,8 @@ def overbalance(engine: Engine, factor: float) -> Table:
 
 def _remarks(engine: Engine, factor: float) -> Iterator[str]:
     """Whether the crankshafts need bobweights at all."""
+    if lacks_rotating(engine):
+        return
     for shaft in engine.shafts:
         pins = [pin for pin in loads(engine) if pin.shaft == shaft.name]
         masses = [bobweight(pin, factor) * pin.radius for pin in pins]

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 BUILDS = 20_000
 """Engines built at random: 5 % of them are a thousand."""
 
+REMEDIES = ("cure", "remedied", "relatives")
+"""Topics of a verdict that follow those of engines as built."""
+
 
 def with_built(
     facts: Sequence[Fact], tree: Mapping[str, Any], engine: Engine, *, speed: float | None
@@ -29,8 +32,7 @@ def with_built(
 
     own = [Fact("tolerances", sentence) for sentence in sentences(found)]
     last = max(
-        (place for place, fact in enumerate(facts) if fact.about not in ("cure", "relatives")),
-        default=-1,
+        (index for index, fact in enumerate(facts) if fact.about not in REMEDIES), default=-1
     )
     return [*facts[: last + 1], *own, *facts[last + 1 :]]
 

@@ -14,11 +14,24 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given
-from crankstar.language.messages import _
+from crankstar.language.kept import as_given, of_any
+from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.remains import OPTIMISED
 from crankstar.spectra import Spectrum
+
+CHANGES = {
+    "grows": N_(
+        "With gas at {rpm} rpm the rolling moment of order {order} grows from {before} to {now}: "
+        "no remedy for it at this load."
+    ),
+    "falls": N_(
+        "With gas at {rpm} rpm the rolling moment of order {order} falls from {before} to {now}."
+    ),
+    "stays": N_("With gas at {rpm} rpm the rolling moment of order {order} stays at {now}."),
+}
+"""What a remedy makes of an order of the rolling moment with gas."""
 
 
 class GasRoll(NamedTuple):
@@ -80,6 +93,32 @@ def largest_sentence(engine: Engine, *, speed: float | None) -> str:
         rpm=number(found.speed * 30 / pi),
         order=order_text(order),
         size=quantity_text(found.at(order), "N*m"),
+    )
+
+
+def grown_orders(before: GasRoll, now: GasRoll) -> tuple[float, ...]:
+    """The orders that a remedy makes larger with gas."""
+    floor = OPTIMISED * float(np.abs(spectra.amplitude(now.whole)).max(initial=0.0))
+    orders = [
+        float(order)
+        for order in now.whole.orders
+        if abs(now.at(order)) > abs(before.at(order)) * (1 + OPTIMISED) + floor
+    ]
+    return of_any("grown rolls", orders)
+
+
+def change_sentence(before: GasRoll, now: GasRoll, order: float) -> str:
+    """An order of the rolling moment with gas before and after a remedy, and that it is none."""
+    sizes = abs(before.at(order)), abs(now.at(order))
+    course = "stays"
+    if abs(sizes[1] - sizes[0]) > OPTIMISED * max(sizes):
+        course = "grows" if sizes[1] > sizes[0] else "falls"
+    return _(
+        CHANGES[as_given(("roll changes", order), course)],
+        rpm=number(before.speed * 30 / pi),
+        order=order_text(order),
+        before=quantity_text(before.at(order), "N*m"),
+        now=quantity_text(now.at(order), "N*m"),
     )
 
 

@@ -17,7 +17,6 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text
-from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
@@ -28,7 +27,7 @@ from crankstar.remedy.kept import Changes, vectors
 from crankstar.tables.bobweights import bobweights
 from crankstar.tables.certificate import certificate
 from crankstar.tables.cures import cure_lines, none_remains
-from crankstar.tables.gas_rolls import gas_roll_of
+from crankstar.tables.gas_rolls import change_sentence, gas_roll_of
 from crankstar.tables.placings import placing_lines
 from crankstar.tables.scales import Scale, scales
 from crankstar.tables.turning import bearing, turning
@@ -363,16 +362,7 @@ def _rolls(
         word = _("rolling moment with gas")
         rows.append((order, word, "N*m", *_left(job, *both), None, None))
         if both[1] > both[0] * (1 + OPTIMISED):
-            notes.append(
-                _(
-                    "With gas at {rpm} rpm the rolling moment of order {order} grows from {before} "
-                    "to {now}: no remedy for it at this load.",
-                    rpm=number(gas[0].speed * 30 / pi),
-                    order=order_text(order),
-                    before=quantity_text(both[0], "N*m"),
-                    now=quantity_text(both[1], "N*m"),
-                )
-            )
+            notes.append(change_sentence(gas[0], gas[1], order))
     if rows and gas[0] is None:
         notes.append(
             _(

@@ -17,12 +17,13 @@ from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
-from crankstar.mechanics.remains import Sums, remains, summed
+from crankstar.mechanics.remains import OPTIMISED, Sums, remains, summed
 from crankstar.remedy import Box, Placing, placed
 from crankstar.remedy.clearance import balance_shafts, is_clear_of_cranks
+from crankstar.remedy.fitting import recommended
 from crankstar.remedy.placing import MOST_SHAFTS
 from crankstar.remedy.rolling import push
-from crankstar.tables.gas_rolls import gas_roll_of
+from crankstar.tables.gas_rolls import change_sentence, gas_roll_of, grown_orders
 from crankstar.tables.scales import scales
 
 LEFT = {
@@ -62,6 +63,22 @@ WITH_GAS = {
     ),
 }
 """The part of gas, which shafts for the moment of inertia leave as it is."""
+FITTED = {
+    "no remedy": N_(
+        "Shafts that remove its part without gas, {inertia}, would leave {left}: no remedy at this "
+        "load."
+    ),
+    "remedy": N_("{left} would remain if its part without gas, {inertia}, were removed."),
+}
+"""The same of an engine with its remedies, once what these change has been stated."""
+CHANGES = {
+    "grows": N_(
+        "Without gas the rolling moment of order {order} grows from {before} to {now} with them."
+    ),
+    "falls": N_(
+        "Without gas the rolling moment of order {order} falls from {before} to {now} with them."
+    ),
+}
 WORTH = 0.1
 """Share of a rolling moment with gas from which what removes it is a remedy: our judgement.
 
@@ -86,11 +103,12 @@ def largest_roll(result: Balance, sums: Sums) -> Roll | None:
     return Roll(float(sums.roll.orders[place]), complex(waves[place]))
 
 
-def roll_left(engine: Engine, *, speed: float | None) -> str:
+def roll_left(engine: Engine, *, speed: float | None, before: Engine | None = None) -> str:
     """The largest order of the rolling moment on an engine with its remedies, and what removes it.
 
     With gas where the file has it: what removes the moment of inertia is a remedy only if less
-    remains of both together. Empty where there is none.
+    remains of both together. Empty where there is none. `before` is the engine without its
+    remedies, whose rolling moment is stated beside that with them.
 
     >>> from crankstar.files.catalog import load
     >>> roll_left(load("i4"), speed=None).partition(", which")[0]
@@ -98,22 +116,62 @@ def roll_left(engine: Engine, *, speed: float | None) -> str:
     """
     result = balance(engine, speed=speed)
     largest = largest_roll(result, summed(result))
-    found = gas_roll_of(engine, speed=speed)
-    if found is None:
-        return _inertia_left(engine, result, largest)
-    order = as_given("largest roll left", found.largest)
-    left, whole = found.gas_at(order), found.at(order)
+    now = gas_roll_of(engine, speed=speed)
+    if now is None:
+        changed = "" if before is None else _inertia_changed(before, result, largest)
+        return passage(filter(None, (changed, _inertia_left(engine, result, largest))))
+    order = as_given("largest roll left", now.largest)
+    left, whole = now.gas_at(order), now.at(order)
     less = as_given("less with gas", abs(left) < (1 - WORTH) * abs(whole))
     case = "remedy" if less else "no remedy"
+    was = None if before is None else gas_roll_of(before, speed=speed)
+    sentences: list[str] = []
+    if was is not None:
+        others = [each for each in grown_orders(was, now) if each != order]
+        sentences = [change_sentence(was, now, each) for each in (*others, order)]
     sentence = _(
-        WITH_GAS[case],
+        (WITH_GAS if was is None else FITTED)[case],
         order=order_text(order),
-        rpm=number(found.speed * 30 / pi),
+        rpm=number(now.speed * 30 / pi),
         size=quantity_text(whole, "N*m"),
         inertia=quantity_text(whole - left, "N*m"),
         left=quantity_text(left, "N*m"),
     )
-    return passage((sentence, _inertia_left(engine, result, largest) if less else ""))
+    rest = _inertia_left(engine, result, largest) if less else ""
+    return passage((*sentences, sentence, rest))
+
+
+def grown_with_gas(engine: Engine, *, speed: float | None) -> list[str]:
+    """The orders of the rolling moment with gas that the recommended weights and shafts enlarge.
+
+    Before and after; none where gas is not known. They are those of `crankstar balance
+    --recommended`.
+    """
+    was = gas_roll_of(engine, speed=speed)
+    fitted = None if was is None else recommended(engine)
+    now = None if fitted is None else gas_roll_of(fitted.after, speed=speed)
+    if was is None or fitted is None or now is None:
+        return []
+    lines = [change_sentence(was, now, order) for order in grown_orders(was, now)]
+    return [passage((fitted.description, *lines))] if lines else []
+
+
+def _inertia_changed(before: Engine, result: Balance, largest: Roll | None) -> str:
+    """The largest order of the rolling moment of inertia before and after the remedies."""
+    if largest is None:
+        return ""
+    sums = summed(balance(before, speed=result.speed))
+    wave = complex(spectra.amplitude(spectra.selected(sums.roll, [largest.order]))[0])
+    was, now = abs(wave), abs(largest.wave)
+    course = "grows" if now > was else "falls"
+    if as_given("roll stays", abs(now - was) <= OPTIMISED * max(was, now)):
+        return ""
+    return _(
+        CHANGES[as_given("inertia roll changes", course)],
+        order=order_text(largest.order),
+        before=quantity_text(wave, result.units.moment),
+        now=quantity_text(largest.wave, result.units.moment),
+    )
 
 
 def _inertia_left(engine: Engine, result: Balance, largest: Roll | None) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.analysis.document import Column, Table, Value
+from crankstar.dynamics.load_reaction import on_one_frame
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import _
@@ -28,7 +29,8 @@ NOTED = 0.01
 class Orders(NamedTuple):
     """Amplitudes by order, N m, `Re(c exp(i k theta))`; inertia is None without known masses.
 
-    `roll` is the alternating rolling moment on the block, wherever the load stands.
+    `roll` is the alternating rolling moment on the block, wherever the load is; `framed` that on a
+    frame of engine and driven machine, which differs where the load has a course.
     """
 
     orders: list[float]
@@ -36,6 +38,12 @@ class Orders(NamedTuple):
     inertia: Complex | None
     total: Complex
     roll: Complex
+    framed: Complex
+
+    @property
+    def reacting(self) -> bool:
+        """Whether the course of the load has a part in it."""
+        return self.framed is not self.roll
 
 
 def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
@@ -45,15 +53,17 @@ def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
     if cycle.speed is None or result.speed is None:
         wave = spectra.amplitude(gas)
         roll = spectra.amplitude(gas_roll(gas, engine.sense))
-        return Orders(gas.orders.tolist(), wave, None, wave, roll)
+        return Orders(gas.orders.tolist(), wave, None, wave, roll, roll)
     sums = total(result)
     whole = added(sums.torque, gas)
     roll = added(roll_with_gas(sums, gas), spectra.scaled(whole, 0.0))
+    framed = on_one_frame(roll, engine, cycle)
 
     def at(spectrum: Spectrum) -> Complex:
-        return spectra.amplitude(spectra.selected(spectrum, roll.orders))
+        return spectra.amplitude(spectra.selected(spectrum, framed.orders))
 
-    return Orders(roll.orders.tolist(), at(gas), at(sums.torque), at(whole), at(roll))
+    waves = at(gas), at(sums.torque), at(whole), at(roll)
+    return Orders(framed.orders.tolist(), *waves, waves[-1] if framed is roll else at(framed))
 
 
 class OrderTables(NamedTuple):
@@ -67,6 +77,8 @@ class OrderTables(NamedTuple):
 def orders_of_note(waves: Orders) -> tuple[float, ...]:
     """Those of note, and what is zero before the first."""
     size = np.maximum(np.abs(waves.total), np.abs(waves.gas))
+    if waves.reacting:
+        size = np.maximum(size, np.abs(waves.framed))
     noted = size > NOTED * size.max(initial=0.0)
     first = next((order for order, kept in zip(waves.orders, noted, strict=True) if kept), 0.0)
     return tuple(
@@ -95,7 +107,7 @@ def _order_table(waves: Orders, shown: Sequence[float], *, whole: bool = False) 
         series.append(("inertia", _("inertia torque"), waves.inertia))
     series.append(("total", _("together"), waves.total))
     if whole:
-        series += [("roll", "", waves.roll), ("roll_on_same_mounts", "", waves.roll)]
+        series += [("roll", "", waves.roll), ("roll_on_same_mounts", "", waves.framed)]
     columns += [Column(title, "N*m", kind=kind, key=key) for key, title, _wave in series]
     rows = _rows(waves, shown, [wave for _key, _title, wave in series])
     return Table(_("Torque by order"), tuple(columns), rows, key="orders")
@@ -114,9 +126,12 @@ def _rows(
 
 def roll_table(waves: Orders, shown: Sequence[float]) -> Table:
     """The rolling moment on the block, order by order."""
-    columns = (Column(_("order"), label=True), Column(_("rolling moment"), "N*m", kind="wave"))
-    rows = _rows(waves, shown, [waves.roll])
-    return Table(_("Rolling moment on the block"), columns, rows)
+    columns = [Column(_("order"), label=True), Column(_("rolling moment"), "N*m", kind="wave")]
+    series = [waves.roll]
+    if waves.reacting:
+        columns.append(Column(_("driven machine on the same frame"), "N*m", kind="wave"))
+        series.append(waves.framed)
+    return Table(_("Rolling moment on the block"), tuple(columns), _rows(waves, shown, series))
 
 
 def gas_waves(engine: Engine, *, speed: float | None) -> Orders | None:

@@ -36,6 +36,7 @@ from crankstar.tables.firing_facts import layout_sentence, succession_lines
 from crankstar.tables.gas_rolls import largest_sentence
 from crankstar.tables.paths import course, vector_name
 from crankstar.tables.relatives import relative_lines
+from crankstar.tables.roll_cures import grown_with_gas
 
 NONE = {
     "force": N_("No force of any order up to {order}."),
@@ -63,7 +64,8 @@ MOMENTS = {
 class Fact(NamedTuple):
     """A sentence and its subject.
 
-    One of layout, firing, units, force, couple, roll, tolerances, cure, relatives, or an analysis.
+    One of layout, firing, units, force, couple, roll, tolerances, cure, remedied, relatives, or an
+    analysis.
     """
 
     about: str
@@ -96,6 +98,7 @@ def verdict(
         ("roll", _moment_sentences(result, sums)),
         *_of_analyses(engine, speed),
         *(("cure", sentence) for sentence in _cures(engine, speed)),
+        *(("remedied", sentence) for sentence in grown_with_gas(engine, speed=speed)),
         *(("relatives", sentence) for sentence in (relative_lines(engine) if relatives else [])),
     ]
     return tuple(Fact(*fact) for fact in facts if fact[1])
@@ -135,6 +138,7 @@ def subjects() -> dict[str, str]:
         **{record.name: _(record.subject) for record in analyses() if record.facts},
         "tolerances": _("as built"),
         "cure": _("remedy"),
+        "remedied": _("with the remedy"),
         "relatives": _("comparison"),
     }
 

@@ -170,9 +170,9 @@ def _notes(found: GeneratingSet) -> list[str]:
     if found.sums:
         lines.append(
             _(
-                "The generator stands on the frame of the engine: the mean torque stays inside, "
-                "and the frame rolls by the reaction to all that alternates. Moments are about the "
-                "middle of the cylinders."
+                "The generator is fixed to the frame of the engine: the mean torque stays inside, "
+                "and the frame rolls by the reaction to all that alternates, a course of the load "
+                "included. Moments are about the middle of the cylinders."
             )
         )
     if found.sums and found.engines > 1:

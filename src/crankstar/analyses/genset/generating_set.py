@@ -1,9 +1,10 @@
 """A generating set: how evenly it runs, and what several of them do to one foundation.
 
-The generator stands on the frame of its engine. Its torque is steady, so that the rotor takes the
-alternating torque and the frame its reaction (`gas_torque`): what reaches the foundation are the
-inertia force, the external moments, and the rolling moment of gas and inertia, half orders of a
-weak cylinder included. The mean torque alone stays inside.
+The generator is fixed to the frame of its engine. The rotor takes what is left of the alternating
+torque of gas and inertia by that of the load, J dw/dt, and the frame its reaction, -J dw/dt
+(`load_reaction`): what reaches the foundation are the inertia force, the external moments, and the
+rolling moment of gas, inertia and a load with a course, half orders of a weak cylinder included.
+The mean torque alone stays inside.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.dynamics.generator_angle import GeneratorAngle, generator_angle
+from crankstar.dynamics.load_reaction import on_one_frame
 from crankstar.dynamics.uneven import Running, driven, flywheel_for
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
@@ -44,7 +46,8 @@ QUANTITIES = ("force_vertical", "force_horizontal", "pitch", "yaw", "roll")
 class OrderSum:
     """An order of a quantity: of one engine, and of all with unknown phases, N or N m.
 
-    `exceeded` in the shares SHARES of the time; the rolling moment is that of gas and inertia.
+    `exceeded` in the shares SHARES of the time; the rolling moment is that of gas, inertia and the
+    course of the load.
     """
 
     quantity: str
@@ -147,7 +150,7 @@ def _sums(
     out: list[OrderSum] = []
     for name in QUANTITIES:
         if name == "roll":
-            roll = _roll(whole, burning)
+            roll = _roll(whole, engine, burning)
             orders, values = roll.orders, np.abs(spectra.amplitude(roll))
             most = float(values.max(initial=0.0))
         else:
@@ -161,11 +164,11 @@ def _sums(
     return tuple(out), ""
 
 
-def _roll(sums: Totals, burning: Cycle | None) -> spectra.Spectrum:
+def _roll(sums: Totals, engine: Engine, burning: Cycle | None) -> spectra.Spectrum:
     """The rolling moment on the frame, of inertia alone where the gas is not known."""
     if burning is None:
         return rolling_moment(sums)
-    return roll_with_gas(sums, gas_torque(burning).total)
+    return on_one_frame(roll_with_gas(sums, gas_torque(burning).total), engine, burning)
 
 
 def _without_running(engine: Engine, speed: float | None, flywheel: float | None) -> str:

@@ -96,6 +96,7 @@ def on_mounts(
         unit=lambda quantity, _engine: _unit_on_mounts(quantity),
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
+        without_reaction=gas,
         gasless="" if usual else IN_VIBRATION,
         why_gasless=why,
         choices=[usual_load(usual, with_gas, IN_VIBRATION)] if usual else [],

@@ -1,0 +1,56 @@
+"""The reaction of a driven machine on the frame that it is fixed to, of a load with a course.
+
+With s the sense of rotation the block rolls by M = axis moment - s (T_inertia + T_gas), wherever
+the load is (`gas_torque`). A driven machine that takes the torque T_L(theta) of the shaft is turned
+by it in the sense of rotation, so that a frame of both feels
+
+    M + s T_L = axis moment - s J dw/dt,      J dw/dt = T_inertia + T_gas - T_L        N m
+
+that is what the rotor takes, and no more. Of the load its alternating part counts, at even speed:
+
+    T_L = T_mean g(theta)/mean(g)
+
+with g the course of the file (`drive.load_torque`) and T_mean the mean torque of the gas. A steady
+load has none, whatever its exponent.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.dynamics.uneven import load_course
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_torque import HIGHEST, added, gas_torque
+from crankstar.spectra import Spectrum
+
+ROUNDING = 1e-12
+"""Share of the largest order below which an order of a course is a rounding error."""
+
+
+def load_reaction(engine: Engine, cycle: Cycle) -> Spectrum | None:
+    """The alternating reaction of the driven machine on its own frame, N m; None of a steady load.
+
+    >>> from crankstar import cycle, load
+    >>> course = {"load_torque": [2, 0], "load_angle": ["0 deg", "360 deg"]}
+    >>> five = load("audi-25-tfsi", changes={"drive": course})
+    >>> idle = cycle(five, speed="800 rpm", imep="2 bar")
+    >>> load_reaction(five, idle).orders[:2].tolist(), load_reaction(load("audi-25-tfsi"), idle)
+    ([0.5, 1.0], None)
+    """
+    course = load_course(engine)
+    if course is None:
+        return None
+    period = cycle.volumes.cycle
+    numbers = np.arange(1, int(HIGHEST * period / (2 * np.pi)) + 1)
+    wave = 2 * np.fft.rfft(course)[numbers] / course.sum()
+    wave = np.where(np.abs(wave) > ROUNDING * np.abs(wave).max(), wave, 0)
+    mean = float(gas_torque(cycle).mean.sum())
+    return spectra.real_signal(numbers * (2 * np.pi / period), engine.sense * mean * wave)
+
+
+def on_one_frame(roll: Spectrum, engine: Engine, cycle: Cycle) -> Spectrum:
+    """The rolling moment on a frame of engine and driven machine, from that on the engine, N m."""
+    reaction = load_reaction(engine, cycle)
+    return roll if reaction is None else added(roll, reaction)
