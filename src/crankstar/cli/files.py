@@ -31,6 +31,8 @@ def check(
     """Check engine files and list every mistake in them."""
     from rich.text import Text
 
+    from crankstar.tables.assumptions import part_lines
+
     if not files:
         raise RequestError("check: name at least one engine file")
     failed = 0
@@ -48,6 +50,7 @@ def check(
             own = loaded.engine
             lines = [
                 _good(name, own),
+                *(f"  {line}" for line in part_lines(own.left_out)),
                 *_far(own),
                 *_stale(tree),
                 *_twice(tree),

@@ -46,6 +46,8 @@ DOUBTFUL = ("unverified", "placeholder")
 """Statuses of values of a file that nobody has read in a source."""
 OF_GAS = ("gas", "drive", "valves")
 """Tables of a file that no inertia depends on."""
+TIMING = frozenset({"valves"})
+"""Answers that are about the timing of valves alone: no part that moves matters to them."""
 POINT = re.compile(r"gas\.point(?:\[(\d+)\])?\.(\w+)")
 """A key of an operating point: of all, or of one counted from one."""
 LOSS_ENDS = (0.5, 2.0)
@@ -93,6 +95,8 @@ SHIFT = 10.0
 
 def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     """All that is lacking or doubtful of what an answer uses, in no order."""
+    if not {*answer.uses} <= TIMING:
+        yield from _not_modelled(engine)
     yield from map(_doubt, doubts_of(engine, answer.uses, answer.gas))
     yield from answer.choices
     if "inertia" in answer.uses:
@@ -119,6 +123,15 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     if "valves" in answer.uses and engine.firing_order:
         yield from (replace(each, vary=None) for each in valves(engine))  # they are the figure
     yield from _unverified(engine, answer)
+
+
+def _not_modelled(engine: Engine) -> Iterator[Assumption]:
+    """Parts that the engine has and its file leaves out."""
+    for number, part in enumerate(engine.left_out, 1):
+        yield Assumption(
+            "not modelled", f"left_out[{number}]",
+            N_("the engine has it, its file does not describe it: no number includes it"), part,
+        )  # fmt: skip
 
 
 def _doubt(fault: Fault) -> Assumption:
