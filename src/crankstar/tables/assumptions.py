@@ -150,8 +150,12 @@ def _doubted(each: Assumption) -> str:
     reason = _ended(each.reason)
     if each.moved is None:
         return reason
-    meant = _value(each, each.high)
     words = _words(each, each.moved)
+    if each.low != each.high:
+        ends = {"low": _value(each, each.low), "high": _value(each, each.high)}
+        between = _("With {low} to {high} the {figure} is {sizes}, not {now}.", **words | ends)
+        return passage([reason, between])
+    meant = _value(each, each.high)
     return passage(
         [reason, _("With {meant} the {figure} is {sizes}, not {now}.", meant=meant, **words)]
     )
