@@ -315,6 +315,7 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
             "speed": draw(maybe(SPEEDS)),
             "source": draw(maybe(TEXTS, "")),
             "notes": draw(maybe(TEXTS, "")),
+            "left_out": draw(maybe(st.sampled_from([("balance rod",), ("a, b", "c")]), ())),
             "provenance": draw(bound | st.fixed_dictionaries({}, optional=sources)),
             "relative": ()
             if known

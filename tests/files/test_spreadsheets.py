@@ -175,17 +175,17 @@ COMPLETED = estimated(tree_of("gm-3800")[1], name="gm-3800").tree
 RECIPROCATING, INERTIA = "cylinder.reciprocating_mass", "cylinder.rod.inertia"
 FORMULA = "is a formula without a stored value"
 SOURCE_MISTAKES: dict[str, tuple[Change, str, str]] = {
-    "status": (put("cylinder.bore", "rumour", "D"), "D8", 'is "rumour"; it can be "published"'),
-    "status by formula": (put("cylinder.bore", "=A1", "D"), "D8", FORMULA),
-    "range": (put(RECIPROCATING, "1.2, 1.1", "F"), "F11", "is [1.2, 1.1]; give the lowest and"),
-    "range by formula": (put(RECIPROCATING, "=1", "F"), "F11", FORMULA),
+    "status": (put("cylinder.bore", "rumour", "D"), "D9", 'is "rumour"; it can be "published"'),
+    "status by formula": (put("cylinder.bore", "=A1", "D"), "D9", FORMULA),
+    "range": (put(RECIPROCATING, "1.2, 1.1", "F"), "F12", "is [1.2, 1.1]; give the lowest and"),
+    "range by formula": (put(RECIPROCATING, "=1", "F"), "F12", FORMULA),
     "range of words": (
         put(RECIPROCATING, "a, b", "F"),
-        "F11",
+        "F12",
         "give multiples of the value without",
     ),
-    "astray": (put(INERTIA, "cylinder.rodd", "G"), "G15", 'is "cylinder.rodd"; name another key'),
-    "key by formula": (put("cylinder.bore", "=B1", "A"), "A8", FORMULA),
+    "astray": (put(INERTIA, "cylinder.rodd", "G"), "G16", 'is "cylinder.rodd"; name another key'),
+    "key by formula": (put("cylinder.bore", "=B1", "A"), "A9", FORMULA),
     "other key": (
         lambda book: book["engine.provenance"].__setitem__("A2", "layout.bankss"),
         "A2",

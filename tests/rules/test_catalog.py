@@ -28,6 +28,7 @@ NOT_VALUES = {
     "cycle": "part of what the engine is",
     "source": "provenance itself",
     "notes": "words",
+    "left_out": "words",
     "provenance": "provenance itself",
     "layout.type": "part of what the engine is",
 }

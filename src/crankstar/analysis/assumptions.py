@@ -28,7 +28,10 @@ from crankstar.language.faults import EngineError
 from crankstar.language.messages import MessageError
 from crankstar.mechanics.gas import Cycle
 
-Status = Literal["doubtful", "missing", "left out", "assumed", "estimated", "unverified"]
+Status = Literal[
+    "not modelled", "doubtful", "missing", "left out", "assumed", "estimated", "unverified"
+]
+"""What is not modelled the engine has and its file leaves out: no figure can say how it matters."""
 Uses = Literal["inertia", "gas", "running", "bearings", "torsion", "mounts", "valves", "fitted"]
 """What an answer is made of: what of it may be lacking differs; weights that were fitted to it."""
 TRIAL = 0.01
@@ -132,7 +135,8 @@ class Answer:
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:
     """The assumptions with what each moves most, the largest first; without those of no effect.
 
-    What is doubtful stands first; what cannot be varied stays, behind those that can.
+    Parts that are not modelled stand first, then what is doubtful; what cannot be varied stays,
+    behind those that can.
     """
     now = answer.figures(engine)
     least = dict(answer.least(engine))
@@ -144,7 +148,11 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
                 continue
             most = None
         out.append(replace(each, moved=most))
-    return tuple(sorted(out, key=lambda each: (each.status != "doubtful", -each.effect)))
+    return tuple(sorted(out, key=_rank))
+
+
+def _rank(each: Assumption) -> tuple[bool, bool, float]:
+    return each.status != "not modelled", each.status != "doubtful", -each.effect
 
 
 def _moved(

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from itertools import pairwise
 from math import cos, pi, radians
 from typing import Any
@@ -133,6 +133,21 @@ def with_rods_of(engine: Engine, ratio: float) -> Engine:
             for cylinder in engine.cylinders
         ),
     )
+
+
+def with_rod_inertias(numbers: Collection[int]) -> Vary:
+    """The change of the moment of inertia (kg m^2) of the rods of these cylinders."""
+
+    def vary(engine: Engine, inertia: float) -> Engine:
+        cylinders = [
+            with_values(cylinder, rod=with_values(cylinder.rod, inertia=inertia))
+            if cylinder.rod is not None and cylinder.number in numbers
+            else cylinder
+            for cylinder in engine.cylinders
+        ]
+        return with_values(engine, cylinders=tuple(cylinders))
+
+    return vary
 
 
 def with_gas_value(name: str, factor: float) -> Vary:

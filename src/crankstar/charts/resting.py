@@ -26,7 +26,12 @@ from crankstar.mechanics.gas import Cycle
 from crankstar.studies import answers
 from crankstar.studies.answer_parts import TURNING, in_own_unit, narrowed, without_speed
 from crankstar.studies.chart_answers import vectors
-from crankstar.tables.assumptions import assumption_facts, assumption_remarks, leading_lines
+from crankstar.tables.assumptions import (
+    assumption_facts,
+    assumption_lines,
+    assumption_remarks,
+    leading_lines,
+)
 from crankstar.tables.field_names import field_name
 
 if TYPE_CHECKING:
@@ -115,10 +120,14 @@ def _told(found: Sequence[tuple[Engine, tuple[Assumption, ...]]], command: str, 
         rows += [{**beside, **row} for row in assumption_facts(own).get("rests_on", ())]
     if not rows:
         return NOTHING
-    engine, gravest = max(found, key=lambda each: each[1][0].effect if each[1] else -1.0)
+    engine, gravest = max(found, key=lambda each: max((own.effect for own in each[1]), default=-1))
     foot, others = leading_lines(gravest)
     others += len(rows) - len(gravest)
     foot[0] = f"{engine.name}: {foot[0]}" if several else foot[0]
+    for other, own in found:
+        parts = [] if other is engine else [each for each in own if each.status == "not modelled"]
+        foot += [f"{other.name}: {line}" for line in assumption_lines(parts)]
+        others -= len(parts)
     if at:
         foot[0] = passage([_("With {values} this rests on:", values=at), foot[0]])
     if others:

@@ -47,6 +47,8 @@ from crankstar.engine.torsion import Torsion as Torsion
 GREATEST_CYLINDERS = 256
 GREATEST_THROWS = 256
 """Throws of one shaft; main bearings and webs as well."""
+GREATEST_PARTS = 32
+"""Parts that a file may name without describing them."""
 GREATEST_WEIGHTS = 4 * GREATEST_THROWS
 """Weights of one shaft: on both webs of each throw, and as many of its file."""
 
@@ -343,6 +345,12 @@ class Identity(Record):
     )
     source: Text = Field(default="", description="where the numbers come from")
     notes: Text = Field(default="", description="anything a reader should know")
+    left_out: tuple[Line, ...] = Field(
+        default=(),
+        max_length=GREATEST_PARTS,
+        examples=[["balance shaft"]],
+        description="parts that the engine has and that this file does not describe",
+    )
     provenance: dict[Line, Provenance] = Field(
         default={}, max_length=1000, description="by key path: where each value comes from"
     )

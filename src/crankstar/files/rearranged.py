@@ -50,6 +50,7 @@ OF_THE_OLD_CRANK = (
     "foundation",
     "cylinders",
     "notes",
+    "left_out",
 )
 """Tables that another number of cylinders makes untrue."""
 NAMES = {

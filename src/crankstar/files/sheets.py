@@ -224,6 +224,8 @@ def _cell(value: Any, *, measured: bool) -> tuple[Cell, str | None]:
     if isinstance(value, list | tuple):
         if any(isinstance(item, list | tuple) for item in value):
             return "; ".join(", ".join(map(str, item)) for item in value), None
+        if not measured and any("," in str(item) for item in value):  # which would part it
+            return "; ".join(map(str, value)) + ";" * (len(value) == 1), None
         cells = [_cell(item, measured=measured) for item in value]
         units = {unit for _, unit in cells}
         if len(units) == 1:
@@ -254,6 +256,8 @@ def value_of(cell: Cell, unit: str | None, annotation: Any) -> Any:
             items = re.split(";" if ";" in cell else ",", cell)
             if re.fullmatch(r"\s*\d+(\s*-\s*\d+)+\s*", cell):  # as firing orders are written
                 items = cell.split("-")
+        if items[-1] == "":  # behind the mark that its comma parts nothing
+            items.pop()
         return [_item(item, unit) for item in items]
     text = _is_text(annotation)
     if isinstance(cell, bool):

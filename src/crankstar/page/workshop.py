@@ -118,14 +118,15 @@ def _with_count(name: str, count: int) -> Tree:
 def _turned(name: str, title: str, **layout: Any) -> Tree:
     """An engine of the catalog with other values in its layout."""
     tree = _of_catalog(name)
-    plain = {key: value for key, value in tree.items() if key not in ("firing_order", "notes")}
+    changed = ("firing_order", "notes", "left_out")
+    plain = {key: value for key, value in tree.items() if key not in changed}
     sources = {
         path: source
         for path, source in tree.get("provenance", {}).items()
         if not path.startswith(("firing_order", "layout"))
     }
-    changed = {**plain, "name": title, "layout": {**tree["layout"], **layout}}
-    return with_best_order({**changed, "provenance": sources})
+    titled = {**plain, "name": title, "layout": {**tree["layout"], **layout}}
+    return with_best_order({**titled, "provenance": sources})
 
 
 def _two(angle: float) -> Tree:

@@ -7,10 +7,10 @@ else what is wide enough for engines of one kind.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import pi
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from crankstar.analysis.assumptions import Answer, Assumption
 from crankstar.analysis.changed_values import (
@@ -23,6 +23,7 @@ from crankstar.analysis.changed_values import (
     with_block_value,
     with_disc_damping,
     with_mount_loss,
+    with_rod_inertias,
     with_rods_of,
     with_torsion_value,
 )
@@ -30,6 +31,7 @@ from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.block import inertia_in_box
 from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
+from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL
 from crankstar.language.faults import Fault, where
 from crankstar.language.messages import N_
@@ -44,8 +46,12 @@ if TYPE_CHECKING:
 
 DOUBTFUL = ("unverified", "placeholder")
 """Statuses of values of a file that nobody has read in a source."""
+OF_RODS = ("doubt.rod-without-inertia", "doubt.rod-inertia")
+"""Doubts on moments of inertia of rods."""
 OF_GAS = ("gas", "drive", "valves")
 """Tables of a file that no inertia depends on."""
+TIMING = frozenset({"valves"})
+"""Answers that are about the timing of valves alone: no part that moves matters to them."""
 POINT = re.compile(r"gas\.point(?:\[(\d+)\])?\.(\w+)")
 """A key of an operating point: of all, or of one counted from one."""
 LOSS_ENDS = (0.5, 2.0)
@@ -93,7 +99,11 @@ SHIFT = 10.0
 
 def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     """All that is lacking or doubtful of what an answer uses, in no order."""
-    yield from map(_doubt, doubts_of(engine, answer.uses, answer.gas))
+    if not {*answer.uses} <= TIMING:
+        yield from _not_modelled(engine)
+    doubts = doubts_of(engine, answer.uses, answer.gas)
+    yield from _rod_inertias(engine, [each for each in doubts if each.code in OF_RODS])
+    yield from (_doubt(each) for each in doubts if each.code not in OF_RODS)
     yield from answer.choices
     if "inertia" in answer.uses:
         yield from masses(engine, fitted="fitted" in answer.uses)
@@ -123,6 +133,15 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     yield from _unverified(engine, answer)
 
 
+def _not_modelled(engine: Engine) -> Iterator[Assumption]:
+    """Parts that the engine has and its file leaves out."""
+    for number, part in enumerate(engine.left_out, 1):
+        yield Assumption(
+            "not modelled", f"left_out[{number}]",
+            N_("the engine has it, its file does not describe it: no number includes it"), part,
+        )  # fmt: skip
+
+
 def _doubt(fault: Fault) -> Assumption:
     """A doubt, tried at what may be meant where that is known."""
     path = where(fault.path)
@@ -130,6 +149,34 @@ def _doubt(fault: Fault) -> Assumption:
         return Assumption("doubtful", path, fault.sentence)
     value, meant = fault.values["value"], fault.values["meant"]
     return Assumption("doubtful", path, fault.sentence, value, "r", meant, meant, vary=with_rods_of)
+
+
+def _rod_inertias(engine: Engine, faults: Sequence[Fault]) -> Iterator[Assumption]:
+    """Moments of inertia of rods that are implied or doubted, one for all rods alike.
+
+    One that is not given lies where those of rods do, m c (l - c) over TWO_MASSES; one that is
+    given beside them is tried at the mean of theirs.
+    """
+    alike: dict[tuple[Any, ...], list[Fault]] = {}
+    for fault in faults:
+        alike.setdefault((fault.code, *fault.values.values()), []).append(fault)
+    for first, *others in alike.values():
+        fault = first
+        if others:
+            every = len(others) + 1 == len(engine.cylinders)
+            table = "cylinder" if every else "cylinders"
+            fault = first._replace(path=(table, *first.path[2:]), cylinder=None)
+        cylinder = engine.cylinders[int(first.path[1])]
+        rod = cylinder.rod
+        assert rod is not None  # noqa: S101  # the doubt is about it
+        ends = rod.mass * rod.centre * (cylinder.rod_length - rod.centre)
+        least, mean, most = TWO_MASSES
+        low, high = (ends / most, ends / least) if rod.inertia is None else 2 * (ends / mean,)
+        numbers = {engine.cylinders[int(each.path[1])].number for each in (first, *others)}
+        yield Assumption(
+            "doubtful", where(fault.path), fault.sentence, rod.turning_inertia(cylinder.rod_length),
+            "kg*m^2", low, high, vary=with_rod_inertias(numbers),
+        )  # fmt: skip
 
 
 def _bearings(engine: Engine) -> Iterator[Assumption]:

@@ -75,9 +75,41 @@ def leading_lines(found: Sequence[Assumption]) -> tuple[list[str], int]:
 
     With them how many assumptions they are not about; nothing of none.
     """
-    first, *others = _told(found) or [("", [])]
-    kept = [first, *(each for each in others if _is_absent(each[1]))] if found else []
+    lines = _told(found)
+    parts = [each for each in lines if _is_part(each[1])]
+    others = lines[len(parts) :]
+    kept = [*parts, *others[:1], *(each for each in others[1:] if _is_absent(each[1]))]
     return [line for line, _of in kept], len(found) - sum(len(of) for _line, of in kept)
+
+
+def part_lines(names: Sequence[str]) -> list[str]:
+    """The sentence on parts that an engine has and its file leaves out; none of none.
+
+    >>> part_lines(["balance rod", "balance shaft"])
+    ['The engine has these parts, which its file leaves out and no number includes: balance rod, \
+balance shaft.']
+    """
+    return [_(OTHERS["not modelled"], paths=part_names(names))] if names else []
+
+
+def part_names(names: Sequence[str]) -> str:
+    """Parts that a file leaves out, usual ones in the reader's language."""
+    return ", ".join(_(name) if name in PARTS else name for name in names)
+
+
+PARTS = (
+    N_("balance rod"),
+    N_("balance shaft"),
+    N_("balance shafts"),
+    N_("counter-rotating balance shaft"),
+    N_("second-order moment compensators"),
+    N_("torsional vibration damper"),
+)
+"""What engines of the catalog have besides their files."""
+
+
+def _is_part(found: Sequence[Assumption]) -> bool:
+    return all(each.status == "not modelled" for each in found)
 
 
 def _is_absent(found: Sequence[Assumption]) -> bool:
@@ -91,11 +123,12 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     Choices of two follow what has a range: their other one is another kind of engine.
     """
     doubtful = [each for each in found if each.status == "doubtful"]
+    parts = _together(found, "not modelled")
     large = [each for each in found if each not in doubtful]
     large = [each for each in large if each.effect >= TOLD or _lifts(each)]
     most = [each for each in large if not each.named][:MOST_TOLD]
     told = [each for each in large if each.named or each in most]
-    lines = [(_doubted(each), [each]) for each in doubtful]
+    lines = [*parts, *((_doubted(each), [each]) for each in doubtful)]
     rest = [each for each in found if each not in (*told, *doubtful)]
     whole = [line for status in FIRST for line in _together(rest, status)]
     lines += [(_line(each), [each]) for each in told[:1]]
@@ -104,7 +137,7 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     small = [each for each in rest if each.moved is not None]
     if small:
         lines.append((_("Of less effect: {paths}.", paths=_paths(small)), small))
-    lines += [line for status in OTHERS if status not in FIRST for line in _together(rest, status)]
+    lines += [line for status in LAST for line in _together(rest, status)]
     return lines
 
 
@@ -117,8 +150,12 @@ def _doubted(each: Assumption) -> str:
     reason = _ended(each.reason)
     if each.moved is None:
         return reason
-    meant = _value(each, each.high)
     words = _words(each, each.moved)
+    if each.low != each.high:
+        ends = {"low": _value(each, each.low), "high": _value(each, each.high)}
+        between = _("With {low} to {high} the {figure} is {sizes}, not {now}.", **words | ends)
+        return passage([reason, between])
+    meant = _value(each, each.high)
     return passage(
         [reason, _("With {meant} the {figure} is {sizes}, not {now}.", meant=meant, **words)]
     )
@@ -151,6 +188,9 @@ def _paths(found: Sequence[Assumption]) -> str:
 
 
 OTHERS = {
+    "not modelled": N_(
+        "The engine has these parts, which its file leaves out and no number includes: {paths}."
+    ),
     "missing": N_("Not in the file, counted as zero: {paths}."),
     "left out": N_("Not in these numbers: {paths}."),
     "assumed": N_("Assumed: {paths}."),
@@ -160,6 +200,8 @@ OTHERS = {
 """Sentences for those of which it is not known how much they move, by status."""
 FIRST = ("missing", "left out")
 """Of these the sentences that stand behind the first of all, on the first screen."""
+LAST = ("assumed", "estimated", "unverified")
+"""Of these those that stand behind all others."""
 
 
 def _line(each: Assumption) -> str:
@@ -294,6 +336,8 @@ def _between(each: Assumption, own: Moved, words: Mapping[str, str]) -> str:
 
 def _named(each: Assumption) -> str:
     """The key path, with the value that is assumed, or the reason where it says what to do."""
+    if each.status == "not modelled":
+        return part_names([str(each.value)])
     if each.explained:
         return f"{each.path} ({_(each.reason)})"
     value = _value(each, each.value) if each.status == "assumed" else ""
@@ -378,7 +422,8 @@ def assumption_remarks(
 
     Of one engine by name, or at some values of many.
 
-    Where nothing but what is left out is among them, nothing rests on it, and they have no head.
+    Where nothing but what is left out or not modelled is among them, nothing rests on it, and they
+    have no head.
     """
     lines = assumption_lines(found)
     if not lines:
@@ -386,7 +431,7 @@ def assumption_remarks(
     if of:
         head = [_("{name} rests on:", name=of)]
     else:
-        bare = all(each.status == "left out" for each in found)
+        bare = all(each.status in ("left out", "not modelled") for each in found)
         head = [_("With {values} this rests on:", values=at)] if at else [_("This rests on:")]
         head = [] if bare else head
     return (Remarks((*head, *lines), kind="doubt"),)
@@ -400,7 +445,8 @@ def side_by_side(
     most = PAIRED if len(names) <= 2 else 1
     for own, name in zip(found, names, strict=True):
         lines = assumption_lines(own)
-        leading, others = lines[:most], lines[most:]
+        count = most + any(each.status == "not modelled" for each in own)
+        leading, others = lines[:count], lines[count:]
         if leading:
             head = _("{name} rests on:", name=name)
             first.append(Remarks((head, *leading), kind="doubt"))

@@ -16,6 +16,7 @@ from crankstar.mechanics.remains import EQUAL, Sums, summed
 from crankstar.remedy import Need, bobweight, loads, needs
 from crankstar.remedy.fitting import quiet_cranks
 from crankstar.remedy.shafts import ZERO
+from crankstar.tables.assumptions import part_names
 from crankstar.tables.bobweights import lacks_rotating
 from crankstar.tables.paths import vector_name
 from crankstar.tables.scales import scales
@@ -82,6 +83,19 @@ def cure_lines(engine: Engine, remaining: Sequence[Need]) -> list[str]:
         vector = vector_name(need.ratio, force=bool(need.force), couple=bool(need.couple))
         out.append(_(COURSES[course], vector=vector, name=name, cure=removed_by))
     return out
+
+
+def fitted_lines(engine: Engine) -> list[str]:
+    """That the engine has parts already which may do what a remedy does, but not in its file.
+
+    >>> from crankstar.files.catalog import load
+    >>> fitted_lines(load("bmw-f800")), fitted_lines(load("i4"))
+    (['The engine already has, outside its file: balance rod.'], [])
+    """
+    if not engine.left_out:
+        return []
+    parts = part_names(engine.left_out)
+    return [_("The engine already has, outside its file: {parts}.", parts=parts)]
 
 
 def none_remains(engine: Engine, *, zero: float = ZERO) -> str:

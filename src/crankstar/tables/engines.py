@@ -17,6 +17,7 @@ from crankstar.files.catalog import Summary
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
+from crankstar.tables.assumptions import part_lines
 from crankstar.tables.headings import heading, timing_lines
 from crankstar.tables.mount_places import mount_places
 from crankstar.tables.ranges import estimated_paths
@@ -49,6 +50,7 @@ def _parts(engine: Engine) -> Iterator[Table | Remarks]:
         yield Remarks((_block(engine, engine.block),), _("Block"))
     yield from mount_places(engine)
     yield from remarks(
+        *part_lines(engine.left_out),
         _("Source: {text}", text=engine.source) if engine.source else "",
         _("Notes: {text}", text=engine.notes) if engine.notes else "",
     )

@@ -26,7 +26,7 @@ from crankstar.remedy import Best, Placing, balance_shafts, bearing_load, change
 from crankstar.remedy.kept import Changes, vectors
 from crankstar.tables.bobweights import bobweights
 from crankstar.tables.certificate import certificate
-from crankstar.tables.cures import cure_lines, none_remains
+from crankstar.tables.cures import cure_lines, fitted_lines, none_remains
 from crankstar.tables.gas_rolls import change_sentence, gas_roll_of
 from crankstar.tables.placings import placing_lines
 from crankstar.tables.scales import Scale, scales
@@ -86,7 +86,7 @@ def balancing_sheet(job: Job) -> Document:
 
 def parts(job: Job) -> Iterator[Table | Remarks]:
     """The sheet without its title."""
-    yield from remarks(job.description, *_greater_left(job))
+    yield from remarks(*fitted_lines(job.before), job.description, *_greater_left(job))
     if job.weighted:
         yield _bobweights(job)
     if job.best is not None:

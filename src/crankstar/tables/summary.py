@@ -13,7 +13,7 @@ from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, pushed
 from crankstar.remedy import needs
 from crankstar.tables.conditions import assumed_sentence, unit_sentence
-from crankstar.tables.cures import cure_lines, left_by_counterweights, none_remains
+from crankstar.tables.cures import cure_lines, fitted_lines, left_by_counterweights, none_remains
 from crankstar.tables.gas_rolls import largest_sentence
 from crankstar.tables.peaks import FELT, part_peaks
 from crankstar.tables.roll_cures import largest_roll
@@ -126,6 +126,5 @@ def _remedy_sentence(engine: Engine, result: Balance) -> str:
         cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
         remaining = [need for need in remaining if need.ratio not in cranks]
     lines = [*filter(None, [bare]), *cure_lines(engine, remaining)]
-    if len(lines) == 1:
-        return lines[0]
-    return passage((lines[0], _("Cures: crankstar verdict.")))
+    others = [_("Cures: crankstar verdict.")] if len(lines) > 1 else []
+    return passage((*fitted_lines(engine), lines[0], *others))

@@ -31,7 +31,7 @@ from crankstar.remedy import needs
 from crankstar.spectra import Spectrum
 from crankstar.tables.by_order import left_in_any
 from crankstar.tables.conditions import unit_sentence
-from crankstar.tables.cures import cure_lines, none_remains, proposal
+from crankstar.tables.cures import cure_lines, fitted_lines, none_remains, proposal
 from crankstar.tables.firing_facts import layout_sentence, succession_lines
 from crankstar.tables.gas_rolls import largest_sentence
 from crankstar.tables.paths import course, vector_name
@@ -259,4 +259,5 @@ def _cures(engine: Engine, speed: float | None) -> list[str]:
     remaining = needs(engine)
     if none := none_remains(engine):
         return [none]
-    return [*cure_lines(engine, remaining), proposal(engine, speed=speed)]
+    cures = [*cure_lines(engine, remaining), proposal(engine, speed=speed)]
+    return [*fitted_lines(engine), *cures]
