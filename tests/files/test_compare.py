@@ -15,6 +15,7 @@ import pytest
 from tests.commands import Run
 from tests.texts import SHORT
 
+import crankstar
 from crankstar.tables.comparison import told_apart
 
 
@@ -182,3 +183,53 @@ def test_nothing_is_a_share_of_next_to_nothing(run: Run) -> None:
     ]
     assert [row["share"] for row in peaks] == [1.0, None]
     assert 0 < peaks[0]["greatest"] < 1e-5 < 1 < peaks[1]["greatest"]
+
+
+SIZED = """
+name = "{name}"
+firing_order = [1, 3, 4, 2]
+cylinder = {{ stroke = "{stroke} mm", rod_ratio = 3.5, reciprocating_mass = "{mass} kg" }}
+layout = {{ type = "inline", bore_pitch = "200 mm" }}
+"""
+
+
+def sized(folder: Path) -> tuple[str, str]:
+    """Files of a large and a small four, alike but for size, without a speed."""
+    pairs = (("large", 180, 6.0), ("small", 80, 0.4))
+    for name, stroke, mass in pairs:
+        text = SIZED.format(name=name, stroke=stroke, mass=mass)
+        (folder / f"{name}.toml").write_text(text, encoding="utf-8")
+    return "large.toml", "small.toml"
+
+
+def test_engines_with_sizes_and_no_speed_are_compared_at_one(run: Run, tmp_path: Path) -> None:
+    """Forces are as m r, moments as m r^2: 33.75 and 75.94 times."""
+    out = json.loads(run("compare", *sized(tmp_path), "--orders", "2", "--json").out)
+    rows = {
+        (row["quantity"], row["engine"]): row for row in out["amplitudes"] if row["order"] == 2.0
+    }
+    assert {row["unit"] for row in rows.values()} == {"N", "N*m"}
+    assert {row["speed_rpm"] for row in rows.values()} == {1000.0}
+    ratio = 6.0 * 180 / (0.4 * 80)
+    assert rows["force", "small"]["share"] == pytest.approx(1 / ratio, rel=1e-9)
+    assert rows["roll", "small"]["share"] == pytest.approx(80 / 180 / ratio, rel=1e-9)
+    force = rows["force", "large"]["greatest"]
+    assert force == pytest.approx(4 * 6.0 * 0.09 * (1000 * math.pi / 30) ** 2 / 3.5, rel=0.03)
+    paths = {(row["engine"], row["path"]) for row in out["rests_on"] if row["status"] == "assumed"}
+    assert {("large", "speed"), ("small", "speed")} <= paths
+
+
+def test_one_file_with_a_speed_gives_it_to_the_other(run: Run, tmp_path: Path) -> None:
+    files = sized(tmp_path)
+    asked = ("compare", *files, "--orders", "2", "--json", "--set", '2:speed="3000 rpm"')
+    out = json.loads(run(*asked).out)
+    assert {row["speed_rpm"] for row in out["amplitudes"]} == {3000.0}
+    paths = {(row["engine"], row["path"]) for row in out["rests_on"] if row["status"] == "assumed"}
+    assert ("large", "speed") in paths
+    assert ("small", "speed") not in paths
+
+
+def test_python_compares_at_the_same_speed(tmp_path: Path) -> None:
+    engines = [crankstar.load(tmp_path / each) for each in sized(tmp_path)]
+    (force, *_others) = crankstar.compare(*engines, orders=[2]).tables
+    assert force.columns[1].unit == "N"

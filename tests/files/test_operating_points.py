@@ -265,3 +265,14 @@ def test_a_fault_prints_its_speed_and_point(run: Run, files: tuple[str, str, str
     }
     for words, line in lines.items():
         assert line in run("fault", files[0], "--cut", "3", *words).out
+
+
+def test_the_point_that_is_taken_without_a_name_is_that_of_the_speed(
+    run: Run, files: tuple[str, str, str]
+) -> None:
+    """The second point has the speed of the file; the help of the option has the rule."""
+    whole, _first, _between = files
+    assert operating_state(crankstar.load(whole)).point == "full"
+    for verb in ("fault", "torque", "mounts"):
+        described = " ".join(run(verb, "--help").out.replace("│", " ").split())
+        assert "speed" in described.partition("--point ")[2].partition(" --")[0]

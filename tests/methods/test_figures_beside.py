@@ -9,10 +9,11 @@ from typing import Any
 
 import pytest
 
-from crankstar.charts.registry import common_speed, side_by_side
+from crankstar.charts.registry import side_by_side
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load
+from crankstar.mechanics.operating_points import common_speed
 from crankstar.page.figures import chart
 
 CROSS, FLAT = "v8-cross-plane", "v8-flat-plane"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 from typing import Any
 
 from crankstar.analysis.record import Chart
@@ -12,9 +11,7 @@ from crankstar.charts.drawing import ChartError
 from crankstar.charts.grammar import Chart as Drawn
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-
-USUAL_SPEED = 1000 * pi / 30
-"""rad/s: of engines that are compared, where no file gives a speed."""
+from crankstar.mechanics.operating_points import common_speed
 
 
 def _chart(name: str, path: str, about: str, kind: str = "") -> Chart:
@@ -136,19 +133,3 @@ def side_by_side(engines: Sequence[Engine], kind: str, **options: Any) -> Drawn:
     if "speed" in kinds[kind].options and options.get("speed") is None:
         options["speed"] = common_speed(engines)
     return kinds[kind].draw(engines, **options)
-
-
-def common_speed(engines: Sequence[Engine]) -> float | None:
-    """The one speed (rad/s) at which engines are compared in N: the least that their files give.
-
-    At USUAL_SPEED where none has one: the ratio of inertia forces is that of any speed. None where
-    a mass or length is not known, so that each is in its own m r w^2.
-
-    >>> from crankstar.files.catalog import load
-    >>> common_speed([load("i4"), load("i6")]) is None
-    True
-    """
-    if any(engine.relative for engine in engines):
-        return None
-    known = [engine.speed for engine in engines if engine.speed is not None]
-    return min(known, default=USUAL_SPEED)

@@ -184,6 +184,7 @@ def compare(
     output: Output = None,
 ) -> None:
     """Compare engines side by side: force, couple, roll and torque, absolute and relative."""
+    from crankstar.mechanics.operating_points import speed_beside
     from crankstar.studies.answers import compared, rests_on
     from crankstar.tables import comparison as tables
     from crankstar.tables.analysis import analysis
@@ -202,6 +203,7 @@ def compare(
     )
     engines = [each.engine for each in loaded]
     mark_speed(speed, *engines)
+    asked, turning = turning, speed_beside(engines, turning)
     request.refuse_foreign(orders, engines, gas=False)
     whole = analysis(engines[0], speed=turning)
     wanted = request.orders(orders, whole.normalised.force.orders.tolist()) or ()
@@ -224,7 +226,10 @@ def compare(
     if form not in ("csv", "parquet"):
         own_unit = any(analysis(one, speed=turning).real is None for one in engines)
         burning = all(one.gas is not None for one in engines)
-        answer = partial(compared, speed=turning, own_unit=own_unit, gas=burning)
+        assumed = asked is None and turning is not None
+        answer = partial(
+            compared, speed=turning, own_unit=own_unit, gas=burning, speed_assumed=assumed
+        )
         rests = [rests_on(one, answer(one)) for one in engines]
         document = tables.resting(document, rests, own)
     give(tables.with_shares(document, engines), output, form=form)

@@ -20,8 +20,8 @@ file, and assumed ones without.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Mapping
-from math import radians
+from collections.abc import Mapping, Sequence
+from math import pi, radians
 from typing import Any, NamedTuple
 
 from crankstar.engine.engine import Engine
@@ -75,6 +75,8 @@ LIMIT = 80e5
 """Pa: the assumed limit of pressure of a limited-pressure cycle that draws in free air."""
 AIR = 1e5
 """Pa: free air; a higher charge pressure raises the assumed limit alike."""
+USUAL_SPEED = 1000 * pi / 30
+"""rad/s, at which engines are compared where no file has a speed."""
 SPEEDS_BETWEEN = 2
 """Speeds that points must have for there to be a load between them."""
 AIR_STANDARD = 1.4
@@ -198,6 +200,32 @@ def own_speed(engine: Engine, point: str) -> float | None:
     gas = engine.gas or Gas()
     own = next((each.speed for each in gas.points if each.name == point), None)
     return next((each for each in (own, gas.speed, engine.speed) if each is not None), None)
+
+
+def common_speed(engines: Sequence[Engine]) -> float | None:
+    """The one speed (rad/s) at which engines are compared in N: the least that their files give.
+
+    At USUAL_SPEED where none has one: the ratio of inertia forces is that of any speed. None where
+    a mass or a stroke is not known, so that each is in its own m r w^2.
+
+    >>> from crankstar.files.catalog import load
+    >>> common_speed([load("i4"), load("i6")]) is None
+    True
+    """
+    if any({"mass", "radius"} & {*engine.relative} for engine in engines):
+        return None
+    known = [engine.speed for engine in engines if engine.speed is not None]
+    return min(known, default=USUAL_SPEED)
+
+
+def speed_beside(engines: Sequence[Engine], speed: float | None) -> float | None:
+    """The speed (rad/s) at which engines are compared: that asked for, None for that of each file.
+
+    Where a file has none it is `common_speed`.
+    """
+    if speed is not None or all(engine.speed is not None for engine in engines):
+        return speed
+    return common_speed(engines)
 
 
 def points_by_speed(engine: Engine) -> dict[float, str]:

@@ -130,7 +130,8 @@ LOADS = {
     ),
     "--point": Option(
         "text",
-        "Operating point of the engine file, by its name, such as idle. Default: the first.",
+        "Operating point of the engine file, by its name, such as idle. Default: by speed, "
+        "interpolated between two; without a speed the load of [gas], else the first point.",
         ("--load-point",),
     ),
 }

@@ -13,6 +13,7 @@ from crankstar.firing.strokes import working_cycle
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
+from crankstar.mechanics.operating_points import speed_beside
 from crankstar.report.gallery import ACROSS, Gallery
 from crankstar.report.markup import figure, figures, parts_html, section
 from crankstar.report.subject import Quantity, Subject
@@ -231,7 +232,10 @@ def beside(subject: Subject, gallery: Gallery) -> str:
     other = subject.beside
     if other is None:
         return ""
-    pair = [subject.analysis_of(engine) for engine in (subject.engine, other)]
+    both = (subject.engine, other)
+    turning = speed_beside(both, subject.speed)
+    subject = replace(subject, speed=turning)
+    pair = [subject.analysis_of(engine) for engine in both]
     speed = subject.at if all(engine.real is not None for engine in pair) else None
     drawn = [
         gallery.figure(
@@ -243,7 +247,6 @@ def beside(subject: Subject, gallery: Gallery) -> str:
             options = {"beside": other, "quantity": quantity, "speed": speed}
             drawn.append(gallery.figure("hodograph", _(ALL_PATHS[quantity]), "wide", **options))
     title = _("Comparison with {engine}", engine=other.name)
-    both = (subject.engine, other)
     compared = ranged_side_by_side(
         lambda each: comparison.comparison([subject.analysis_of(engine) for engine in each]),
         subject.spreads,

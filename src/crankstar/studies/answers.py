@@ -18,6 +18,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
+from math import pi
 from typing import Any
 
 import numpy as np
@@ -53,6 +54,7 @@ IN_OTHER_UNIT = N_(
     "compared in m r ω², without a speed, as an engine beside it has no masses, sizes or speed"
 )
 """Why rolling moments of a file with gas are without it where those of another have no unit."""
+ONE_SPEED = N_("no speed in one of the files; the ratio of inertia forces is that of any speed")
 IN_ROLL = N_("Not in the rolling moment: {paths}.")
 IN_LOADS = N_("Not in the loads: {paths}.")
 
@@ -119,12 +121,18 @@ def _rolls(
 
 
 def compared(
-    engine: Engine, *, speed: float | None = None, own_unit: bool = False, gas: bool = True
+    engine: Engine,
+    *,
+    speed: float | None = None,
+    own_unit: bool = False,
+    gas: bool = True,
+    speed_assumed: bool = False,
 ) -> Answer:
     """What engines are compared by: inertia by order, the torque with gas, torsion, mounts.
 
     In m r omega^2 with `own_unit`, as where an engine beside it has no masses; without the torque
-    unless `gas`, as where one beside it has none.
+    unless `gas`, as where one beside it has none. `speed_assumed` where `speed` is not that of the
+    file, nor asked for, but one for all.
     """
     torque = _of_torque(engine, speed) if gas else []
     of_file = bool(torque) and bool({"mass", "radius"} & {*engine.relative})  # gas in another unit
@@ -134,7 +142,11 @@ def compared(
             inertia = replace(inertia, why_gasless=IN_OTHER_UNIT)
     else:
         inertia = amplitudes(engine, speed=speed, gas=of_file)
-    return joined([inertia, *torque, *_driven(engine, speed)])
+    answer = joined([inertia, *torque, *_driven(engine, speed)])
+    if not speed_assumed or speed is None or speed == engine.speed:
+        return answer
+    rpm = float(f"{speed * 30 / pi:.12g}")
+    return replace(answer, choices=[Assumption("assumed", "speed", ONE_SPEED, rpm, "rpm")])
 
 
 def summary(engine: Engine, *, speed: float | None = None) -> Answer:

@@ -18,6 +18,7 @@ from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.bounds import peak, size
 from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.operating_points import speed_beside
 from crankstar.mechanics.remains import Sums, summed
 from crankstar.tables.analysis import Analysis, analysis
 from crankstar.tables.assumptions import assumption_facts, side_by_side
@@ -142,11 +143,14 @@ def compare(
 ) -> Document:
     """The comparison of engines at `speed` (rad/s), else at their own, in tables for readers.
 
+    Where one of them has no speed all are at `common_speed`.
+
     >>> from crankstar.files.catalog import load
     >>> compare(load("i4"), load("i6"), orders=[2]).tables.__next__().columns[2].heading
     'Six in line'
     """
-    shown = [analysis(engine, speed=speed, reference=reference).of(orders) for engine in engines]
+    turning = speed_beside(engines, speed)
+    shown = [analysis(each, speed=turning, reference=reference).of(orders) for each in engines]
     return comparison(shown)
 
 
