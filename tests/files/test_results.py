@@ -6,6 +6,7 @@ import copy
 import inspect
 import json
 import math
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -36,7 +37,8 @@ def twisting(five: Any) -> Any:
     return crankstar.torsion(five, speeds="2000..6500 rpm/10", orders="2.5,5")
 
 
-@pytest.mark.parametrize("name", ["torsion", "mounts", "torque", "genset", "marine", "bearings"])
+@pytest.mark.many(first=3)
+@pytest.mark.parametrize("name", ["genset", "torque", "marine", "torsion", "mounts", "bearings"])
 def test_every_analysis_gives_what_its_command_prints(name: str, five: Any, run: Run) -> None:
     Path("five.toml").write_text(crankstar.files.toml(five), encoding="utf-8")
     printed = json.loads(run(name, "five.toml", "--json").out)
@@ -90,7 +92,9 @@ def test_parts_are_records_and_rows(twisting: Any) -> None:
     assert twisting.criticals[0] == twisting.value.criticals[0]
     assert len([*twisting.modes]) == len(twisting.modes)
     assert twisting.greatest[0].keys() == twisting.to_dict()["greatest"][0].keys()
-    assert copy.copy(twisting).modes[0].number == 1
+    assert copy.copy(twisting).modes[0].number == copy.deepcopy(twisting).modes[0].number == 1
+    assert pickle.loads(pickle.dumps(twisting)).to_dict() == twisting.to_dict()  # noqa: S301
+    assert {twisting: 1}[twisting] == 1
     assert {"criticals", "greatest", "to_frame", "chain"} <= {*dir(twisting)}
     with pytest.raises(AttributeError, match="the result of torsion has no 'nothing'"):
         twisting.nothing  # noqa: B018
@@ -138,5 +142,8 @@ def test_its_signature_is_what_may_be_asked() -> None:
     for wrong in (2.5, True, "many"):
         with pytest.raises(TypeError, match="modes takes a whole number"):
             crankstar.torsion("cadillac-ld8", modes=wrong)
+    call: Any = crankstar.torsion
+    with pytest.raises(TypeError, match="torsion takes engine by position; give the others by"):
+        call("cadillac-ld8", "6000 rpm")
     with pytest.raises(ValueError, match=r"^holzer 50: there are 4 modes"):
         crankstar.torsion("cadillac-ld8", holzer=50)

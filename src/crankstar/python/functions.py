@@ -43,7 +43,13 @@ def function(name: str) -> Callable[..., Result]:
 
     def ask(engine: EngineLike, /, *words: Any, **arguments: Any) -> Result:
         if len(words) > len(follow):
-            raise TypeError(_takes(record, _("{count} words", count=len(words) + 1)))
+            raise TypeError(
+                _(
+                    "{function} takes {names} by position; give the others by name",
+                    function=record.name,
+                    names=", ".join(["engine", *follow]),
+                )
+            )
         return answered(record, engine, {**dict(zip(follow, words, strict=False)), **arguments})
 
     hints = get_type_hints(record.question.value)

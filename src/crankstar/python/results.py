@@ -99,7 +99,7 @@ class Part:
         return document_html(Document("", (self._table,)))
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Result:
     """What an analysis computes of an engine.
 
@@ -239,6 +239,10 @@ class Result:
         """Names that the record of the physics and the tables or arrays share."""
         return frozenset(name for name in (*self.tables, *self.grids) if hasattr(self.value, name))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """As what a copy or a pickle is made of: records are found again by their names."""
+        return _again, (self.analysis.name, self.source, self.question, self.value, self.loaded)
+
     def __dir__(self) -> list[str]:
         own = [name for name in dir(self.value) if not name.startswith("_")]
         return sorted({*super().__dir__(), *own, *self.tables, *self.grids})
@@ -251,3 +255,10 @@ class Result:
         from crankstar.tables.html import document_html
 
         return document_html(self.document.for_readers)
+
+
+def _again(name: str, *parts: Any) -> Result:
+    """A result that was copied or pickled."""
+    from crankstar.analysis.registry import analysis
+
+    return Result(analysis(name), *parts)
