@@ -140,9 +140,10 @@ def cycle(
         return replace(one, off=tuple(sorted(silent)))
 
     one = found()
-    if peak_pressure is None or motored:
-        return one
-    return _of_peak(one, peak_pressure, found)
+    if peak_pressure is not None and not motored:
+        one = _of_peak(one, peak_pressure, found)
+    _check_charge(engine, one)  # between points that of both together
+    return one
 
 
 def _at_point(
@@ -175,7 +176,7 @@ def _at_point(
     work = (rows * places.rate[[*places.kind]]).sum(axis=-1) * places.cycle / SAMPLES
     turning = values.get("speed")
     friction = 0.0 if turning is None else _friction(values)
-    made = Cycle(
+    return Cycle(
         volumes=places,
         pressure=rows,
         crankcase=values["crankcase_pressure"],
@@ -192,9 +193,6 @@ def _at_point(
         boosted=bool(charged),
         shares=((name, 1.0),),
     )
-    if not load:  # the charge of the file is for its own load: beside another one it is doubted
-        _check_charge(engine, made)
-    return made
 
 
 def _check_charge(engine: Engine, made: Cycle) -> None:
