@@ -214,13 +214,10 @@ def test_between_two_points_all_of_a_cycle_is_between_theirs(files: tuple[str, s
 
 
 def test_a_load_that_is_asked_for_is_that_between_two_points(files: tuple[str, str, str]) -> None:
-    late = {"gas.point[2].combustion_start": "-2 deg"}
-    engine = crankstar.load(files[0], changes=late)
+    engine = crankstar.load(files[0], changes={"gas.point[2].combustion_start": "-2 deg"})
     assert cycle(engine, speed=900 * RPM, imep=5e5).imep == pytest.approx(5e5, rel=1e-9)
     assert cycle(engine, speed=900 * RPM, bmep=3e5).bmep == pytest.approx(3e5, rel=1e-9)
-    charged = {**late, "gas.point[1].intake_pressure": "1.2 bar"}  # which burns such a peak
-    engine = crankstar.load(files[0], changes=charged)
-    assert cycle(engine, speed=900 * RPM, peak_pressure=70e5).peak == pytest.approx(70e5, rel=1e-8)
+    assert cycle(engine, speed=900 * RPM, peak_pressure=60e5).peak == pytest.approx(60e5, rel=1e-8)
 
 
 @pytest.mark.many(first=1)

@@ -35,12 +35,6 @@ CHARGED: Mapping[Ignition, float] = {"spark": 0.8, "compression": 2.0}
 Our judgement: charged Diesels have 1.6 to 2.5 at full load, large ones more, for the sake of smoke
 and heat; 2.0 is the middle of what is built. Pressures that are estimated from it are marked.
 """
-LEAST_AIR: Mapping[Ignition, float] = {"spark": 0.75, "compression": 1.0}
-"""The same, least of all with which an engine runs: with less the fuel of the load cannot burn.
-
-Without air for all of it a Diesel gives no such load; spark ignition burns rich mixtures, at full
-load down to about 0.8, whose rest of fuel cools. Our judgement.
-"""
 LEAST_EFFICIENCY = 0.25
 """Indicated, of a cycle near full load: with less heat than this takes no charge is sought."""
 GREATEST_STEPS, SETTLED = 40, 1e-9

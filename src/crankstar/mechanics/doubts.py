@@ -22,16 +22,17 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import split_doubts
-from crankstar.engine.gas import LOADS
+from crankstar.engine.gas import LOADS, Ignition
 from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import CrankDimensions, Torsion
 from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
+from crankstar.mechanics.charge_air import STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
 from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
 from crankstar.mechanics.mechanism import mechanism
-from crankstar.mechanics.operating_points import ChargeError, GasError
+from crankstar.mechanics.operating_points import GasError
 
 Path = tuple[str | int, ...]
 GREATEST_SPARK_RATIO = 16.0
@@ -44,6 +45,8 @@ LONGER = 1.05
 GREATEST_PEAK = 250e5
 GREATEST_IMEP = 35e5
 """Pa; only racing and research engines have more."""
+LEAST_AIR: Mapping[Ignition, float] = {"spark": 0.75, "compression": 1.0}
+"""Air-fuel ratio over the stoichiometric one, least of all with which an engine runs."""
 GAMMAS = (1.2, 1.42)
 """Of burnt gas at its hottest, and of cold air."""
 FASTEST = 7000.0
@@ -114,9 +117,6 @@ def _point_doubts(engine: Engine, name: str, path: Path) -> Iterator[Fault]:
     """The doubts of one operating point, or that it has no cycle."""
     try:
         yield from point_doubts(engine, cycle(engine, point=name))
-    except ChargeError as error:
-        yield error.fault
-        yield from point_doubts(engine, error.computed)
     except GasError as error:
         if computable(engine):
             yield Fault(path, "doubt.no-cycle", {"message": str(error)})
@@ -182,6 +182,16 @@ def cycle_doubts(cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
     if cycle.imep > GREATEST_IMEP:
         bound = {"value": cycle.imep / 1e5, "bound": GREATEST_IMEP / 1e5}
         yield Fault(path, "doubt.imep", bound)
+    fires: Ignition = cycle.values["ignition"]
+    least = LEAST_AIR[fires] * STOICHIOMETRIC[fires]
+    if cycle.air_fuel_ratio is not None and cycle.air_fuel_ratio < least:
+        bound = {
+            "value": float(f"{cycle.air_fuel_ratio:.3g}"),
+            "intake": cycle.values["intake_pressure"] / 1e5,
+            "load": float(f"{cycle.imep / 1e5:.4g}"),
+            "bound": float(f"{least:.3g}"),
+        }
+        yield Fault((*path, "intake_pressure"), "doubt.charge", bound)
     rpm = None if cycle.speed is None else cycle.speed * 30 / pi
     known = cycle.values.get("friction_pressure") is not None
     limit = FRICTIONS.get(cycle.values.get("friction", ""))

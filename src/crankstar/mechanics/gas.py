@@ -17,24 +17,14 @@ from typing import Any
 import numpy as np
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.gas import LOADS, Ignition
+from crankstar.engine.gas import LOADS
 from crankstar.engine.volumes import Volumes, volumes
-from crankstar.language.faults import Fault
 from crankstar.language.messages import _
 from crankstar.mechanics import heat_release, ideal_cycles, real_gas
-from crankstar.mechanics.charge_air import (
-    GREATEST_STEPS,
-    LEAST_AIR,
-    SETTLED,
-    STOICHIOMETRIC,
-    air_fuel_ratio,
-    boosted,
-    events,
-)
+from crankstar.mechanics.charge_air import GREATEST_STEPS, SETTLED, air_fuel_ratio, boosted, events
 from crankstar.mechanics.friction import friction_pressure
 from crankstar.mechanics.gas_traces import charges_of_trace, traced
 from crankstar.mechanics.operating_points import (
-    ChargeError,
     GasError,
     OperatingState,
     operating_state,
@@ -140,10 +130,9 @@ def cycle(
         return replace(one, off=tuple(sorted(silent)))
 
     one = found()
-    if peak_pressure is not None and not motored:
-        one = _of_peak(one, peak_pressure, found)
-    _check_charge(engine, one)  # between points that of both together
-    return one
+    if peak_pressure is None or motored:
+        return one
+    return _of_peak(one, peak_pressure, found)
 
 
 def _at_point(
@@ -193,23 +182,6 @@ def _at_point(
         boosted=bool(charged),
         shares=((name, 1.0),),
     )
-
-
-def _check_charge(engine: Engine, made: Cycle) -> None:
-    """Raises ChargeError where the fuel of a load has too little air in its charge to burn."""
-    fires: Ignition = made.values["ignition"]
-    least = LEAST_AIR[fires] * STOICHIOMETRIC[fires]
-    if made.air_fuel_ratio is None or made.air_fuel_ratio >= least:
-        return
-    names = [] if engine.gas is None else [point.name for point in engine.gas.points]
-    point = ("point", names.index(made.name)) if made.name in names else ()
-    values = {
-        "value": float(f"{made.air_fuel_ratio:.3g}"),
-        "intake": float(f"{made.values['intake_pressure'] / 1e5:.4g}"),
-        "load": float(f"{made.imep / 1e5:.4g}"),
-        "bound": float(f"{least:.3g}"),
-    }
-    raise ChargeError(Fault(("gas", *point, "intake_pressure"), "gas.charge", values), made)
 
 
 def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
@@ -298,18 +270,6 @@ def cycle_or_reason(
         if asked:
             raise
         return None, str(error)
-
-
-def check_burning(engine: Engine, *, point: str = "", speed: float | None = None) -> None:
-    """Raises ChargeError for a charge with too little air, but nothing where there is no cycle."""
-    if engine.gas is None:
-        return
-    try:
-        cycle(engine, point=point, speed=speed)
-    except ChargeError:
-        raise
-    except GasError:
-        return
 
 
 def check_gas(engine: Engine) -> None:

@@ -26,7 +26,6 @@ from typing import Any, NamedTuple
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS, Gas, Ignition, Load, Process
-from crankstar.language.faults import Fault
 from crankstar.language.messages import MessageError
 
 CRANKCASE = 101_325.0
@@ -85,17 +84,6 @@ AIR_STANDARD = 1.4
 
 class GasError(MessageError):
     """A cycle that cannot be computed, and why."""
-
-
-class ChargeError(GasError):
-    """A charge with too little air for the fuel of its load.
-
-    `fault` has key path and values; `computed` is the cycle as if it burnt.
-    """
-
-    def __init__(self, fault: Fault, computed: Any) -> None:
-        self.fault, self.computed = fault, computed
-        super().__init__(fault.sentence)
 
 
 def resolved(

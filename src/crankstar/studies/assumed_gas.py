@@ -30,10 +30,10 @@ from crankstar.engine.quantities import Cycle as Strokes
 from crankstar.engine.valves import timing
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance, total
-from crankstar.mechanics.charge_air import CHARGED, LEAST_AIR, RICHEST, STOICHIOMETRIC
+from crankstar.mechanics.charge_air import CHARGED, RICHEST, STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import added, gas_torque, roll_with_gas
-from crankstar.mechanics.operating_points import ASSUMED, ChargeError, GasError
+from crankstar.mechanics.operating_points import ASSUMED, GasError
 from crankstar.mechanics.remains import summed
 
 OF_TRACE = (
@@ -101,10 +101,6 @@ Our judgement: petrol engines run up to 1.3 to 1.6 before they misfire.
 AT_SAME_CHARGE = N_("usual for such engines; at the same charge pressure")
 LOADS = 9
 """Loads of a usual cycle at which its roll is tried: near the inertia's it has a minimum inside."""
-SCARCE = 1.6
-"""Air-fuel ratio over the least that burns, above which no end of a range comes near it."""
-HALVINGS = 12
-"""Steps in which the end of a range is sought up to which the fuel burns."""
 START_ENDS = radians(10.0)
 """By how much the assumed start of combustion may be earlier or later, radians."""
 
@@ -208,39 +204,7 @@ def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             and isinstance(each.vary, _Held)
             and any(end is not None and each.vary.switches(engine, end) for end in ends)
         )
-        yield _burning(engine, own, replace(each, reason=AT_SAME_CHARGE) if switched else each)
-
-
-def _burning(engine: Engine, own: Cycle, each: Assumption) -> Assumption:
-    """The range of a value as far as its charge burns the fuel of the load."""
-    ratio, fires = own.air_fuel_ratio, own.values.get("ignition")
-    if ratio is None or fires is None or ratio > SCARCE * LEAST_AIR[fires] * STOICHIOMETRIC[fires]:
-        return each
-    if each.vary is None or each.named or not isinstance(each.value, float):
-        return each
-    vary, value = each.vary, each.value
-
-    def nearest(end: float | None) -> float | None:
-        if end is None or _burns(engine, own, vary, end):
-            return end
-        shares = 0.0, 1.0
-        for _step in range(HALVINGS):
-            middle = sum(shares) / 2
-            burns = _burns(engine, own, vary, value + middle * (end - value))
-            shares = (middle, shares[1]) if burns else (shares[0], middle)
-        return value + shares[0] * (end - value)
-
-    return replace(each, low=nearest(each.low), high=nearest(each.high))
-
-
-def _burns(engine: Engine, own: Cycle, vary: Vary, value: float) -> bool:
-    try:
-        cycle(vary(engine, value), point=own.name, speed=own.speed)
-    except ChargeError:
-        return False
-    except MessageError:
-        return True  # refused for another reason, where it is tried
-    return True
+        yield replace(each, reason=AT_SAME_CHARGE) if switched else each
 
 
 def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:

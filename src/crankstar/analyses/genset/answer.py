@@ -7,7 +7,7 @@ from crankstar.analyses.genset.generating_set import GeneratingSet, generating_s
 from crankstar.analyses.genset.question import Question
 from crankstar.analysis.assumptions import Answer
 from crankstar.engine.engine import Engine
-from crankstar.mechanics.gas import Cycle, check_burning, cycle_or_reason
+from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.options.values import refuse_unused
 from crankstar.studies.answers import torques
 
@@ -25,8 +25,6 @@ def compute(engine: Engine, asked: Question) -> GeneratingSet:
         off=asked.off,
         weaker=dict(asked.weaker),
     )
-    if found.cycle is None:
-        check_burning(engine, point=asked.point, speed=asked.speed)
     if lacking := missing_running(found):
         of_running = {
             "--pole-pairs": asked.pole_pairs,

@@ -10,7 +10,6 @@ from crankstar.analyses.marine.question import Question
 from crankstar.analysis.assumptions import Answer
 from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.engine import Engine
-from crankstar.mechanics.gas import check_burning
 from crankstar.mechanics.guide_moments import GuideMoments
 from crankstar.options.refusals import refuse_unused
 from crankstar.studies.answer_parts import IN_GUIDES, usual_gas
@@ -20,8 +19,6 @@ from crankstar.studies.assumed_gas import usual_load
 def compute(engine: Engine, question: Question) -> MarineAnalysis:
     """The analysis. Raises RemedyError, OrderError, GasError, RequestError for what is not used."""
     analysis = _analysed(engine, question)
-    if analysis.cycle is None:
-        check_burning(engine, point=question.point, speed=question.speed)
     if lacking := missing_guide(analysis):
         refuse_unused({"--bracing": question.bracing}, why=lacking)
     if lacking := missing_units(analysis):
