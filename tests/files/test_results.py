@@ -116,6 +116,15 @@ def test_a_figure_is_that_of_the_question(twisting: Any) -> None:
         twisting.plot("nothing")
 
 
+def test_a_figure_that_would_show_something_else_is_refused(five: Any) -> None:
+    """The figures of torsion know no misfire; a number of modes only chooses what is listed."""
+    dead = crankstar.torsion(five, off=[3], speeds="2000..3000 rpm/3")
+    with pytest.raises(ValueError, match="torsion-response would not show off;"):
+        dead.plot("response")
+    listed = crankstar.torsion(five, modes=2, speed="3000 rpm", speeds="2000..3000 rpm/3")
+    assert listed.plot("campbell").to_dict()["$schema"]
+
+
 def test_estimates_have_ranges_and_a_drive_line_has_modes() -> None:
     table = crankstar.genset("toyota-1uz-fe", estimate=True).to_frame("sums")
     assert {"one_low", "one_high", "one_estimated"} <= {*table.columns}

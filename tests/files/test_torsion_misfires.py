@@ -58,6 +58,17 @@ def test_half_orders_are_those_of_an_equation_solved_by_hand() -> None:
         assert np.abs(rate + damping - forces - driving).max() < 1e-6 * np.abs(driving).max()
 
 
+def test_over_a_range_the_same_cylinders_are_off_as_at_one_speed() -> None:
+    """The gas between the speeds of a range is that of the misfire, half orders too."""
+    load = {"off": [3], "weaker": {5: 0.3}}
+    swept = crankstar.torsion(SIX, speeds=[100.0, 157.0], **load).value.response
+    alone = crankstar.torsion(SIX, speed=157.0, **load).value.at
+    [index] = np.flatnonzero(swept.speeds == 157.0)
+    half = np.flatnonzero(swept.orders == 0.5)
+    assert np.abs(alone.torque[0, half]).max() > 100
+    assert np.allclose(swept.torque[index], alone.torque[0], rtol=1e-6, atol=1e-6)
+
+
 def test_it_is_an_option_of_the_command_and_a_fact_of_its_answer(run: Run) -> None:
     words = ("torsion", SIX, "--speed", "1500 rpm", "--json")
     out = json.loads(run(*words, "--off", "3", "--weaker", "5=30%").out)

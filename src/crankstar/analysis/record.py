@@ -208,6 +208,7 @@ class Analysis:
     picture    what is drawn of its result, where -o names a picture
 
     `chains` are the fields of the question that a drive line without an engine may be asked too;
+    `lists` those that choose what tables list, and change no figure that is plotted;
     `estimates`: values that a file leaves out may be estimated, and results have ranges;
     `marks_speed`: a speed that changes nothing, since the file has no masses or sizes, is marked;
     `steps`: compute takes long, and `tell=`, to be called with the steps done and their number;
@@ -240,6 +241,7 @@ class Analysis:
     grids: Later[Callable[[Any], Mapping[str, Grid]]] | None = None
     picture: Picture | None = None
     chains: tuple[str, ...] = ()
+    lists: tuple[str, ...] = ()
     estimates: bool = False
     marks_speed: bool = False
     steps: bool = False

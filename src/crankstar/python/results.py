@@ -7,7 +7,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from crankstar.analysis.document import Document, Table
+from crankstar.analysis.reader import asked
 from crankstar.analysis.record import Analysis, Chart, Grid
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
@@ -191,16 +194,34 @@ class Result:
     def plot(self, figure: str = "", **options: Any) -> Figure:
         """A figure of it, the first unless it is named; `options` as `crankstar plot` takes them.
 
-        What was asked of the analysis is asked of the figure. Raises ValueError for another name,
-        ChartError where there is nothing to draw.
+        What was asked of the analysis is asked of the figure. Raises ValueError for another name
+        and where the figure cannot be asked it, ChartError where there is nothing to draw.
         """
         charts = self.analysis.charts
         if not charts:
             raise ValueError(_("{name} has no figure", name=self.analysis.name))
         chart = charts[0] if not figure else self._chart(figure)
+        self._check_plotted(chart)
         own = {name: getattr(self.question, name, None) for name in chart.options}
         given = {name: value for name, value in own.items() if value not in (None, "", (), [])}
         return chart.draw(self.source, **{**given, **options})
+
+    def _check_plotted(self, chart: Chart) -> None:
+        """Refuse a figure that would show something else than the numbers. Raises ValueError."""
+        unasked = [
+            one.name
+            for one in asked(type(self.question))
+            if one.name not in (*chart.options, *self.analysis.lists)
+            and not np.array_equal(getattr(self.question, one.name), one.default)
+        ]
+        if unasked:
+            raise ValueError(
+                _(
+                    "the figure {name} would not show {arguments}; ask without, or use the numbers",
+                    name=chart.name,
+                    arguments=", ".join(unasked),
+                )
+            )
 
     def _chart(self, figure: str) -> Chart:
         for chart in self.analysis.charts:

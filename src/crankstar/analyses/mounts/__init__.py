@@ -40,6 +40,7 @@ RECORD = Analysis(
     answer=Later("crankstar.analyses.mounts.answer:answer"),
     document=Later("crankstar.analyses.mounts.document:document"),
     grids=Later("crankstar.analyses.mounts.grids:grids"),
+    lists=("speed", "orders"),
     lacks=lambda engine, _speed: not engine.mounts,
     charts=(
         Chart(

@@ -37,6 +37,7 @@ RECORD = Analysis(
     answer=Later("crankstar.analyses.torsion.answer:answer"),
     document=Later("crankstar.analyses.torsion.document:document"),
     grids=Later("crankstar.analyses.torsion.grids:grids"),
+    lists=("speed", "modes", "holzer"),
     lacks=lambda engine, _speed: engine.torsion is None,
     charts=(
         Chart(
