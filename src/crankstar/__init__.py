@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from crankstar.derive import derivation, family, signs
+    from crankstar.derive import family, signs
     from crankstar.dynamics.bearings import BearingLoads, Bending
     from crankstar.dynamics.uneven import Running, driven, flywheel_for
     from crankstar.dynamics.whirl import whirl
@@ -68,6 +68,7 @@ if TYPE_CHECKING:
     from crankstar.mechanics.side_thrust import SideThrust, side_thrust
     from crankstar.page.widget import widget
     from crankstar.python import records as records
+    from crankstar.python.derivations import derivation
     from crankstar.python.results import Result
     from crankstar.python.sums import balance, bearing_loads, bending_moment
     from crankstar.remedy.counterweights import with_counterweights
@@ -94,7 +95,7 @@ _HOMES = {
     "dynamics.whirl": ("whirl",),
     "dynamics.uneven": ("Running", "driven", "flywheel_for"),
     "dynamics.bearings": ("BearingLoads", "Bending"),
-    "derive": ("derivation", "family", "signs"),
+    "derive": ("family", "signs"),
     "engine.engine": ("Engine",),
     "engine.records": ("Cylinder", "Rod", "Shaft", "Throw", "Weight"),
     "files": ("EngineFileError",),
@@ -108,6 +109,7 @@ _HOMES = {
     "mechanics.mechanism": ("Mechanism",),
     "mechanics.side_thrust": ("SideThrust", "side_thrust"),
     "page.widget": ("widget",),
+    "python.derivations": ("derivation",),
     "python.results": ("Result",),
     "python.sums": ("balance", "bearing_loads", "bending_moment"),
     "remedy.counterweights": ("with_counterweights",),

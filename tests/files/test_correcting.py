@@ -57,13 +57,13 @@ def test_unbalance_of_a_machine_is_drilled_in_the_correction_planes(run: Run) ->
     alone = json.loads(
         run("drill", "--unbalance", f"{said['planes'][0]['unbalance']} kg*m", *hole, "--json").out
     )
-    assert said["holes"][0]["depth"] == pytest.approx(alone["holes"][0]["depth"])
+    assert said["holes"][0]["depth_mm"] == pytest.approx(alone["holes"][0]["depth_mm"])
 
 
 def test_weights_have_masses_where_a_radius_is_given(run: Run) -> None:
     said = json.loads(run("correct", *SHOWN, *PLANES, "--at-radius", "50 mm", "--json").out)
     for row in said["added"]:
-        assert row["mass"] * 1e-3 * 0.05 == pytest.approx(row["unbalance"])
+        assert row["mass_g"] * 1e-3 * 0.05 == pytest.approx(row["unbalance"])
 
 
 def test_a_picture_has_the_heavy_spots_and_what_is_added(run: Run, tmp_path: Path) -> None:

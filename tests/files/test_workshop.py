@@ -146,7 +146,7 @@ def test_a_measured_unbalance_is_drilled_at_its_heavy_spot(run: Run) -> None:
     assert (first["at_deg"], first["count"]) == ([20.0], 1)
     area = pi / 4 * 12.7**2
     cone = 12.7 / 2 / 1.6642794823505174
-    depth = first["depth"]
+    depth = first["depth_mm"]
     taken = 7.85e-3 * area * (depth * (80 - depth / 2) + cone / 3 * (80 - depth - cone / 4))
     assert taken == pytest.approx(1200, rel=1e-6)
     assert second["unbalance"] == pytest.approx(0.01 * 0.08)
@@ -270,7 +270,7 @@ def test_a_plane_without_unbalance_has_no_hole(run: Run) -> None:
     said = run("drill", "--unbalance", "0", *HOLE).out
     assert "nothing is to be drilled" in said
     answer = json.loads(run("drill", "--unbalance", "0 g*mm, 300 g*mm at 5", *HOLE, "--json").out)
-    assert [(row["count"], row["at_deg"], row["mass"] > 0) for row in answer["holes"]] == [
+    assert [(row["count"], row["at_deg"], row["mass_g"] > 0) for row in answer["holes"]] == [
         (0, None, False),
         (1, [5.0], True),
     ]

@@ -17,11 +17,14 @@ import crankstar
 from crankstar.analyses.diagnose.diagnosis import Reading, diagnosed, expected
 from crankstar.analyses.genset.generating_set import generating_set
 from crankstar.dynamics.uneven import driven, flywheel_for
+from crankstar.engine.block import Block
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle, cycle, events
 from crankstar.mechanics.gas_torque import gas_torque, over_cycle
 from crankstar.studies.answers import summary, torques
 from crankstar.studies.assumed_values import assumed_values
+from crankstar.studies.response_answers import felt
 from crankstar.studies.single_faults import Fault
 from crankstar.tables.torque_orders import by_order
 
@@ -171,7 +174,13 @@ def test_the_frame_of_a_set_feels_the_course_of_its_load() -> None:
 
 def test_what_leaves_the_reaction_of_a_load_out_records_it() -> None:
     engine = crankstar.load(CASES / "four-pump.toml")
-    for answer, times in ((summary(engine), 1), (torques(engine, cycle, sums=True), 0)):
+    weighed = with_values(engine, block=Block(mass=200.0))
+    missed = felt(weighed, [Fault("combustion", 1)], orders=[1.0, 2.0])
+    for answer, times in (
+        (summary(engine), 1),
+        (torques(engine, cycle, sums=True), 0),
+        (missed, 1),
+    ):
         values = assumed_values(engine, answer)
         rests = [each for each in values if each.path == "drive.load_torque"]
         assert [each.status for each in rests] == ["left out"] * times

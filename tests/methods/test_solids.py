@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 from math import cos, pi, sin
 from typing import Any
 
@@ -153,4 +154,20 @@ def test_a_gltf_file_records_what_it_is_drawn_with() -> None:
     length = int.from_bytes(content[12:16], "little")
     record = json.loads(content[20 : 20 + length])["asset"]["extras"]["assumed"]
     assert record == list(assumed(load("i4")))
-    assert len(record) == 3  # stroke, bore, bore pitch
+    assert len(record) == 4  # stroke, bore, bore pitch, shapes
+
+
+def test_the_shapes_that_no_file_gives_are_said_with_their_sizes() -> None:
+    """The webs of the sentence are measured in the file: slices with more than the pins in them."""
+    engine = load("audi-25-tfsi")
+    (said,) = assumed(engine)
+    sizes = [float(size) for size in re.findall(r"([0-9.]+) mm", said)]
+    journal, pin, web = sizes
+    shaft = next(each for each in scene(engine).shafts if each.throws)
+    assert journal == pytest.approx(2000 * shaft.journal_radius, abs=0.01)
+    solid = next(each for each in solids(engine) if each.name == shaft.name)
+    thick = [mesh.extents[2] * 1000 for mesh in solid.meshes]
+    across = [1000 * mesh.extents[0] for mesh in solid.meshes]
+    assert any(size == pytest.approx(web, abs=0.01) for size in thick)
+    assert any(size == pytest.approx(pin, rel=2e-3) for size in across)
+    assert any(size == pytest.approx(journal, rel=2e-3) for size in across)

@@ -19,6 +19,7 @@ import numpy as np
 from crankstar.engine import motion
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import MessageError, _
+from crankstar.language.numbers import number
 from crankstar.page.records import Scene, ShaftShown
 from crankstar.page.scene import scene
 
@@ -64,7 +65,33 @@ def assumed(engine: Engine) -> tuple[str, ...]:
     'The file gives no stroke: lengths are in crank radii, of any size in millimetres.'
     """
     unit = _("The file gives no stroke: lengths are in crank radii, of any size in millimetres.")
-    return (*((unit,) if "radius" in engine.relative else ()), *scene(engine).assumed)
+    drawn = scene(engine)
+    return (*((unit,) if "radius" in engine.relative else ()), *drawn.assumed, *_shapes(drawn))
+
+
+def _shapes(drawn: Scene) -> Iterator[str]:
+    """A sentence on the sizes that no file gives: those of the first crankshaft."""
+    cranks = [shaft for shaft in drawn.shafts if shaft.throws]
+    webs = [web.z_to - web.z_from for shaft in cranks for web in shaft.webs]
+    if not webs:
+        return
+    first = cranks[0]
+    yield _(
+        "Shapes are for looking at: journals of {journal}, pins of {pin} across, webs {web} thick "
+        "at least, rods, pistons and weights have usual proportions to the bore or the throw.",
+        journal=_length(2 * first.journal_radius, drawn.length_unit),
+        pin=_length(2 * first.throws[0].pin_radius, drawn.length_unit),
+        web=_length(min(webs), drawn.length_unit),
+    )
+
+
+def _length(value: float, unit: str) -> str:
+    """A length of the scene for a reader, in mm where it is in metres.
+
+    >>> _length(0.0523, "m"), _length(0.5, "crank radii")
+    ('52.3 mm', '0.5 crank radii')
+    """
+    return f"{number(MILLIMETRES * value)} mm" if unit == "m" else f"{number(value)} {_(unit)}"
 
 
 def glb_bytes(engine: Engine, *, theta: float = 0.0) -> bytes:

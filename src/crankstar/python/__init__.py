@@ -5,5 +5,6 @@
 | `results` | what a function gives: its numbers, tables, arrays, figures |
 | `records` | the records of an engine file |
 | `sums` | forces, couples and bearing loads at the speed of the file |
+| `derivations` | the derivation of an order, with what it rests on |
 | `functions` | the function of each analysis, its arguments read as people write them |
 """

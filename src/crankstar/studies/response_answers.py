@@ -52,6 +52,7 @@ def felt(
         unit=lambda quantity, _engine: units[quantity],
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
+        without_reaction=gas,
         gasless="" if usual else IN_VIBRATION,
         why_gasless=why,
         choices=[usual_load(usual, figures, IN_VIBRATION)] if usual else [],

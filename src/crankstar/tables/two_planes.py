@@ -183,7 +183,7 @@ def _added(found: Corrections) -> Table:
         Column(_("plane"), key="plane", label=True),
         Column(_("add at"), "deg", key="at_deg", digits=4),
         Column(_("unbalance"), "kg*m", key="unbalance"),
-        *((Column(_("mass"), "g", key="mass", digits=4),) if massed else ()),
+        *((Column(_("mass"), "g", key="mass_g", digits=4),) if massed else ()),
         Column("", "kg*m", key="plane_unbalance", machine=True),
         Column("", "deg", key="heavy_spot_deg", machine=True),
     )

@@ -54,7 +54,7 @@ def drilling_document(
         "diameter_mm": 1000 * drill.diameter,
         "radius_mm": 1000 * drill.radius,
         "greatest_depth_mm": 1000 * drill.deepest,
-        "tip_deg": degrees(drill.tip),
+        "tip_deg": round(degrees(drill.tip), 9),
         "density_kg_m3": drill.density,
         "slug_kg_m3": drill.slug,
         "axial": drill.axial,
@@ -98,9 +98,9 @@ def _holes(corrections: Sequence[Correction], drill: Drill, along: Scale | None)
     if along is not None:
         columns.append(Column(_("from pin 1"), "deg", kind="list", key="from_pin_1_deg", digits=4))
     columns += [
-        Column(_("length of each") if slug else _("depth of each"), "mm", key="depth", digits=4),
-        Column(_("to the tip"), "mm", key="tip_depth", digits=4, machine=not drill.cone),
-        Column(_("mass added") if slug else _("mass removed"), "g", key="mass", digits=4),
+        Column(_("length of each") if slug else _("depth of each"), "mm", key="depth_mm", digits=4),
+        Column(_("to the tip"), "mm", key="tip_depth_mm", digits=4, machine=not drill.cone),
+        Column(_("mass added") if slug else _("mass removed"), "g", key="mass_g", digits=4),
     ]
     rows: list[tuple[Value, ...]] = []
     for each in corrections:
