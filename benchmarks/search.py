@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 
 import exhaustive
-from crankstar.search.executors import cluster
-from crankstar.search.halves import halves
-from crankstar.search.question import Question
-from crankstar.search.results import groups
-from crankstar.search.run import Outcome, searched
-from crankstar.search.stars import Stars
-from crankstar.search.sums import couple, of
+from crankstar.stars.executors import cluster
+from crankstar.stars.halves import halves
+from crankstar.stars.question import Question
+from crankstar.stars.results import groups
+from crankstar.stars.run import Outcome, searched
+from crankstar.stars.star import Stars
+from crankstar.stars.sums import couple, of
 
 BUDGETS = {12: 0.05, 13: 0.1, 14: 1, 15: None, 16: 60}
 """Cylinders, and the seconds that a front may take."""

@@ -15,10 +15,10 @@ import numpy as np
 from numba import njit
 
 import tables
-from crankstar.search.executors import threads
-from crankstar.search.sequence_fronts import SequenceFront, sequence_front
-from crankstar.search.shafts import Shaft, shaft_of
-from crankstar.search.vector_sums import Goal, SequenceQuestion, couple, straight, torsion
+from crankstar.stars.executors import threads
+from crankstar.stars.sequence_fronts import SequenceFront, sequence_front
+from crankstar.stars.shafts import Shaft, shaft_of
+from crankstar.stars.vector_sums import Goal, SequenceQuestion, couple, straight, torsion
 
 BUDGETS = {(16, 45): 10, (16, 90): 10, (20, 108): 180, (20, 72): 180}
 """Cylinders and bank angle of a V engine, and the seconds that its front may take."""

@@ -11,14 +11,14 @@ from crankstar.engine.quantities import Cycle
 from crankstar.files.catalog import load
 from crankstar.options.sequences import SequenceWords, sequences_of
 from crankstar.options.words import SearchWords
-from crankstar.search.answer import Answer, AnswerRow, answer_to
-from crankstar.search.engines import firing_order
-from crankstar.search.question import All, Question
-from crankstar.search.sequence_engines import fired_of_engine
-from crankstar.search.sequence_fronts import SequenceFront, beaten, sequence_front
-from crankstar.search.shafts import Fired
-from crankstar.search.stars import Stars
-from crankstar.search.sums import Limit, VectorSum, couple, of
+from crankstar.stars.answer import Answer, AnswerRow, answer_to
+from crankstar.stars.engines import firing_order
+from crankstar.stars.question import All, Question
+from crankstar.stars.sequence_engines import fired_of_engine
+from crankstar.stars.sequence_fronts import SequenceFront, beaten, sequence_front
+from crankstar.stars.shafts import Fired
+from crankstar.stars.star import Stars
+from crankstar.stars.sums import Limit, VectorSum, couple, of
 
 NO_BREAK = "\u2060-\u2060"
 SPACE = "\u00a0"

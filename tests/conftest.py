@@ -59,7 +59,7 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 def searches(path: Path) -> bool:
     """Whether a module is of the search or uses it, whose loops are first to be compiled."""
-    return "crankstar.search" in path.read_text(encoding="utf-8") or "search" in path.parts
+    return "crankstar.stars" in path.read_text(encoding="utf-8") or "search" in path.parts
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -23,7 +23,7 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `charts/` | figures, one function each |
 | `tables/` | every analysis as a table: terminal, HTML, CSV, JSON, spreadsheet; the verdict |
 | `studies/` | the same analysis over many values or engines: sweeps, batches, tolerances |
-| `search/` | crank stars, and nothing else, searched to the end with proof; executors |
+| `stars/` | crank stars, and nothing else, searched to the end with proof; executors |
 | `derive/` | exact closed forms step by step; their `algebra/`; `errata/` of published formulas |
 | `analysis/` | the record of an analysis, its document, what it rests on, all of them by name |
 | `remedy/` | what is sized so that it shakes less: weights, shafts, mounts; gives an Engine |

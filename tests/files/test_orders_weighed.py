@@ -19,9 +19,9 @@ from crankstar.dynamics.torsion_shapes import cylinder_shape
 from crankstar.files.catalog import tree_of
 from crankstar.firing.intervals import firing
 from crankstar.firing.orders import even_orders
-from crankstar.search.sequence_engines import shaft_of_engine, with_fired
-from crankstar.search.shafts import followed
-from crankstar.search.vector_sums import couple, shape_of, torsion
+from crankstar.stars.sequence_engines import shaft_of_engine, with_fired
+from crankstar.stars.shafts import followed
+from crankstar.stars.vector_sums import couple, shape_of, torsion
 from crankstar.studies.judged_orders import JUDGES, Judge, judged, judgement
 
 OWN = {

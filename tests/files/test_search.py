@@ -22,9 +22,9 @@ from crankstar.mechanics.balance import balance, total
 from crankstar.options import search as options
 from crankstar.options.search import search_of
 from crankstar.options.words import SearchWords
-from crankstar.search.answer import answer_to
-from crankstar.search.question import All
 from crankstar.spectra import horizontal, vertical
+from crankstar.stars.answer import answer_to
+from crankstar.stars.question import All
 from crankstar.tables.machine import columns
 from crankstar.tables.search_stars import search_stars
 
@@ -355,10 +355,10 @@ def test_a_checkpoint_that_cannot_be_is_refused_before_anything_is_compiled(
 def test_rows_name_their_units() -> None:
     from fractions import Fraction
 
-    from crankstar.search.answer import answer_to
-    from crankstar.search.question import Question
-    from crankstar.search.stars import Stars
-    from crankstar.search.sums import couple, of
+    from crankstar.stars.answer import answer_to
+    from crankstar.stars.question import Question
+    from crankstar.stars.star import Stars
+    from crankstar.stars.sums import couple, of
 
     stars = Stars(5, "two-stroke", tuple(Fraction(2 - j) for j in range(5)))
     found = search_stars(answer_to(Question(stars, (of(couple(stars, 1)), of(couple(stars, 2))))))

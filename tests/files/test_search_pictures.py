@@ -17,7 +17,7 @@ from crankstar import charts
 from crankstar.charts.drawing import BLUE, ORANGE
 from crankstar.options.sequences import sequences_of
 from crankstar.options.words import SearchWords, SequenceWords
-from crankstar.search.sequence_fronts import sequence_front
+from crankstar.stars.sequence_fronts import sequence_front
 
 MARINE = """
 format = 1

@@ -18,12 +18,12 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Shaft, Throw, Weight
 from crankstar.files import engine_of, toml, tree_of
 from crankstar.mechanics.balance import balance
-from crankstar.search.answer import answer_to
-from crankstar.search.engine_stars import couple_of, force_of, star_of, stars_of, with_star
-from crankstar.search.options import Measure, SearchOptions, search_for
-from crankstar.search.question import All, Question
-from crankstar.search.sums import of
 from crankstar.spectra import selected
+from crankstar.stars.answer import answer_to
+from crankstar.stars.engine_stars import couple_of, force_of, star_of, stars_of, with_star
+from crankstar.stars.options import Measure, SearchOptions, search_for
+from crankstar.stars.question import All, Question
+from crankstar.stars.sums import of
 from crankstar.tables import balance_orders, machine
 from crankstar.tables.search_stars import as_it_is, search_stars
 from crankstar.tables.uneven_angles import curve_of, uneven_angles

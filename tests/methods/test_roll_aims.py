@@ -24,7 +24,7 @@ from crankstar.remedy import (
     with_counterweights,
 )
 from crankstar.remedy.aims import measured, setting
-from crankstar.search.engine_stars import stars_of, with_star
+from crankstar.stars.engine_stars import stars_of, with_star
 
 __all__ = ["refused", "run"]
 

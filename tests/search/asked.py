@@ -10,9 +10,9 @@ from tests import exhaustive
 from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import inline
-from crankstar.search.question import All, Best, FunctionObjective, Question
-from crankstar.search.stars import Stars
-from crankstar.search.sums import Limit, couple, neighbours, of
+from crankstar.stars.question import All, Best, FunctionObjective, Question
+from crankstar.stars.star import Stars
+from crankstar.stars.sums import Limit, couple, neighbours, of
 
 
 def space(cylinders: int, cycle: Any = "two-stroke", **more: Any) -> Stars:

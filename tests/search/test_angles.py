@@ -13,11 +13,11 @@ from tests import exhaustive
 from crankstar import spectra
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
-from crankstar.search.angles import STARTS, Term, curve, sentence, star_task, terms, uneven
-from crankstar.search.engines import engine
-from crankstar.search.faults import SearchError
-from crankstar.search.stars import Stars
-from crankstar.search.sums import couple, torsion
+from crankstar.stars.angles import STARTS, Term, curve, sentence, star_task, terms, uneven
+from crankstar.stars.engines import engine
+from crankstar.stars.faults import SearchError
+from crankstar.stars.star import Stars
+from crankstar.stars.sums import couple, torsion
 
 
 def space(cylinders: int, cycle: Any = "two-stroke", **more: Any) -> Stars:

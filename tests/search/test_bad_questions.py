@@ -8,12 +8,12 @@ from typing import Any
 import pytest
 from tests import exhaustive
 
-from crankstar.search.answer import answer_to, succeeding
-from crankstar.search.equivalence import Equivalence, equivalent, question
-from crankstar.search.faults import SearchError
-from crankstar.search.question import All, Best, Front, FunctionObjective, Question
-from crankstar.search.stars import Stars
-from crankstar.search.sums import Limit, Objective, couple, of
+from crankstar.stars.answer import answer_to, succeeding
+from crankstar.stars.equivalence import Equivalence, equivalent, question
+from crankstar.stars.faults import SearchError
+from crankstar.stars.question import All, Best, Front, FunctionObjective, Question
+from crankstar.stars.star import Stars
+from crankstar.stars.sums import Limit, Objective, couple, of
 
 SEVEN = Stars(7, "two-stroke", exhaustive.halves(7))
 EIGHT = Stars(8, "four-stroke", exhaustive.halves(8))

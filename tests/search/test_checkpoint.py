@@ -10,12 +10,12 @@ from zlib import crc32
 import pytest
 from tests.search.asked import front
 
-from crankstar.search import checkpoint, regions, run
-from crankstar.search.answer import answer_to
-from crankstar.search.faults import SearchError
-from crankstar.search.halves import halves
-from crankstar.search.question import Best
-from crankstar.search.run import searched
+from crankstar.stars import checkpoint, regions, run
+from crankstar.stars.answer import answer_to
+from crankstar.stars.faults import SearchError
+from crankstar.stars.halves import halves
+from crankstar.stars.question import Best
+from crankstar.stars.run import searched
 
 QUESTION = front(9)
 BLOCKS = halves(QUESTION).block_count

@@ -10,7 +10,7 @@ from tests.holding import PATIENCE
 
 DOUBLED = """
 import resource, sys
-from crankstar.search.compiling import compiled
+from crankstar.stars.compiling import compiled
 
 @compiled
 def doubled(value):
@@ -45,7 +45,7 @@ def test_a_loop_is_compiled_whatever_becomes_of_its_cache(disk, tmp_path: Path):
 FIRST = """
 import sys
 from typing import NamedTuple
-from crankstar.search.compiling import compiled
+from crankstar.stars.compiling import compiled
 
 class Point(NamedTuple):
     right: float

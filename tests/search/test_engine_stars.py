@@ -13,8 +13,8 @@ from crankstar.files.catalog import load
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
 from crankstar.remedy import fitting
-from crankstar.search.answer import answer_to
-from crankstar.search.engine_stars import (
+from crankstar.stars.answer import answer_to
+from crankstar.stars.engine_stars import (
     couple_of,
     force_of,
     rms_couple,
@@ -22,9 +22,9 @@ from crankstar.search.engine_stars import (
     stars_of,
     with_star,
 )
-from crankstar.search.engines import firing_order
-from crankstar.search.faults import SearchError
-from crankstar.search.question import Best, Question
+from crankstar.stars.engines import firing_order
+from crankstar.stars.faults import SearchError
+from crankstar.stars.question import Best, Question
 
 
 def amplitude(spectrum, order):

@@ -17,11 +17,11 @@ from crankstar.files import engine_of, toml, tree_of
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.excitation import Reference
-from crankstar.search.answer import succeeding
-from crankstar.search.engines import engine, firing_order
-from crankstar.search.faults import SearchError
-from crankstar.search.stars import Stars
-from crankstar.search.sums import couple, force
+from crankstar.stars.answer import succeeding
+from crankstar.stars.engines import engine, firing_order
+from crankstar.stars.faults import SearchError
+from crankstar.stars.star import Stars
+from crankstar.stars.sums import couple, force
 
 CASES = [(n, "two-stroke") for n in (1, 2, 3, 5, 6, 7, 8)] + [
     (n, "four-stroke") for n in (1, 2, 3, 4, 5, 6, 7, 8, 10)

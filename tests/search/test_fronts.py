@@ -22,11 +22,11 @@ from crankstar.charts.front_axes import Axis
 from crankstar.charts.letters import SMALL, text_width
 from crankstar.charts.search_values import order_lines
 from crankstar.language.numbers import number
-from crankstar.search.answer import Answer, AnswerRow, answer_to
-from crankstar.search.engines import firing_order
-from crankstar.search.question import All, FunctionObjective, Question
-from crankstar.search.stars import Stars
-from crankstar.search.sums import Limit, Objective, couple, neighbours, of
+from crankstar.stars.answer import Answer, AnswerRow, answer_to
+from crankstar.stars.engines import firing_order
+from crankstar.stars.question import All, FunctionObjective, Question
+from crankstar.stars.star import Stars
+from crankstar.stars.sums import Limit, Objective, couple, neighbours, of
 
 
 def space(cylinders: int, cycle: Any = "two-stroke") -> Stars:

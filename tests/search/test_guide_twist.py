@@ -14,10 +14,10 @@ from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.guide_moments import guide_moments
 from crankstar.options.search import search_of
 from crankstar.options.words import SearchWords
-from crankstar.search.answer import answer_to
-from crankstar.search.engine_stars import stars_of, twisting_of, with_star
-from crankstar.search.faults import SearchError
-from crankstar.search.stars import Star
+from crankstar.stars.answer import answer_to
+from crankstar.stars.engine_stars import stars_of, twisting_of, with_star
+from crankstar.stars.faults import SearchError
+from crankstar.stars.star import Star
 
 FIVE = marine_engine(firing_order=[1, 4, 3, 2, 5])
 

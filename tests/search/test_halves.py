@@ -5,13 +5,13 @@ from types import SimpleNamespace
 import pytest
 from tests.search.asked import every_kind, front, space
 
-from crankstar.search import estimates, run
-from crankstar.search.faults import SearchError
-from crankstar.search.halves import check, halves
-from crankstar.search.question import Question
-from crankstar.search.regions import regions
-from crankstar.search.run import searched
-from crankstar.search.sums import couple, of
+from crankstar.stars import estimates, run
+from crankstar.stars.faults import SearchError
+from crankstar.stars.halves import check, halves
+from crankstar.stars.question import Question
+from crankstar.stars.regions import regions
+from crankstar.stars.run import searched
+from crankstar.stars.sums import couple, of
 
 FIXED = [
     Question(space(n, cycle, fixed=fixed), (of(couple(space(n, cycle), 1)),))

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from tests.holding import PATIENCE
 
-from crankstar.search.interrupts import aside
+from crankstar.stars.interrupts import aside
 
 
 def test_what_work_gives_and_raises_comes_through():
@@ -45,7 +45,7 @@ def test_an_interrupt_ends_the_waiting_and_not_the_work():
 
 FIRST = """
 import multiprocessing, signal
-from crankstar.search.interrupts import held_back
+from crankstar.stars.interrupts import held_back
 if __name__ == "__main__":
     with held_back():
         process = multiprocessing.get_context("spawn").Process(target=int)

@@ -11,9 +11,9 @@ from crankstar import load
 from crankstar.language.search_faults import SENTENCES
 from crankstar.options.search import measure, search_of, whole_number
 from crankstar.options.words import SearchWords
-from crankstar.search.faults import SearchError, fault, said
-from crankstar.search.options import Measure, SearchOptions, search_for
-from crankstar.search.question import All, Best, Front
+from crankstar.stars.faults import SearchError, fault, said
+from crankstar.stars.options import Measure, SearchOptions, search_for
+from crankstar.stars.question import All, Best, Front
 
 
 def faults(about: Any, **words: Any) -> list[tuple[str, str]]:

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from tests import exhaustive
 
-from crankstar.search import proof
-from crankstar.search.answer import answer_to
-from crankstar.search.equivalence import Equivalence, equivalent, question
-from crankstar.search.stars import Stars
-from crankstar.search.sums import VectorSum, couple, torsion
+from crankstar.stars import proof
+from crankstar.stars.answer import answer_to
+from crankstar.stars.equivalence import Equivalence, equivalent, question
+from crankstar.stars.star import Stars
+from crankstar.stars.sums import VectorSum, couple, torsion
 
 
 @pytest.mark.many(first=2)

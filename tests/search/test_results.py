@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from crankstar.search import results
-from crankstar.search.question import All, Best, Front
-from crankstar.search.results import Results
+from crankstar.stars import results
+from crankstar.stars.question import All, Best, Front
+from crankstar.stars.results import Results
 
 ASKS = [Front(), Front(2), Front(1), Best(1), Best(5), All(), All(4)]
 

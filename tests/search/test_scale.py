@@ -18,12 +18,12 @@ import pytest
 from tests.holding import PATIENCE, awaited
 from tests.search.asked import every_kind, front
 
-from crankstar.search import checkpoint, distribution, executors, halves, regions, run
-from crankstar.search.answer import answer_to, read
-from crankstar.search.executors import Workers, cluster, processes
-from crankstar.search.faults import SearchError
-from crankstar.search.run import searched
-from crankstar.search.work import results_of
+from crankstar.stars import checkpoint, distribution, executors, halves, regions, run
+from crankstar.stars.answer import answer_to, read
+from crankstar.stars.executors import Workers, cluster, processes
+from crankstar.stars.faults import SearchError
+from crankstar.stars.run import searched
+from crankstar.stars.work import results_of
 
 KINDS = every_kind()
 MIDDLE = front(12)
@@ -393,7 +393,7 @@ def test_every_block_counts_and_so_does_the_proof(monkeypatch, answers):
 SCRIPT = """
 import sys
 from tests.search.asked import front
-from crankstar.search import checkpoint, executors, run
+from crankstar.stars import checkpoint, executors, run
 from contextlib import nullcontext
 question = front(15)
 def told(progress):

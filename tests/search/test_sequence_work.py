@@ -18,13 +18,13 @@ from tests.search import plain_orders as plain
 from crankstar import cli
 from crankstar.options.sequences import sequences_of
 from crankstar.options.words import SearchWords, SequenceWords
-from crankstar.search import checkpoint, executors, sequence_kernels, sequence_rows, sequence_work
-from crankstar.search.executors import Workers, cluster, processes, threads
-from crankstar.search.faults import SearchError
-from crankstar.search.progress import Progress
-from crankstar.search.sequence_fronts import SequenceFront, beaten, sequence_front
-from crankstar.search.shafts import Fired, Shaft, shaft_of
-from crankstar.search.vector_sums import (
+from crankstar.stars import checkpoint, executors, sequence_kernels, sequence_rows, sequence_work
+from crankstar.stars.executors import Workers, cluster, processes, threads
+from crankstar.stars.faults import SearchError
+from crankstar.stars.progress import Progress
+from crankstar.stars.sequence_fronts import SequenceFront, beaten, sequence_front
+from crankstar.stars.shafts import Fired, Shaft, shaft_of
+from crankstar.stars.vector_sums import (
     Cap,
     Goal,
     SequenceQuestion,

@@ -22,19 +22,14 @@ from crankstar.language.search_faults import SENTENCES
 from crankstar.mechanics.balance import balance, total
 from crankstar.options.sequences import sequences_of
 from crankstar.options.words import SearchWords, SequenceWords
-from crankstar.search import executors, sequence_fronts, sequence_work
-from crankstar.search.faults import SearchError, said
-from crankstar.search.progress import Progress
-from crankstar.search.sequence_engines import (
-    engine_of,
-    fired_of_engine,
-    shaft_of_engine,
-    with_fired,
-)
-from crankstar.search.sequence_fronts import beaten, sequence_front, ways
-from crankstar.search.shafts import Fired, Shaft, followed, shaft_of
-from crankstar.search.uneven_sequences import uneven_sequences
-from crankstar.search.vector_sums import (
+from crankstar.stars import executors, sequence_fronts, sequence_work
+from crankstar.stars.faults import SearchError, said
+from crankstar.stars.progress import Progress
+from crankstar.stars.sequence_engines import engine_of, fired_of_engine, shaft_of_engine, with_fired
+from crankstar.stars.sequence_fronts import beaten, sequence_front, ways
+from crankstar.stars.shafts import Fired, Shaft, followed, shaft_of
+from crankstar.stars.uneven_sequences import uneven_sequences
+from crankstar.stars.vector_sums import (
     NEIGHBOURS,
     Cap,
     Goal,

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from tests import exhaustive
 
-from crankstar.search.answer import answer_to, succeeding
-from crankstar.search.question import All, Best, Front, FunctionObjective, Question
-from crankstar.search.stars import Stars
-from crankstar.search.sums import Limit, Objective, couple, force, neighbours, of, torsion
+from crankstar.stars.answer import answer_to, succeeding
+from crankstar.stars.question import All, Best, Front, FunctionObjective, Question
+from crankstar.stars.star import Stars
+from crankstar.stars.sums import Limit, Objective, couple, force, neighbours, of, torsion
 
 CASES = [(n, "two-stroke") for n in range(2, 9)] + [
     (n, "four-stroke") for n in (2, 3, 4, 5, 6, 7, 8, 10)

@@ -19,12 +19,12 @@ from crankstar import files
 from crankstar.language.messages import spoken
 from crankstar.options.search import search_of
 from crankstar.options.words import SearchWords
-from crankstar.search import estimates
-from crankstar.search.answer import answer_to
 from crankstar.server import processes, search_process, searches
 from crankstar.server.messages import SearchQuestion
 from crankstar.server.refusal import Refused, said
 from crankstar.server.searches import Searches
+from crankstar.stars import estimates
+from crankstar.stars.answer import answer_to
 
 LONG = {"cylinders": 15, "cycle": "two-stroke", "minimise": "M1,M2,M3", "front": True}
 """Takes minutes."""

@@ -21,11 +21,11 @@ from crankstar.charts.search_values import (
     values_of,
 )
 from crankstar.language.messages import _
-from crankstar.search.question import Front
+from crankstar.stars.question import Front
 
 if TYPE_CHECKING:
-    from crankstar.search.answer import Answer
-    from crankstar.search.sequence_fronts import SequenceFront
+    from crankstar.stars.answer import Answer
+    from crankstar.stars.sequence_fronts import SequenceFront
 
 CELL = 2.0
 """px: one of the other stars is drawn in a square of this size."""

@@ -11,10 +11,10 @@ from crankstar.charts.grammar import Chart
 from crankstar.charts.search_values import columns, engine_text, order_lines, units_text, values_of
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
-from crankstar.search.engines import engine, firing_order
+from crankstar.stars.engines import engine, firing_order
 
 if TYPE_CHECKING:
-    from crankstar.search.answer import Answer
+    from crankstar.stars.answer import Answer
 
 SHOWN = 6
 """Stars in a figure by default."""

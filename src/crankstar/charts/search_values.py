@@ -10,13 +10,13 @@ from crankstar.charts.letters import SMALL, text_width, together
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import numbers_text, unit_text
 from crankstar.language.shown_units import shown
-from crankstar.search.engines import firing_order
-from crankstar.search.shafts import Shaft, followed
-from crankstar.search.stars import Stars
+from crankstar.stars.engines import firing_order
+from crankstar.stars.shafts import Shaft, followed
+from crankstar.stars.star import Stars
 
 if TYPE_CHECKING:
-    from crankstar.search.answer import Answer, AnswerRow
-    from crankstar.search.sequence_fronts import SequenceFront
+    from crankstar.stars.answer import Answer, AnswerRow
+    from crankstar.stars.sequence_fronts import SequenceFront
 
 
 class Column(NamedTuple):

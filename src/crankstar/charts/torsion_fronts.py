@@ -14,12 +14,12 @@ from crankstar.charts.search_values import FrontPoints, order_lines, sequence_po
 from crankstar.charts.vector_panels import vectors_panel
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
-from crankstar.search.sequence_engines import engine_of
-from crankstar.search.shafts import Fired, Shaft
-from crankstar.search.vector_sums import OrderSum
+from crankstar.stars.sequence_engines import engine_of
+from crankstar.stars.shafts import Fired, Shaft
+from crankstar.stars.vector_sums import OrderSum
 
 if TYPE_CHECKING:
-    from crankstar.search.sequence_fronts import SequenceFront
+    from crankstar.stars.sequence_fronts import SequenceFront
 
 SHOWN = 3
 """Points in a figure by default."""
@@ -42,7 +42,7 @@ def sequence_stars(front: SequenceFront, *, count: int = SHOWN) -> Chart:
 
     >>> from crankstar.options.sequences import sequences_of
     >>> from crankstar.options.words import SearchWords, SequenceWords
-    >>> from crankstar.search.sequence_fronts import sequence_front
+    >>> from crankstar.stars.sequence_fronts import sequence_front
     >>> asked = sequences_of(4, SearchWords(minimise="M1,twist"), SequenceWords())
     >>> found = sequence_front(asked.question)
     >>> len(sequence_stars(found, count=1).to_dict()["vconcat"])

@@ -252,7 +252,7 @@ def _shown(record: Analysis, several: int) -> Iterator[Callable[[int, int], None
         with working(doing):
             yield lambda _done, _of: None
         return
-    from crankstar.search.interrupts import ended_once
+    from crankstar.stars.interrupts import ended_once
 
     with ended_once() if record.steps else nullcontext(), progress(doing) as tell:
         yield lambda done, of: tell(done, of, f"{done}/{of}")

@@ -36,7 +36,7 @@ from crankstar.options.forms import STANDARD_OUTPUT
 from crankstar.options.refusals import RequestError, refuse_empty
 from crankstar.options.values import NEEDED
 from crankstar.options.vocabulary import OPTIONS
-from crankstar.search.faults import SearchError
+from crankstar.stars.faults import SearchError
 
 COMPLETION = "--install-completion"
 FILES = ("--before", "--beside", "--checkpoint", "--engine-file", "--output", "--save")

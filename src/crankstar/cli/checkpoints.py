@@ -7,7 +7,7 @@ from pathlib import Path
 from crankstar.cli.output import complain
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
-from crankstar.search.checkpoint import Asked, Checkpoint, opened
+from crankstar.stars.checkpoint import Asked, Checkpoint, opened
 
 
 def kept(place: str | None, question: Asked) -> Checkpoint | None:

@@ -88,7 +88,7 @@ def animate(
     from crankstar.pictures import options as request
     from crankstar.pictures.films import FILMS, film
     from crankstar.pictures.motions import turns_of
-    from crankstar.search.interrupts import ended_once
+    from crankstar.stars.interrupts import ended_once
 
     usual = usual_place(engine, kind="gif")
     refuse_terminal(output, FILMS)

@@ -62,7 +62,7 @@ def match(
     output: Output = None,
 ) -> None:
     """Match weighed pistons, pins and rods to the cylinders."""
-    from crankstar.search.interrupts import signals_noted
+    from crankstar.stars.interrupts import signals_noted
     from crankstar.studies.matched_sets import divided
     from crankstar.studies.matching import matched
     from crankstar.tables.matching import division_document, matching_document

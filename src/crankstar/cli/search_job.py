@@ -13,12 +13,12 @@ from crankstar.cli.search_options import Work
 from crankstar.language.messages import _
 from crankstar.language.numbers import duration
 from crankstar.options.values import RequestError
-from crankstar.search import equivalence, estimates, executors, halves
-from crankstar.search.answer import Answer, answer_to
-from crankstar.search.interrupts import aside
-from crankstar.search.options import Search
-from crankstar.search.progress import note
-from crankstar.search.question import All
+from crankstar.stars import equivalence, estimates, executors, halves
+from crankstar.stars.answer import Answer, answer_to
+from crankstar.stars.interrupts import aside
+from crankstar.stars.options import Search
+from crankstar.stars.progress import note
+from crankstar.stars.question import All
 
 LONG_SECONDS = 3600.0
 """A search longer than this must be agreed to."""

@@ -33,7 +33,7 @@ from crankstar.options.values import RequestError
 from crankstar.options.words import SearchWords, SequenceWords, sequence_options
 
 if TYPE_CHECKING:
-    from crankstar.search.answer import Answer
+    from crankstar.stars.answer import Answer
 
 GREATEST_WORKERS = 1024
 GREATEST_ROW = 200_000
@@ -185,7 +185,7 @@ def _show_row(
     tree: dict[str, Any] | None,
 ) -> None:
     """Write a row as an engine file; uneven angles as a table, or the engine of the last one."""
-    from crankstar.search import engine_stars, engines
+    from crankstar.stars import engine_stars, engines
     from crankstar.tables import uneven_angles
 
     if row > len(answer.rows):

@@ -128,9 +128,9 @@ def _front(question: Any, workers: int, work: Work) -> Any:
     with working(_("Getting ready (the first search is compiled for about ten seconds) ...")):
         try:
             from crankstar.cli.checkpoints import kept
-            from crankstar.search import executors
-            from crankstar.search.progress import note
-            from crankstar.search.sequence_fronts import sequence_front
+            from crankstar.stars import executors
+            from crankstar.stars.progress import note
+            from crankstar.stars.sequence_fronts import sequence_front
         except ImportError as error:
             raise not_compiled(error) from None
     checkpoint = kept(work.checkpoint, question)
@@ -149,8 +149,8 @@ def _front(question: Any, workers: int, work: Work) -> Any:
 
 def _judged(front: Any, wanted: sequences.Sequences) -> dict[Any, Any]:
     """What the whole engine does with the best way of each point. Raises RequestError."""
-    from crankstar.search.sequence_engines import fired_of_engine
-    from crankstar.search.sequence_fronts import ways
+    from crankstar.stars.sequence_engines import fired_of_engine
+    from crankstar.stars.sequence_fronts import ways
     from crankstar.studies.judged_orders import FAILURES, JudgedWays, best_way
 
     engine, out = wanted.engine, {}
@@ -183,8 +183,8 @@ def _show_row(front: Any, engine: Any, best: dict[Any, Any], form: Form, tree: A
     best: the ways that were judged best, by the orders that rows show. Raises RequestError where
     there is no such row.
     """
-    from crankstar.search.sequence_engines import engine_of, with_fired
-    from crankstar.search.uneven_sequences import uneven_sequences
+    from crankstar.stars.sequence_engines import engine_of, with_fired
+    from crankstar.stars.uneven_sequences import uneven_sequences
     from crankstar.tables.uneven_angles import uneven_angles
 
     row = form.row or 1

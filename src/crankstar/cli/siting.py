@@ -33,9 +33,9 @@ def site(
     if output is not None and output in STANDARD_OUTPUT:
         raise refusal("-o", "-", "name a directory")
     place = Path(USUAL if output is None else output)
-    from crankstar.search.interrupts import ended_once
     from crankstar.site.building import build, check_place
     from crankstar.site.pages import Subject, card_of
+    from crankstar.stars.interrupts import ended_once
 
     check_place(place)
     subjects = []

@@ -26,7 +26,7 @@ def sound(
     """Write the rhythm of the exhaust as a sound, without muffler, intake and mechanical noise."""
     from crankstar.dynamics import sound as acoustics
     from crankstar.options import sounds as request
-    from crankstar.search.interrupts import ended_once
+    from crankstar.stars.interrupts import ended_once
 
     usual = usual_place(engine, kind="wav")
     refuse_terminal(output, SOUNDS)

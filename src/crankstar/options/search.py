@@ -14,8 +14,8 @@ from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
 from crankstar.options.values import RequestError, bounded, listed, refusal
 from crankstar.options.words import SearchWords
-from crankstar.search.faults import Faults, SearchError, error
-from crankstar.search.options import (
+from crankstar.stars.faults import Faults, SearchError, error
+from crankstar.stars.options import (
     GREATEST_BEST,
     NEIGHBOURS,
     Bound,
@@ -25,8 +25,8 @@ from crankstar.search.options import (
     SearchOptions,
     search_for,
 )
-from crankstar.search.question import All, Best, Front, Question
-from crankstar.search.stars import GREATEST_CYLINDERS
+from crankstar.stars.question import All, Best, Front, Question
+from crankstar.stars.star import GREATEST_CYLINDERS
 
 T = TypeVar("T")
 SPELLINGS = ("neighbours", "neighbors", "adjacent")

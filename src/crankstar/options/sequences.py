@@ -15,11 +15,11 @@ from crankstar.options.search import SPELLINGS, amplitude, fraction, gap, limit,
 from crankstar.options.shapes import STRAIGHT, mode_asked, mode_shape
 from crankstar.options.values import choice, degrees, listed, refuse_unused
 from crankstar.options.words import TWIST, SearchWords, SequenceWords, sequence_options
-from crankstar.search.faults import Faults, SearchError, error
-from crankstar.search.options import GREATEST_ORDER, Measure
-from crankstar.search.sequence_engines import shaft_of_engine
-from crankstar.search.shafts import Fired, Shaft, shaft_of
-from crankstar.search.vector_sums import (
+from crankstar.stars.faults import Faults, SearchError, error
+from crankstar.stars.options import GREATEST_ORDER, Measure
+from crankstar.stars.sequence_engines import shaft_of_engine
+from crankstar.stars.shafts import Fired, Shaft, shaft_of
+from crankstar.stars.vector_sums import (
     NEIGHBOURS,
     NOTHING,
     Cap,

@@ -15,8 +15,8 @@ from crankstar.language.quoting import seen
 from crankstar.options.words import SearchWords
 from crankstar.page.records import Exhibit, Problem
 from crankstar.remedy.counterweights import GREATEST_FACTOR, LEAST_FACTOR
-from crankstar.search.stars import GREATEST_CYLINDERS
 from crankstar.server.forms import Form
+from crankstar.stars.star import GREATEST_CYLINDERS
 
 LONGEST_NAME = 100
 EXAMPLE = {

@@ -17,7 +17,7 @@ from typing import Any
 
 from crankstar.language.messages import language, speak
 from crankstar.language.shown_units import Choice, choice, show_in
-from crankstar.search.interrupts import held_back
+from crankstar.stars.interrupts import held_back
 
 END_SECONDS = 2.0
 """How long a killed process may take to disappear."""

@@ -16,12 +16,12 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import duration
 from crankstar.options import search as options
 from crankstar.options.words import SearchWords
-from crankstar.search import engine_stars, engines, equivalence, halves
-from crankstar.search.options import Search
-from crankstar.search.progress import Progress, note
 from crankstar.server.processes import messages
 from crankstar.server.refusal import Refused, refused, said
 from crankstar.server.tasks import engine_of, mistakes_refused
+from crankstar.stars import engine_stars, engines, equivalence, halves
+from crankstar.stars.options import Search
+from crankstar.stars.progress import Progress, note
 
 LONGEST_SECONDS = 600.0
 """A search expected to take longer on one processor is not begun."""
@@ -116,8 +116,8 @@ class _Reporter:
 def ended(asked: dict[str, Any], reporter: _Reporter) -> Ended:
     """The last message. Raises Refused, also for a search that would take too long."""
     # compiled loops are loaded here, not where questions are checked
-    from crankstar.search import estimates
-    from crankstar.search.answer import answer_to
+    from crankstar.stars import estimates
+    from crankstar.stars.answer import answer_to
 
     search = search_of(asked)
     with mistakes_refused():

@@ -23,8 +23,8 @@ from crankstar.page import exhibits
 from crankstar.page.form_words import form_schema
 from crankstar.page.records import Exhibit
 from crankstar.remedy import fitting
-from crankstar.search.faults import SearchError
 from crankstar.server.refusal import Refused, refused
+from crankstar.stars.faults import SearchError
 
 Tree = dict[str, Any]
 ENGINE = "the engine"

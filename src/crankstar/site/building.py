@@ -23,9 +23,9 @@ from crankstar.language.messages import MessageError, language, speak
 from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import Choice, choice, shown_in
 from crankstar.page.standalone import BUNDLE, SHARED_POLICY, PageError, figures_script, plain_script
-from crankstar.search.interrupts import held_back
 from crankstar.site.gallery import Gallery, html, style
 from crankstar.site.pages import Scripts, Subject, card_of, files_of, picture_of, write
+from crankstar.stars.interrupts import held_back
 
 PROCESSES = 2
 INDEX = "index.html"

@@ -23,8 +23,8 @@ from crankstar.firing.orders import Order
 from crankstar.language.messages import MessageError
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.operating_points import GasError
-from crankstar.search.sequence_engines import with_fired
-from crankstar.search.shafts import Fired, Shaft
+from crankstar.stars.sequence_engines import with_fired
+from crankstar.stars.shafts import Fired, Shaft
 from crankstar.studies.variants import SweepError
 
 Judge = Literal["stress", "bearings"]
@@ -122,7 +122,7 @@ def best_way(
     and inertia change. Raises what `judgement` raises.
 
     >>> from crankstar.files.catalog import load
-    >>> from crankstar.search.sequence_engines import shaft_of_engine
+    >>> from crankstar.stars.sequence_engines import shaft_of_engine
     >>> five = load("audi-25-tfsi", changes={"cylinder.reciprocating_mass": "0.6 kg"})
     >>> shaft = shaft_of_engine(five)
     >>> own = shaft.fired_in(five.firing_order)

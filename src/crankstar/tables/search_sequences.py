@@ -9,9 +9,9 @@ from crankstar.analysis.document import Column, Document, Remarks, Table, Value,
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
-from crankstar.search.sequence_fronts import Point, SequenceFront
-from crankstar.search.shafts import Fired, followed
-from crankstar.search.vector_sums import OrderSum, SequenceQuestion, couple, force, shares
+from crankstar.stars.sequence_fronts import Point, SequenceFront
+from crankstar.stars.shafts import Fired, followed
+from crankstar.stars.vector_sums import OrderSum, SequenceQuestion, couple, force, shares
 from crankstar.tables.firing_orders import JUDGEMENTS, judge_column, mode_sentence
 from crankstar.tables.sequence_verdicts import Judged, judged_by, judgement, placed, uneven, verdict
 

@@ -13,12 +13,12 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, _n, passage
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
-from crankstar.search import engine_stars
-from crankstar.search.answer import Answer, AnswerRow
-from crankstar.search.engines import firing_order
-from crankstar.search.question import All, Best, Front, Question
-from crankstar.search.stars import Stars
-from crankstar.search.sums import Limit, Objective, VectorSum, couple
+from crankstar.stars import engine_stars
+from crankstar.stars.answer import Answer, AnswerRow
+from crankstar.stars.engines import firing_order
+from crankstar.stars.question import All, Best, Front, Question
+from crankstar.stars.star import Stars
+from crankstar.stars.sums import Limit, Objective, VectorSum, couple
 from crankstar.tables.estimates import typical_remarks
 
 ZERO = 1e-6

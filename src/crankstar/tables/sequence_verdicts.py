@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
-from crankstar.search.sequence_engines import fired_of_engine
-from crankstar.search.sequence_fronts import Point, SequenceFront, beaten
-from crankstar.search.shafts import Fired
-from crankstar.search.vector_sums import NEIGHBOURS, Goal, SequenceQuestion
+from crankstar.stars.sequence_engines import fired_of_engine
+from crankstar.stars.sequence_fronts import Point, SequenceFront, beaten
+from crankstar.stars.shafts import Fired
+from crankstar.stars.vector_sums import NEIGHBOURS, Goal, SequenceQuestion
 from crankstar.tables.firing_orders import judge_text
 
 if TYPE_CHECKING:

@@ -8,12 +8,12 @@ from crankstar.analysis.document import Column, Document, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.mechanics.remains import SOLVED
-from crankstar.search import engine_stars
-from crankstar.search.angles import Term, Uneven, UnevenAngles, curve, sentence
-from crankstar.search.faults import error
-from crankstar.search.question import Question
-from crankstar.search.stars import Star, Stars
-from crankstar.search.sums import VectorSum, force
+from crankstar.stars import engine_stars
+from crankstar.stars.angles import Term, Uneven, UnevenAngles, curve, sentence
+from crankstar.stars.faults import error
+from crankstar.stars.question import Question
+from crankstar.stars.star import Star, Stars
+from crankstar.stars.sums import VectorSum, force
 
 FREE_FORCE = 1e-3
 """The weight of a free force beside a couple.

@@ -30,12 +30,12 @@ from crankstar.language.faults import Fault
 from crankstar.language.messages import _
 from crankstar.mechanics.guide_moments import MarineError
 from crankstar.remedy.end_weights import NothingToShareError
-from crankstar.search.answer import answer_to
-from crankstar.search.engine_stars import star_of, stars_of, with_star
-from crankstar.search.faults import SearchError
-from crankstar.search.options import SearchOptions, search_for
-from crankstar.search.question import Best
-from crankstar.search.stars import Star, Stars
+from crankstar.stars.answer import answer_to
+from crankstar.stars.engine_stars import star_of, stars_of, with_star
+from crankstar.stars.faults import SearchError
+from crankstar.stars.options import SearchOptions, search_for
+from crankstar.stars.question import Best
+from crankstar.stars.star import Star, Stars
 
 Chosen = Literal["best", "given", "published"]
 OF_FAMILY = {"alike-order": "family-alike-order", "alike-throws": "family-alike-throws"}

@@ -16,7 +16,7 @@ from crankstar.options.refusals import RequestError, not_compiled, refusal
 from crankstar.options.words import SearchWords
 
 if TYPE_CHECKING:
-    from crankstar.search.options import SearchOptions
+    from crankstar.stars.options import SearchOptions
 
 LEAST, MOST = 2, 14
 """Numbers of cylinders of a family; of more the search takes long."""
@@ -121,7 +121,7 @@ def goals(words: SearchWords) -> SearchOptions:
     """
     try:
         from crankstar.options.search import goals_of
-        from crankstar.search.faults import SearchError
+        from crankstar.stars.faults import SearchError
     except ImportError as error:
         raise not_compiled(error) from None
     try:
