@@ -70,6 +70,7 @@ if TYPE_CHECKING:
     from crankstar.python import records as records
     from crankstar.python.derivations import derivation
     from crankstar.python.results import Result
+    from crankstar.python.searches import Found, search
     from crankstar.python.sums import balance, bearing_loads, bending_moment
     from crankstar.remedy.counterweights import with_counterweights
     from crankstar.remedy.shafts import with_balance_shaft
@@ -111,6 +112,7 @@ _HOMES = {
     "page.widget": ("widget",),
     "python.derivations": ("derivation",),
     "python.results": ("Result",),
+    "python.searches": ("Found", "search"),
     "python.sums": ("balance", "bearing_loads", "bending_moment"),
     "remedy.counterweights": ("with_counterweights",),
     "remedy.shafts": ("with_balance_shaft",),
@@ -134,6 +136,7 @@ __all__ = [
     "Engine",
     "EngineError",
     "EngineFileError",
+    "Found",
     "GasTorque",
     "Mechanism",
     "MessageError",
@@ -170,6 +173,7 @@ __all__ = [
     "names",
     "of_parts",
     "scatter",
+    "search",
     "side_thrust",
     "signs",
     "sweep",

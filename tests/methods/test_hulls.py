@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import combinations
 
 import numpy as np
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from crankstar.tables.hulls import distances, greatest_sum
@@ -25,6 +25,7 @@ def exact(points: np.ndarray) -> float:
     return max(0.0, *least) if least else 0.0
 
 
+@example([1j, 1 - 19j], 0j)  # two directions in which a coarse step finds as little
 @given(POINTS, st.complex_numbers(max_magnitude=300, allow_nan=False, allow_infinity=False))
 def test_the_distance_is_that_of_the_nearest_corner_or_edge(
     cloud: list[complex], aside: complex

@@ -135,6 +135,7 @@ def test_every_python_example_prints_what_it_says(
     page: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PATH", str(Path(sys.executable).parent) + os.pathsep + os.environ["PATH"])
+    assert not [block for block in fences(page, "python") if ">>>" in block], "a pycon block"
     examples = "\n".join(fences(page, "pycon"))
     test = doctest.DocTestParser().get_doctest(examples, {}, page.name, str(page), 0)
     said: list[str] = []

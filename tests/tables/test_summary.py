@@ -42,7 +42,7 @@ def printed(name: str, *, speed: float | None = None) -> list[str]:
 def test_the_first_ten_lines_say_how_an_engine_shakes(name: str) -> None:
     lines = printed(name)
     first = lines[: lines.index("")]
-    assert len(first) <= 10
+    assert len(first) <= 10 + bool(load(name).left_out)  # a line on parts that the file leaves out
     assert max(map(cell_len, first)) <= 80
     text = " ".join(first)
     assert "Forces and moments at" in text or "In m r ω². For newtons" in text

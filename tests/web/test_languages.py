@@ -40,7 +40,8 @@ SHOWN = """() => {
     }
     return out
 }"""
-HELD = "() => HANDLE.exhibits.flatMap(({ name, file }) => [name, file.source, file.notes]).flat()"
+HELD = """() => HANDLE.exhibits
+    .flatMap(({ name, file }) => [name, file.source, file.notes, file.left_out]).flat(3)"""
 OPENED = "document.querySelectorAll('details').forEach(each => each.open = true)"
 TYPED = re.compile(
     r"`[^`]*`|“[^”]*”|--[a-z-]+|\[\[?[a-z.]+\]?\]|\b[a-z]+(?:[._]\w+)+(?:\[\d\])?(?: = \"\w+\")?"

@@ -12,13 +12,13 @@ from crankstar.cli.output import progress, working
 from crankstar.cli.search_options import Work
 from crankstar.language.messages import _
 from crankstar.language.numbers import duration
+from crankstar.options.search import whole
 from crankstar.options.values import RequestError
-from crankstar.stars import equivalence, estimates, executors, halves
+from crankstar.stars import estimates, executors, halves
 from crankstar.stars.answer import Answer, answer_to
 from crankstar.stars.interrupts import aside
 from crankstar.stars.options import Search
 from crankstar.stars.progress import note
-from crankstar.stars.question import All
 
 LONG_SECONDS = 3600.0
 """A search longer than this must be agreed to."""
@@ -56,14 +56,7 @@ def answer_of(search: Search, work: Work, *, workers: int | None) -> Answer:
             checkpoint=checkpoint,
             watch=lambda now: show(now.done, now.blocks, note(now)),
         )
-    if isinstance(question.ask, All) and len(answer.rows) >= question.ask.size:
-        raise RequestError(
-            "{stars} stars lie within these limits, more than the {most} classes that can be "
-            "listed. Narrow the search, as in --limit M1=2, or ask for --best 100.",
-            stars=f"{answer.stars:,}",
-            most=f"{question.ask.size:,}",
-        )
-    return equivalence.equivalent(answer, search.equivalence) if search.equivalence else answer
+    return whole(search, answer)
 
 
 @contextmanager

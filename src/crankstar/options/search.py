@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from fractions import Fraction
-from typing import Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import COUPLE, FORCE
@@ -28,6 +28,9 @@ from crankstar.stars.options import (
 from crankstar.stars.question import All, Best, Front, Question
 from crankstar.stars.star import GREATEST_CYLINDERS
 
+if TYPE_CHECKING:
+    from crankstar.stars.answer import Answer
+
 T = TypeVar("T")
 SPELLINGS = ("neighbours", "neighbors", "adjacent")
 ROLL = re.compile(r"(rms )?(roll|rolling moment)( ?\d{1,3}(\.\d)?)?", re.IGNORECASE)
@@ -41,6 +44,23 @@ def search_of(about: int | Engine, words: SearchWords, *, speed: float | None = 
     """The search that the words ask for. Raises SearchError with every fault in them."""
     faults = Faults()
     return search_for(about, _options(words, faults), speed=speed, faults=faults)
+
+
+def whole(search: Search, answer: Answer) -> Answer:
+    """An answer that lists all that was asked for. Raises RequestError where it cannot."""
+    question = search.question
+    if isinstance(question.ask, All) and len(answer.rows) >= question.ask.size:
+        raise RequestError(
+            "{stars} stars lie within these limits, more than the {most} classes that can be "
+            "listed. Narrow the search, as in --limit M1=2, or ask for --best 100.",
+            stars=f"{answer.stars:,}",
+            most=f"{question.ask.size:,}",
+        )
+    if search.equivalence is None:
+        return answer
+    from crankstar.stars import equivalence  # what is compiled is read for a search alone
+
+    return equivalence.equivalent(answer, search.equivalence)
 
 
 def goals_of(words: SearchWords) -> SearchOptions:

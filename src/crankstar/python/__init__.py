@@ -6,5 +6,6 @@
 | `records` | the records of an engine file |
 | `sums` | forces, couples and bearing loads at the speed of the file |
 | `derivations` | the derivation of an order, with what it rests on |
+| `searches` | the search for crank stars, and what it found |
 | `functions` | the function of each analysis, its arguments read as people write them |
 """

@@ -1,7 +1,10 @@
 """How far the convex hulls of points in the plane are from zero.
 
 The distance is the greatest, over directions, of the least component of a point. So each direction
-tried gives a distance that is not too large: it is tried in finer and finer steps.
+tried gives a distance that is not too large. Where zero is outside, the points lie in an arc of
+less than half a turn as seen from it, and a direction in which all of them have a component is
+less than a quarter turn from both its ends: there each component is concave, and so is the least of
+them, which is brought in between two directions in finer and finer steps.
 """
 
 from __future__ import annotations
@@ -10,10 +13,10 @@ import numpy as np
 
 from crankstar.spectra import Complex, Real
 
-FIRST, AFTER = 32, 8
-"""Directions tried all around, and to either side of the best one in each later round."""
-ROUNDS = 6
-"""Later rounds; the last steps by 2 pi / 32 / 8**6, 7.5e-7 rad."""
+TRIED = 17
+"""Directions tried in each round, both ends of what is left included."""
+ROUNDS = 7
+"""Later rounds; the last steps by pi / 16 / 8**7, 9.4e-8 rad."""
 
 
 def distances(points: Complex, *, rounds: int = ROUNDS) -> Real:
@@ -22,17 +25,21 @@ def distances(points: Complex, *, rounds: int = ROUNDS) -> Real:
     >>> distances(np.array([[1 + 1j, 1 - 1j, 3], [1 + 1j, 1 - 1j, -3]])).round(6).tolist()
     [1.0, 0.0]
     """
-    middle, step = np.angle(points.mean(axis=-1)), 2 * np.pi / FIRST
-    best = _least(points, middle)
-    turns = np.arange(FIRST)
+    angles = np.sort(np.angle(points), axis=-1)
+    gaps = np.diff(angles, axis=-1, append=angles[..., :1] + 2 * np.pi)
+    last = np.argmax(gaps, axis=-1)[..., None]
+    end = np.take_along_axis(angles, last, axis=-1)[..., 0]
+    room = np.maximum(np.take_along_axis(gaps, last, axis=-1)[..., 0] - np.pi, 0.0)
+    low = end - np.pi / 2  # the arc ends there, and begins a turn less the gap before
+    best = np.zeros(end.shape)
     for _round in range(rounds + 1):
-        ways = middle[..., None] + step * turns
-        least = np.stack([_least(points, ways[..., place]) for place in range(turns.size)], axis=-1)
-        at = np.argmax(least, axis=-1)[..., None]
-        middle = np.take_along_axis(ways, at, axis=-1)[..., 0]
-        best = np.maximum(best, np.take_along_axis(least, at, axis=-1)[..., 0])
-        turns, step = np.arange(-AFTER, AFTER + 1), step / AFTER
-    return np.maximum(best, 0.0)
+        step = room / (TRIED - 1)
+        ways = low[..., None] + step[..., None] * np.arange(TRIED)
+        least = np.stack([_least(points, ways[..., place]) for place in range(TRIED)], axis=-1)
+        at = np.argmax(least, axis=-1)
+        best = np.maximum(best, np.take_along_axis(least, at[..., None], axis=-1)[..., 0])
+        low, room = low + step * (np.clip(at, 1, TRIED - 2) - 1), 2 * step
+    return best
 
 
 def _least(points: Complex, ways: Real) -> Real:

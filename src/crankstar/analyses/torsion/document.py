@@ -27,10 +27,10 @@ from crankstar.dynamics.torsion_response import Response
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL, Chain
 from crankstar.language.messages import _, _n
-from crankstar.language.numbers import number
+from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.mechanics.doubts import torsion_doubts
 from crankstar.mechanics.gas import Cycle
-from crankstar.spectra import Real
+from crankstar.spectra import Complex, Real
 from crankstar.tables.gas_words import (
     burning_words,
     cycle_state,
@@ -69,12 +69,10 @@ def document(source: Engine | Chain, found: TorsionAnalysis, asked: Question) ->
         parts.append(_over_speeds(found, found.response))
         parts += [_worst_table(found, found.response)] if chain.sections else []
     if found.at is not None:
-        parts += [
-            _section_table_at(found.at, found.exact, found.cycle),
-            _order_table(found, found.at, asked.orders),
-        ]
+        parts += [_section_table_at(found.at, found.exact, found.cycle)] if chain.sections else []
+        parts.append(_order_table(found, found.at, asked.orders))
     heat = found.at or found.response
-    if heat is not None:
+    if heat is not None and (heat.heat.any() or heat.absolute_heat.any()):
         parts.append(_heat_table(heat))
     parts += for_each(*[_barred_table(found)] * 2)
     fatigue, why = fatigue_of(source, found) if isinstance(source, Engine) else (None, "")
@@ -277,7 +275,8 @@ def _order_table(
     if name:
         heading = _("torque in {shaft}", shaft=name)
         columns.append(Column(heading, "N*m", kind="wave", key="torque"))
-    turns, torque = np.degrees(1) * own.turns[0, :, found.free_end], own.torque[0]
+    turns = _without_rounding(np.degrees(1) * own.turns[0, :, found.free_end])
+    torque = _without_rounding(own.torque[0])
     least = 1e-3 * float(np.abs(turns).max(initial=0.0))
     rows = [
         (float(order), complex(turns[place]), *((complex(torque[place, worst]),) if name else ()))
@@ -285,6 +284,12 @@ def _order_table(
         if (abs(turns[place]) > least if asked is None else _is_among(order, asked))
     ]
     return Table(_("By order at this speed"), tuple(columns), tuple(rows), key="orders")
+
+
+def _without_rounding(amplitudes: Complex) -> Complex:
+    """Amplitudes of all orders, zero where there is nothing beside the greatest."""
+    size = np.abs(amplitudes)
+    return np.where(size > NEGLIGIBLE * size.max(initial=0.0), amplitudes, 0j)
 
 
 def _is_among(order: float, asked: Sequence[float]) -> bool:
