@@ -13,7 +13,7 @@ from crankstar.files import changed, engine_of, explicit
 from crankstar.files.box import Spread, spread
 from crankstar.files.catalog import tree_of
 from crankstar.files.chains import chain_of, is_chain
-from crankstar.files.changes import throw_angles
+from crankstar.files.changes import turning
 from crankstar.language.messages import _
 from crankstar.language.quoting import given
 
@@ -59,7 +59,7 @@ def loaded(
     if is_chain(tree):
         tree = changed(tree, values, name=shown) if values else tree
         return Loaded(shown, tree, chain_of(tree, name=shown))
-    turned = {path: values.pop(path) for path in throw_angles(values)}
+    turned = {path: values.pop(path) for path in turning(values)}
     tree = changed(tree, values, name=shown)
     filled = False
     if estimate:
