@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from crankstar import load, spectra, total
-from crankstar.cli.options import engine_over_ranges
+from crankstar.cli.options import read_engine
 from crankstar.mechanics.balance import balance
 from crankstar.page.exhibits import advised, remedy_tables
 from crankstar.page.figures import fitted_spread
@@ -160,7 +160,8 @@ def test_the_tables_and_figures_of_the_page_keep_that_form_too(run: Run, tmp_pat
     file = tmp_path / "three.toml"
     file.write_text(TRIPLE, encoding="utf-8")
     run("balance", str(file), "--recommended", "-o", "once.toml")
-    (engine, spread), _tree = engine_over_ranges("once.toml", None, estimate=False)
+    once = read_engine("once.toml")
+    engine, spread = once.engine, once.spread
     fitted = recommended(engine)
     assert fitted
     assert spread

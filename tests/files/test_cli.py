@@ -844,7 +844,7 @@ def test_it_ends_with_130_when_interrupted(
         raise KeyboardInterrupt
 
     assert run("check", "single").code == 0
-    monkeypatch.setattr("crankstar.cli.options.tree_of", interrupted)
+    monkeypatch.setattr("crankstar.options.sources.tree_of", interrupted)
     with pytest.raises(SystemExit) as left:
         cli.main(["analyze", "single"])
     assert left.value.code == 130
@@ -857,7 +857,7 @@ def test_it_tells_when_there_is_not_enough_memory(
     def huge(*_: object, **__: object) -> None:
         raise MemoryError
 
-    monkeypatch.setattr("crankstar.cli.options.tree_of", huge)
+    monkeypatch.setattr("crankstar.options.sources.tree_of", huge)
     assert "not enough memory for this engine" in refused("analyze", "single")
 
 

@@ -20,6 +20,7 @@ from crankstar.engine.firing_angles import firing_angles
 from crankstar.engine.layouts import Row, radial
 from crankstar.files import engine_of, explicit
 from crankstar.files.catalog import load
+from crankstar.options.sources import loaded
 from crankstar.remedy.counterweights import with_counterweights
 
 ROTATIONS = ("clockwise", "counter-clockwise")
@@ -99,3 +100,4 @@ def test_a_weight_set_together_with_its_throw_stands_where_it_is_set() -> None:
     assert degrees(shaft.weights[1].angle) == pytest.approx(77)
     for place in (0, 2, 3):
         assert shaft.weights[place].angle == pytest.approx(engine.shafts[0].weights[place].angle)
+    assert loaded(tree, {"shaft[1].throw[2].angle": "30 deg", own: "77 deg"}).source == changed

@@ -11,7 +11,7 @@ from tests.charted import rows_drawn
 from tests.methods.test_charts import Row, drawn, kind
 
 from crankstar import charts
-from crankstar.cli.options import engine_over_ranges
+from crankstar.cli.options import read_engine
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
 
@@ -71,9 +71,9 @@ def twin(folder: Path, unknown: str = PISTON) -> tuple[Engine, Spread]:
     """The twin whose mass of this key is estimated."""
     path = folder / "twin.toml"
     path.write_text(TWIN.replace(PISTON, unknown), encoding="utf-8")
-    (engine, spread), _tree = engine_over_ranges(str(path), None, estimate=False)
-    assert spread is not None
-    return engine, spread
+    twin = read_engine(str(path))
+    assert twin.spread is not None
+    return twin.engine, twin.spread
 
 
 def rows_of(panel: list[tuple[dict[str, Any], list[Row]]], mark: str) -> list[Row]:

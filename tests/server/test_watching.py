@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from crankstar.cli.options import engine_over_ranges
+from crankstar.cli.options import read_engine
 from crankstar.server.watching import PATIENCE, Watched
 
 RIGHT = """format = 1
@@ -37,7 +37,7 @@ def file(tmp_path: Path) -> Path:
 @pytest.fixture
 def watched(file: Path) -> Watched:
     def read() -> dict[str, object]:
-        return engine_over_ranges(str(file), None, estimate=False)[1]
+        return read_engine(str(file)).tree
 
     return Watched(file, read(), read)
 

@@ -21,13 +21,11 @@ from crankstar.cli.options import (
     Json,
     Output,
     Settings,
-    engine_or_chain,
-    engine_over_ranges,
     engine_place,
-    engine_with_tree,
     mark_speed,
     once,
     option,
+    read_engine,
     together,
     write_engine,
 )
@@ -35,9 +33,9 @@ from crankstar.cli.output import complain, progress, working, write_bytes
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
-from crankstar.files.box import Spread
 from crankstar.language.messages import _
 from crankstar.options.forms import PICTURES, TABLES, form_of
+from crankstar.options.sources import Loaded
 from crankstar.options.values import refuse_unused
 from crankstar.options.vocabulary import OPTIONS
 
@@ -158,9 +156,10 @@ def answer(record: Analysis, options: dict[str, Any]) -> None:
 
 def _write(writes: Writes, read: Read, result: Any, path: str) -> None:
     """Write the engine that an analysis makes."""
-    if isinstance(read.source, Engine):
-        made = _made(writes, result) or writes.engine.value(read.source, read.question)
-        write_engine(made, read.tree, path, option=_spelt(writes))
+    source = read.loaded.source
+    if isinstance(source, Engine):
+        made = _made(writes, result) or writes.engine.value(source, read.question)
+        write_engine(made, read.loaded.tree, path, option=_spelt(writes))
 
 
 def _made(writes: Writes | None, result: Any) -> Engine | None:
@@ -178,12 +177,12 @@ def _draw(record: Analysis, read: Read, output: str | None) -> None:
     from crankstar.options import charts as chart_request
 
     assert record.picture is not None  # noqa: S101  # only then it has forms of pictures
-    drawing = chart_request.charts()
-    title = _(record.picture.title, engine=read.source.name)
+    drawing, source = chart_request.charts(), read.loaded.source
+    title = _(record.picture.title, engine=source.name)
     plain = dict.fromkeys(("theme", "width", "height", "dpi", "font_size"))
     look = chart_request.paper(read.form, **plain)
     with _shown(record, 1) as tell:
-        result = _computed(record, read.source, read.question, tell)
+        result = _computed(record, source, read.question, tell)
         draw = partial(record.picture.draw.value, result, read.question)
         printed = drawing.printed(draw, look, title=title)
         write_bytes(drawing.saved_print(printed, read.form, title=title), output)
@@ -196,13 +195,13 @@ def _document(record: Analysis, read: Read) -> tuple[Document, Any]:
 
     The work is shown meanwhile.
     """
-    source, question = read.source, read.question
+    source, spread, question = read.loaded.source, read.loaded.spread, read.question
     if isinstance(source, Chain):
         with working(_(record.doing)):
             return record.told(source, question), None
     from crankstar.tables.ranges import ranged, resting
 
-    several = 1 if read.spread is None else len(read.spread.engines)
+    several = 1 if spread is None else len(spread.engines)
     number = count(1)
     results: list[Any] = []
     with _shown(record, several) as tell:
@@ -219,7 +218,7 @@ def _document(record: Analysis, read: Read) -> tuple[Document, Any]:
             return () if found is None else found()
 
         if record.estimates:
-            document = ranged(told, read.spread, source, rests=rests)
+            document = ranged(told, spread, source, rests=rests)
         else:
             document = resting(told(source), rests)
         return document, results[0]
@@ -259,11 +258,9 @@ def _shown(record: Analysis, several: int) -> Iterator[Callable[[int, int], None
 
 
 class Read(NamedTuple):
-    """A command line as it was read: the source, its ranges and tree, the question, the form."""
+    """A command line as it was read: the engine or drive line, the question, the form."""
 
-    source: Engine | Chain
-    spread: Spread | None
-    tree: dict[str, Any] | None
+    loaded: Loaded
     question: Any
     form: str
 
@@ -274,19 +271,23 @@ def _read(record: Analysis, options: dict[str, Any]) -> Read:
     estimate = bool(options.get("estimate"))
     settings = options.get("settings")
     load = once(partial(_loaded, record, options["engine"], settings, estimate=estimate))
-    reading = readings(record.question.value, _over_speeds(options, fields), lambda: load()[0])
+
+    def source() -> Engine | Chain:
+        return load().source
+
+    reading = readings(record.question.value, _over_speeds(options, fields), source)
     forms = {name: bool(options.get(name)) for name in ("json", "csv")}
     output = None if _only_printed(record) else options.get("output")
-    form, (source, spread, tree), *values = together(
+    form, loaded, *values = together(
         partial(form_of, output, _forms(record), **forms),
         load,
         *reading.values(),
-        *_refusals(record, options, reading, lambda: load()[0]),
+        *_refusals(record, options, reading, source),
     )
     question = record.question.value(**dict(zip(reading, values, strict=False)))
-    if record.marks_speed and isinstance(source, Engine):
-        mark_speed(options.get("speed"), source)
-    return Read(source, spread, tree, question, form)
+    if record.marks_speed and isinstance(loaded.source, Engine):
+        mark_speed(options.get("speed"), loaded.source)
+    return Read(loaded, question, form)
 
 
 def _refusals(
@@ -322,21 +323,13 @@ def _forms(record: Analysis) -> tuple[str, ...]:
     return TABLES if record.picture is None else (*TABLES, *PICTURES)
 
 
-def _loaded(
-    record: Analysis, name: str, settings: list[str] | None, *, estimate: bool
-) -> tuple[Engine | Chain, Spread | None, dict[str, Any] | None]:
-    """The source that is named, its ranges, and the tree of its file."""
-    if record.chains:
-        source, spread = engine_or_chain(name, settings, estimate=estimate)
-        return source, spread, None
-    spread = None
-    if record.estimates:
-        (engine, spread), tree = engine_over_ranges(name, settings, estimate=estimate)
-    else:
-        engine, tree = engine_with_tree(name, settings)
-    if record.needs is not None:
-        record.needs.value(engine)
-    return engine, spread, tree
+def _loaded(record: Analysis, name: str, settings: list[str] | None, *, estimate: bool) -> Loaded:
+    """What is named. Raises MessageError where it lacks what is computed with."""
+    chains, ranged = bool(record.chains), record.estimates
+    found = read_engine(name, settings, estimate=estimate, chains=chains, ranged=ranged)
+    if record.needs is not None and isinstance(found.source, Engine):
+        record.needs.value(found.source)
+    return found
 
 
 def _over_speeds(options: dict[str, Any], fields: Sequence[Asked]) -> dict[str, Any]:

@@ -14,9 +14,9 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     command_text,
-    engine_over_ranges,
     mark_speed,
     option,
+    read_engine,
     together,
     write_engine,
 )
@@ -53,11 +53,12 @@ def balance(
     from crankstar.tables import remedies
     from crankstar.tables.ranges import ranged, resting
 
-    own, ((loaded, spread), tree), _turning = together(
+    own, found, _turning = together(
         partial(request.own_factor, engine, settings, otherwise=0.5),
-        partial(engine_over_ranges, engine, settings, estimate=estimate),
+        partial(read_engine, engine, settings, estimate=estimate),
         partial(request.speed, speed),
     )
+    loaded, spread = found.engine, found.spread
     mark_speed(speed, loaded)
     with working(_("balancing ...")):
         with values_kept() if spread else nullcontext():  # a refusal is marked as estimated
@@ -86,7 +87,7 @@ def balance(
             document, parts=(*document.parts, *remarks(_(remedies.SIZED), kind="note"))
         )
     if output is not None:
-        write_engine(with_values(job.after, name=new_name(job, options)), tree, output)
+        write_engine(with_values(job.after, name=new_name(job, options)), found.tree, output)
     display(document)
     if proof:
         display(documents.rendered(proof))

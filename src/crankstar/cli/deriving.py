@@ -13,8 +13,9 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
-    engine_and_speed,
     option,
+    read_engine,
+    together,
 )
 from crankstar.cli.output import complain, display, working, write
 from crankstar.cli.tabulating import give
@@ -62,7 +63,10 @@ def derive(
     if asked is not None:
         request.choice("--format", asked, [*DERIVATIONS.values()])
     form = format_of(output, DERIVATIONS, asked=asked)
-    loaded, turning = engine_and_speed(engine, settings, speed)
+    found, turning = together(
+        partial(read_engine, engine, settings, ranged=False), partial(request.speed, speed)
+    )
+    loaded = found.engine
     point = request.reference(reference, loaded)
     if power is not None and not 1 <= power <= 24:
         raise refusal("--power", power, "give a power of λ from 1 to 24")

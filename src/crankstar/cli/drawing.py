@@ -11,8 +11,8 @@ from crankstar.cli.options import (
     EngineName,
     Estimating,
     Settings,
-    loaded_values,
     option,
+    read_engine,
     together,
 )
 from crankstar.cli.output import complain, progress, working, writable, write_result
@@ -58,7 +58,7 @@ def draw(
     if kind != "svg":
         require("chart")
     loaded, picture, angle = together(
-        partial(loaded_values, engine, settings, estimate=estimate),
+        partial(read_engine, engine, settings, estimate=estimate),
         partial(request.picture, **asdict(sight)),
         partial(request.angle, theta),
     )
@@ -97,7 +97,7 @@ def animate(
     require("chart")
     require("film")
     loaded, picture = together(
-        partial(loaded_values, engine, settings, estimate=estimate),
+        partial(read_engine, engine, settings, estimate=estimate),
         partial(request.picture, **asdict(sight)),
     )
     pace = request.pace(

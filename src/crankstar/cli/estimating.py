@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated, Any, get_args
 
-from crankstar.cli.options import Csv, EngineName, Json, Settings, changed_tree, option, write_tree
+from crankstar.cli.options import Csv, EngineName, Json, Settings, option, write_tree
 from crankstar.cli.tabulating import give
 from crankstar.engine.quantities import VOLUME
 from crankstar.engine.weighed import EngineType
-from crankstar.files import units
+from crankstar.files import changed, units
+from crankstar.files.catalog import tree_of
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
 from crankstar.options.refusals import refusal
@@ -47,7 +48,8 @@ def estimate(
         request.choice("--type", kind, get_args(EngineType))
     wanted: Any = kind
     volume = _volume(displacement)
-    name, tree = changed_tree(engine, settings)
+    name, tree = tree_of(engine)
+    tree = changed(tree, request.settings(settings), name=name)
     result = estimated(tree, name=name, kind=wanted, displacement=volume)
     if output is not None:
         write_tree(result.tree, output)

@@ -11,9 +11,8 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
-    engine_or_chain,
-    loaded_values,
     option,
+    read_engine,
     together,
 )
 from crankstar.cli.output import complain, write, write_bytes
@@ -55,9 +54,10 @@ def export(
         request.refuse_unused(options, beside=f"--to {program}")
         _write_chain(engine, settings, output, to=program, estimate=estimate)
         return
-    (loaded, _spread), turning = together(
-        partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
+    found, turning = together(
+        partial(read_engine, engine, settings, estimate=estimate), partial(request.speed, speed)
     )
+    loaded = found.engine
     if form == "py":
         from crankstar.exports.exudyn import exudyn_script
 
@@ -82,7 +82,7 @@ def _write_chain(
     """Write the chain that twists of an engine or a drive line."""
     from crankstar.exports.torsion import torsion_script
 
-    source, _spread = engine_or_chain(name, settings, estimate=estimate)
+    source = read_engine(name, settings, estimate=estimate, chains=True).source
     write(torsion_script(source, to=to), output)
     if isinstance(source, Engine):
         _tell_estimated(source)

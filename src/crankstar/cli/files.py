@@ -7,13 +7,11 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from crankstar.cli.options import Output, completed_tree, option, over_ranges_of
+from crankstar.cli.options import Output, option, read_engine
 from crankstar.cli.output import complain, display, is_file, write, write_bytes
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.files import STANDARD_INPUT, EngineFileError, tree_of
-from crankstar.files.catalog import tree_of as tree_named
-from crankstar.files.chains import chain_of, is_chain
 from crankstar.files.changes import stale_sources
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
@@ -38,16 +36,15 @@ def check(
     failed = 0
     for name in files:
         try:
-            shown, tree = tree_named(name)
-            if is_chain(tree):
-                display(_good_chain(name, chain_of(tree, name=shown)))
-                continue
-            loaded, tree = over_ranges_of(*completed_tree(shown, tree, None, estimate=False))
+            loaded = read_engine(name, chains=True)
         except EngineFileError as error:
             failed += 1
             complain(str(error))
         else:
-            own = loaded.engine
+            own, tree = loaded.source, loaded.tree
+            if isinstance(own, Chain):
+                display(_good_chain(name, own))
+                continue
             lines = [
                 _good(name, own),
                 *(f"  {line}" for line in part_lines(own.left_out)),

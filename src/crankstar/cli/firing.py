@@ -12,8 +12,8 @@ from crankstar.cli.options import (
     EngineName,
     Json,
     Settings,
-    engine_with_tree,
     option,
+    read_engine,
     whole,
     write_engine,
 )
@@ -88,7 +88,8 @@ def orders(
     given = {"--orders": crank_orders, "--mode-shape": mode_shape, "--point": point}
     if minimise is None:
         request.refuse_unused(given, without="--minimise")
-    loaded, tree = engine_with_tree(engine, settings)
+    found = read_engine(engine, settings, ranged=False)
+    loaded = found.engine
     try:
         with working(_("Trying firing orders ...")):
             if any_:
@@ -115,7 +116,7 @@ def orders(
         fired = listing.orders[_index(row, listing.orders)].firing
         other = numbering.with_order(loaded, fired)
         words = _("fires {order}", order="-".join(map(str, fired.order)))
-        write_engine(with_values(other, name=f"{loaded.name}, {words}"), tree, output)
+        write_engine(with_values(other, name=f"{loaded.name}, {words}"), found.tree, output)
 
 
 def _weighed(

@@ -22,12 +22,10 @@ from crankstar.cli.options import (
     Speed,
     Theta,
     command_text,
-    engine_over_ranges,
-    engine_tree,
-    loaded_engine,
-    loaded_values,
     mark_speed,
     option,
+    read_engine,
+    sheet_tree,
     together,
     write_tree,
 )
@@ -79,13 +77,13 @@ def show(
     from crankstar.tables.engines import description
     from crankstar.tables.ranges import ranged
 
-    (loaded, spread), own = engine_over_ranges(engine, settings, estimate=False)
+    loaded = read_engine(engine, settings)
     if explicit:
-        write_tree(carried(part_by_part(loaded), own), output)
+        write_tree(carried(part_by_part(loaded.engine), loaded.tree), output)
     else:
-        tree, form = engine_tree(engine, settings, loaded), form_of(output, TABLES)
+        tree, form = sheet_tree(engine, settings, loaded), form_of(output, TABLES)
         with words_for(form):
-            shown = ranged(description, spread, loaded)
+            shown = ranged(description, loaded.spread, loaded.engine)
         give(shown, output, form=form, tree=tree)
 
 
@@ -125,9 +123,10 @@ def analyze(
         request.refuse_unused(single, beside="--speeds")
         over_speeds(engine, speeds, orders, reference, settings, form, output, estimate=estimate)
         return
-    (loaded, spread), turning = together(
-        partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
+    found, turning = together(
+        partial(read_engine, engine, settings, estimate=estimate), partial(request.speed, speed)
     )
+    loaded, spread = found.engine, found.spread
     mark_speed(speed, loaded)
     point = request.reference(reference, loaded)
     request.refuse_foreign(orders, [loaded], gas=False)
@@ -161,7 +160,7 @@ def analyze(
 
     document = ranged(sheet, spread, loaded, rests=resting_on(form, loaded, answered))
     if form == "xlsx":
-        tree = engine_tree(engine, settings, loaded, estimate=estimate)
+        tree = sheet_tree(engine, settings, found, estimate=estimate)
         give(replace(document, parts=(*document.parts, *rows)), output, form=form, tree=tree)
     else:
         display(document, output)
@@ -197,7 +196,7 @@ def compare(
     )
     loaded = together(
         *(
-            partial(loaded_values, name, own, estimate=estimate)
+            partial(read_engine, name, own, estimate=estimate)
             for name, own in zip(names, changes, strict=True)
         )
     )
@@ -253,13 +252,13 @@ def verdict(
     from crankstar.tables.ranges import resting, with_doubt
     from crankstar.tables.verdict_ranges import ranged_facts
 
-    ((loaded, spread), tree), turning = together(
-        partial(engine_over_ranges, engine, settings, estimate=estimate),
-        partial(request.speed, speed),
+    found, turning = together(
+        partial(read_engine, engine, settings, estimate=estimate), partial(request.speed, speed)
     )
+    loaded = found.engine
     mark_speed(speed, loaded)
-    facts = ranged_facts(partial(tables.verdict, speed=turning), spread, loaded)
-    facts = with_built(facts, tree, loaded, speed=turning)
+    facts = ranged_facts(partial(tables.verdict, speed=turning), found.spread, loaded)
+    facts = with_built(facts, found.tree, loaded, speed=turning)
     form = form_of(output, ("txt", "xlsx"))
     rests = resting_on(form, loaded, partial(summary, loaded, speed=turning))
     document = with_doubt(resting(tables.verdict_document(loaded, facts), rests), loaded)
@@ -281,7 +280,7 @@ def strokes(
     from crankstar.tables.strokes import strokes as document
 
     form = form_of(output, TABLES, json=json)
-    loaded = loaded_engine(engine, settings)
+    loaded = read_engine(engine, settings, ranged=False).engine
     try:
         with words_for(form):
             shown = document(loaded)

@@ -17,8 +17,8 @@ from crankstar.cli.options import (
     Output,
     Settings,
     Speed,
-    engine_with_tree,
     option,
+    read_engine,
     together,
     write_engine,
 )
@@ -68,9 +68,9 @@ def match(
     from crankstar.tables.matching import division_document, matching_document
 
     form = form_of(output, TABLES, json=json, csv=csv)
-    batch, (loaded, tree), turning, wanted, of, widths, count, places = together(
+    batch, source, turning, wanted, of, widths, count, places = together(
         partial(_batch, weights),
-        partial(engine_with_tree, engine, settings),
+        partial(read_engine, engine, settings, ranged=False),
         partial(request.speed, speed),
         partial(_orders, orders),
         partial(_quantities, quantity),
@@ -80,6 +80,7 @@ def match(
     )
     if output is not None:
         writable(output)
+    loaded = source.engine
     own = turning or loaded.speed
     rest = {"orders": wanted, "quantities": of, "classes": widths, "whole": whole}
     with (
@@ -105,7 +106,7 @@ def match(
     for at, (each, place) in enumerate(zip(built, places, strict=False), 1):
         write_engine(
             with_values(each, name=_name(loaded.name, at, len(built))),
-            tree,
+            source.tree,
             place,
             option="--engine-file",
         )

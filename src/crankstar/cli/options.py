@@ -8,22 +8,18 @@ from __future__ import annotations
 import shlex
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from functools import partial
 from pathlib import Path
-from typing import Annotated, Any, NamedTuple, TypeVar, cast
+from typing import Annotated, Any, TypeVar, cast
 
 from cyclopts import Parameter, Token
 
 from crankstar.cli.output import complain
 from crankstar.engine.engine import Engine
-from crankstar.engine.torsion import Chain
-from crankstar.files import changed, engine_of
-from crankstar.files.box import Spread, spread
-from crankstar.files.catalog import load, tree_of
-from crankstar.files.changes import throw_angles
+from crankstar.files import engine_of
 from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import seen
 from crankstar.options import values as request
+from crankstar.options.sources import Loaded, loaded
 from crankstar.options.values import RequestError
 from crankstar.options.vocabulary import OPTIONS, meaning
 
@@ -124,81 +120,23 @@ def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:
     return tuple(values)
 
 
-def engine_and_speed(
-    name: str, settings: list[str] | None, speed: str | None
-) -> tuple[Engine, float | None]:
-    """The engine of a name or file with the values of --set, and the speed of --speed [rad/s]."""
-    engine, turning = together(
-        partial(loaded_engine, name, settings), partial(request.speed, speed)
-    )
-    return engine, turning
+def read_engine(
+    name: str,
+    settings: Sequence[str] | None = None,
+    *,
+    estimate: bool = False,
+    chains: bool = False,
+    ranged: bool = True,
+) -> Loaded:
+    """The engine of a name or file with the values of --set, and with --estimate completed.
 
-
-class Loaded(NamedTuple):
-    """An engine, and its Spread where some of its values are estimated."""
-
-    engine: Engine
-    spread: Spread | None
-
-
-def loaded_values(name: str, settings: list[str] | None, *, estimate: bool) -> Loaded:
-    """The engine of a name or file with the values of --set, and with --estimate completed."""
-    return engine_over_ranges(name, settings, estimate=estimate)[0]
-
-
-def engine_over_ranges(
-    name: str, settings: Sequence[str] | None, *, estimate: bool
-) -> tuple[Loaded, dict[str, Any]]:
-    """The same, and the tree of its file with the values of --set and what was estimated."""
-    return over_ranges_of(*estimated_tree(name, settings, estimate=estimate))
-
-
-def over_ranges_of(
-    shown: str, tree: dict[str, Any], turned: dict[str, Any]
-) -> tuple[Loaded, dict[str, Any]]:
-    """The same of a tree, with the angles of throws that are set."""
-    ends = spread(tree, name=shown, changes=turned)
-    engine = engine_of(tree, name=shown, changes=turned) if ends is None else ends.engine
-    return Loaded(engine, ends), changed(tree, turned, name=shown) if turned else tree
-
-
-def engine_or_chain(
-    name: str, settings: Sequence[str] | None, *, estimate: bool
-) -> Loaded | tuple[Chain, None]:
-    """The engine of a name or file with its ranges, or the drive line of a file."""
-    from crankstar.files.chains import chain_of, is_chain
-
-    shown, tree = tree_of(name)
-    if is_chain(tree):
-        changes = request.settings(settings)
-        return chain_of(changed(tree, changes, name=shown) if changes else tree, name=shown), None
-    return over_ranges_of(*completed_tree(shown, tree, settings, estimate=estimate))[0]
-
-
-def estimated_tree(
-    name: str, settings: Sequence[str] | None, *, estimate: bool
-) -> tuple[str, dict[str, Any], dict[str, Any]]:
-    """Name and tree of a file with the values of --set, but for angles of throws, which follow."""
-    return completed_tree(*tree_of(name), settings, estimate=estimate)
-
-
-def completed_tree(
-    shown: str, tree: dict[str, Any], settings: Sequence[str] | None, *, estimate: bool
-) -> tuple[str, dict[str, Any], dict[str, Any]]:
-    """The same of a tree that has been read."""
+    With `chains` also a drive line; `ranged`: with its ranges.
+    """
     changes = request.settings(settings)
-    turned = {path: changes[path] for path in throw_angles(changes)}
-    tree = changed(tree, {k: v for k, v in changes.items() if k not in turned}, name=shown)
-    if estimate:
-        from crankstar.files.estimate import estimated
-
-        found = estimated(tree, name=shown)
-        if not found.filled:
-            complain(
-                _("--estimate changes nothing here: the file has all that could be estimated.")
-            )
-        tree = found.tree
-    return shown, tree, turned
+    found = loaded(name, changes, estimate=estimate, chains=chains, ranged=ranged)
+    if estimate and not found.filled and isinstance(found.source, Engine):
+        complain(_("--estimate changes nothing here: the file has all that could be estimated."))
+    return found
 
 
 def mark_speed(speed: str | float | None, *engines: Engine) -> None:
@@ -221,32 +159,12 @@ def mark_speed(speed: str | float | None, *engines: Engine) -> None:
         )
 
 
-def loaded_engine(name: str, settings: list[str] | None) -> Engine:
-    """The engine of a name or file, with the values of --set."""
-    return load(name, changes=request.settings(settings))
-
-
-def changed_tree(name: str, settings: Sequence[str] | None) -> tuple[str, dict[str, Any]]:
-    """The name of an engine and the tree of its file, with the values of --set."""
-    shown, tree = tree_of(name)
-    return shown, changed(tree, request.settings(settings), name=shown)
-
-
 def command_text(verb: str, engine: str, options: Mapping[str, Sequence[str] | None]) -> str:
     """A command line: each option with each of its values; a flag has one that is empty."""
     pairs = [(option, value) for option, values in options.items() for value in values or ()]
     return shlex.join(
         ["crankstar", verb, engine, *(word for pair in pairs for word in pair if word)]
     )
-
-
-def engine_with_tree(
-    name: str, settings: Sequence[str] | None, *, estimate: bool = False
-) -> tuple[Engine, dict[str, Any]]:
-    """The engine of a name or file with the values of --set, and the tree of its file with them."""
-    shown, tree, turned = estimated_tree(name, settings, estimate=estimate)
-    engine = engine_of(tree, name=shown, changes=turned)
-    return engine, changed(tree, turned, name=shown) if turned else tree
 
 
 def written_tree(engine: Engine, tree: Mapping[str, Any] | None = None) -> dict[str, Any]:
@@ -260,14 +178,14 @@ def written_tree(engine: Engine, tree: Mapping[str, Any] | None = None) -> dict[
     return explicit(engine) if own is None else rewritten(own, engine)
 
 
-def engine_tree(
-    name: str, settings: Sequence[str] | None, engine: Engine, *, estimate: bool = False
+def sheet_tree(
+    name: str, settings: Sequence[str] | None, found: Loaded, *, estimate: bool = False
 ) -> dict[str, Any]:
-    """The tree of an engine: that of its file, or the explicit form where values were set."""
+    """The tree for a spreadsheet: that of the file, or the explicit form where values were set."""
     from crankstar.files import STANDARD_INPUT, explicit
 
     as_read = not (settings or estimate or name == STANDARD_INPUT)
-    return tree_of(name)[1] if as_read else explicit(engine)
+    return found.tree if as_read else explicit(found.engine)
 
 
 def write_engine(

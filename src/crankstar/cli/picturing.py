@@ -16,10 +16,9 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
-    engine_or_chain,
-    loaded_values,
     mark_speed,
     option,
+    read_engine,
     together,
 )
 from crankstar.cli.output import complain, working, write_result
@@ -102,13 +101,12 @@ def plot(
     figure = drawing.CHARTS[request.choice("chart", chart, drawing.CHARTS)]
     suffix = chart_request.suffix(output, drawing.SUFFIXES)
     paper = chart_request.paper(suffix, **asdict(looks))
-    first = engine_or_chain if figure.of_chains else loaded_values
     _turning, *each = together(
         partial(request.speed, speed),
-        partial(first, engine, settings, estimate=estimate),
-        *(partial(loaded_values, name, None, estimate=estimate) for name in beside or ()),
+        partial(read_engine, engine, settings, estimate=estimate, chains=figure.of_chains),
+        *(partial(read_engine, name, estimate=estimate) for name in beside or ()),
     )
-    loaded, *others = [source for source, _spread in each]
+    loaded, *others = [one.source for one in each]
     if isinstance(loaded, Engine):
         mark_speed(speed, loaded, *others)
     if others and not figure.compares:
@@ -144,7 +142,7 @@ def plot(
             else partial(figure.draw, loaded, **options)
         )
         title = _("{engine}: {chart}", engine=loaded.name, chart=_(figure.about))
-        with drawing.over_ranges(spread for _source, spread in each):
+        with drawing.over_ranges(one.spread for one in each):
             made = drawing.printed(draw, paper, title=title)
         if made.chart.lacking:
             raise RequestError(made.chart.lacking)

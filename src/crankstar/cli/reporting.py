@@ -12,9 +12,8 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     command_text,
-    engine_over_ranges,
-    loaded_values,
     option,
+    read_engine,
     together,
 )
 from crankstar.cli.output import complain, working, writable, write_result
@@ -61,11 +60,9 @@ def write_report(
     usual = usual_place(engine, "report", kind=kind)
     writable(usual if output is None else output)
     second = request.single("--beside", beside)
-    ((loaded, spread), tree), beside_it, turning = together(
-        partial(engine_over_ranges, engine, settings, estimate=estimate),
-        partial(loaded_values, second, None, estimate=estimate)
-        if second is not None
-        else lambda: None,
+    loaded, beside_it, turning = together(
+        partial(read_engine, engine, settings, estimate=estimate),
+        lambda: None if second is None else read_engine(second, estimate=estimate),
         partial(request.speed, speed),
     )
     options = {
@@ -80,13 +77,13 @@ def write_report(
     }
     command = command_text("report", request.named(engine), options)
     subject = report.Subject(
-        loaded,
-        tree,
+        loaded.engine,
+        loaded.tree,
         command,
         turning,
         beside=beside_it and beside_it.engine,
         full=full,
-        spreads=(spread, beside_it and beside_it.spread),
+        spreads=(loaded.spread, beside_it and beside_it.spread),
     )
     wanted = request.orders(orders, list(subject.shown.normalised.force.orders.tolist()))
     subject = subject.with_orders(tuple(wanted) if wanted else None)

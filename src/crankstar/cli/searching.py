@@ -15,7 +15,7 @@ from crankstar.cli.options import (
     Looks,
     Settings,
     Speed,
-    engine_with_tree,
+    read_engine,
     together,
     write_engine,
 )
@@ -82,10 +82,11 @@ def search(
         given = {"--set": settings, "--speed": speed, "--estimate": estimate}
         request.refuse_unused(given, without=_("an engine"))
     else:
-        (about, tree), turning = together(
-            partial(engine_with_tree, cylinders, settings, estimate=estimate),
+        found, turning = together(
+            partial(read_engine, cylinders, settings, estimate=estimate, ranged=False),
             partial(request.speed, speed),
         )
+        about, tree = found.engine, found.tree
         pace = turning or about.speed
     wanted = options.search_of(about, words, speed=pace)
     chart = form.chart or ("front" if kind in PICTURES else None)

@@ -8,7 +8,7 @@ from dataclasses import asdict
 from functools import partial
 from typing import Any
 
-from crankstar.cli.options import Looks, engine_with_tree, write_engine
+from crankstar.cli.options import Looks, read_engine, write_engine
 from crankstar.cli.output import complain, display, progress, working, writable, write_result
 from crankstar.cli.search_options import Form, Work, no_such_row
 from crankstar.cli.tabulating import give, words_for
@@ -54,7 +54,8 @@ def searched(
     workers = request.within("--workers", work.workers, most=MOST_THREADS) or os.cpu_count() or 1
     tree, about = None, options.whole_number(cylinders)
     if about is None:
-        about, tree = engine_with_tree(cylinders, settings)
+        found = read_engine(cylinders, settings, ranged=False)
+        about, tree = found.engine, found.tree
     else:
         request.refuse_unused({"--set": settings}, without=_("an engine"))
     wanted = sequences.sequences_of(about, words, more)

@@ -6,11 +6,11 @@ import os
 import sys
 from pathlib import Path
 from types import ModuleType
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from crankstar.cli.options import Estimating, Settings, command_text, engine_over_ranges, option
+from crankstar.cli.options import Estimating, Settings, command_text, option, read_engine
 from crankstar.cli.output import complain, working
 from crankstar.files import STANDARD_INPUT
 from crankstar.files.catalog import path_of
@@ -38,18 +38,20 @@ def serve(
 ) -> None:
     """Serve the page on this machine; an engine file is watched, and edits are computed at once."""
     number = request.within("--port", port, least=0, most=GREATEST_PORT) or 0
+
+    def read() -> dict[str, Any]:
+        return read_engine(engine, settings, estimate=estimate).tree
+
     with working(_("Starting ...")):
         running = _server()
-        tree = engine_over_ranges(engine, settings, estimate=estimate)[1]
+        tree = read()
         taken = running.opened(host, number)
     address = running.address_of(taken, host)
     watched = None
     if path_of(engine) is None and engine != STANDARD_INPUT:
         from crankstar.server.watching import Watched
 
-        watched = Watched(
-            Path(engine), tree, lambda: engine_over_ranges(engine, settings, estimate=estimate)[1]
-        )
+        watched = Watched(Path(engine), tree, read)
 
     def ready() -> None:
         _said(address)

@@ -10,8 +10,8 @@ from crankstar.cli.options import (
     Estimating,
     Settings,
     command_text,
-    engine_over_ranges,
     option,
+    read_engine,
     together,
 )
 from crankstar.cli.output import progress, writable, write_result
@@ -41,14 +41,10 @@ def page(
     refuse_terminal(output, ("html",))
     second = request.single("--beside", beside)
     given = together(
-        partial(engine_over_ranges, engine, settings, estimate=estimate),
-        *(
-            partial(engine_over_ranges, name, None, estimate=estimate)
-            for name in [second]
-            if name is not None
-        ),
+        partial(read_engine, engine, settings, estimate=estimate),
+        *(partial(read_engine, name, estimate=estimate) for name in [second] if name is not None),
     )
-    engines = [loaded.engine for loaded, _tree in given]
+    engines = [loaded.engine for loaded in given]
     names = [request.named(word) for word in (engine, second) if word is not None]
     flags = {"--estimate": [""] if estimate else None}
     options = {"--beside": names[1:], "--set": settings, **flags, "-o": [usual]}
@@ -56,7 +52,7 @@ def page(
     with progress(_("Drawing")) as tell:
         data = held(
             engines,
-            files_given=[tree for _, tree in given],
+            files_given=[loaded.tree for loaded in given],
             sources=names,
             command=command_text("page", names[0], options),
             tell=tell,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from crankstar.cli.options import EngineName, Settings, loaded_engine, option, together
+from crankstar.cli.options import EngineName, Settings, option, read_engine, together
 from crankstar.cli.output import progress, writable, write_result
 from crankstar.language.messages import _
 from crankstar.options.forms import form_of, refuse_terminal, usual_place
@@ -33,11 +33,11 @@ def sound(
     writable(usual if output is None else output)
     form_of(usual if output is None else output, SOUNDS)
     loaded, ride = together(
-        partial(loaded_engine, engine, settings),
+        partial(read_engine, engine, settings, ranged=False),
         partial(request.ride, rpm=rpm, seconds=seconds, pipe=pipe),
     )
     with ended_once(), progress(_("Adding up the pulses")) as tell:
         heard = acoustics.sound(
-            loaded, ride=ride, tell=lambda done, of: tell(done, of, f"{done}/{of}")
+            loaded.engine, ride=ride, tell=lambda done, of: tell(done, of, f"{done}/{of}")
         )
     write_result(acoustics.wav(heard), output, usual)

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from crankstar.cli.options import command_text, engine_tree, loaded_values, together
+from crankstar.cli.options import command_text, read_engine, sheet_tree, together
 from crankstar.cli.tabulating import give, resting_on
 from crankstar.options import values as request
 from crankstar.options.ranges import refuse_one
@@ -37,10 +37,11 @@ def over_speeds(
 
     refuse_one(speeds)
     request.speeds(speeds)
-    (loaded, spread), _read = together(
-        partial(loaded_values, engine, settings, estimate=estimate),
+    found, _read = together(
+        partial(read_engine, engine, settings, estimate=estimate),
         partial(request.orders, orders, []),
     )
+    loaded, spread = found.engine, found.spread
     present = balance(loaded).force.orders.tolist() if orders is not None else []
     wanted = request.orders(orders, present)
     check_orders(loaded, wanted or (), gas=False)
@@ -59,5 +60,5 @@ def over_speeds(
     if form == "xlsx":
         readable = ranged(partial(made, "txt"), spread, loaded, rests=rests)
         document = replace(readable, parts=(*readable.parts, *document.tables))
-    tree = engine_tree(engine, settings, loaded, estimate=estimate) if form == "xlsx" else None
+    tree = sheet_tree(engine, settings, found, estimate=estimate) if form == "xlsx" else None
     give(document, output, form=form, tree=tree)

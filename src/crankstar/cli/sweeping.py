@@ -18,11 +18,11 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
-    estimated_tree,
-    loaded_values,
     mark_speed,
     option,
+    read_engine,
     together,
+    written_tree,
 )
 from crankstar.cli.output import complain, working, writable, write_bytes
 from crankstar.cli.tabulating import give
@@ -98,7 +98,8 @@ def sweep(
     tree = None
     if form == "xlsx":
         if engine != STANDARD_INPUT:
-            tree = estimated_tree(engine, settings, estimate=estimate)[1]
+            found = read_engine(engine, settings, estimate=estimate, ranged=False)
+            tree = written_tree(found.engine, found.tree)
         document = replace(document, parts=(*document.parts, *made.document("txt").sentences))
     give(document, output, form=form, tree=tree)
 
@@ -136,7 +137,7 @@ def _swept(
     _refuse_idle(names, speed=speed, reference=reference)
     point = None
     if reference is not None:
-        loaded = loaded_values(engine, settings, estimate=estimate).engine
+        loaded = read_engine(engine, settings, estimate=estimate).engine
         point = request.reference(reference, loaded)
     what = one_line(", ".join(path_and_value(text)[0] for text in over), longest=80)
     with working(_("Sweeping {path} ...", path=what)) as tell:

@@ -17,14 +17,13 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
-    estimated_tree,
     mark_speed,
     option,
+    read_engine,
     together,
 )
 from crankstar.cli.output import complain, working, writable, write_bytes
 from crankstar.cli.tabulating import give, resting_on, words_for
-from crankstar.files import changed, engine_of
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
@@ -144,23 +143,22 @@ def _scattered(
         scatter_of,
     )
 
-    (shown, tree, turned), wanted, turning, count, start, law = together(
-        partial(estimated_tree, engine, settings, estimate=estimate),
+    loaded, names, wanted, turning, count, start, law = together(
+        partial(read_engine, engine, settings, estimate=estimate, ranged=False),
+        partial(_signals, quantity),
         partial(_orders, orders),
         partial(request.speed, speed),
         partial(request.within, "--builds", builds, least=FEWEST_BUILDS, most=MOST_BUILDS),
         partial(request.within, "--seed", seed, least=0, most=GREATEST_SEED),
         partial(choice, "--distribution", distribution, [*DEVIATION]),
     )
-    names = _signals(quantity)
     if names and not any(name.startswith(ABOUT_A_POINT) for name in names):
         request.refuse_unused({"--reference": reference}, beside=f"--quantity {','.join(names)}")
-    own = engine_of(tree, name=shown, changes=turned)
-    tree = changed(tree, turned, name=shown)
+    own = loaded.engine
     point = None if reference is None else request.reference(reference, own)
     with working(_("Building engines at random ...")) as tell:
         found = scatter_of(
-            Source(shown, tree, own),
+            Source(loaded.name, loaded.tree, own),
             speed="file" if turning is None else turning,
             reference=point,
             orders=wanted,
@@ -173,7 +171,7 @@ def _scattered(
                 _("Building engines at random: {done} of {count} ...", done=done, count=of)
             ),
         )
-    return names, found, tree
+    return names, found, loaded.tree
 
 
 def _orders(orders: str | None) -> list[float] | None:

@@ -15,13 +15,11 @@ from crankstar.cli.options import (
     EngineName,
     Estimating,
     Json,
-    Loaded,
     Output,
     Settings,
     Speed,
-    loaded_engine,
-    loaded_values,
     option,
+    read_engine,
     together,
 )
 from crankstar.cli.tabulating import give, resting_on
@@ -36,6 +34,7 @@ from crankstar.options.workshop import DrillOptions
 if TYPE_CHECKING:
     from crankstar.analysis.document import Document
     from crankstar.engine.engine import Engine
+    from crankstar.files.box import Spread
     from crankstar.remedy.drilling import Drill
 
 AnyEngine = Annotated[str | None, Parameter(help=ENGINE)]
@@ -66,16 +65,17 @@ def bobweight(
     from crankstar.tables.ranges import ranged
 
     form = form_of(output, TABLES, json=json, csv=csv)
-    share, (loaded, spread) = together(
+    share, found = together(
         partial(_factor, engine, settings, factor),
-        partial(loaded_values, engine, settings, estimate=estimate),
+        partial(read_engine, engine, settings, estimate=estimate),
     )
+    loaded = found.engine
 
     def card(each: Engine) -> Document:
         return card_document(each, factor=share)
 
     rests = resting_on(form, loaded, partial(bobweights, loaded, factor=share))
-    give(ranged(card, spread, loaded, rests=rests), output, form=form)
+    give(ranged(card, found.spread, loaded, rests=rests), output, form=form)
 
 
 def drill(
@@ -115,15 +115,15 @@ def drill(
         (made,) = together(partial(workshop.drill_of, options))
         document = _measured_holes(unbalance or "", made)
     else:
-        made, share, (loaded, spread) = together(
+        made, share, found = together(
             partial(workshop.drill_of, options),
             partial(_factor, engine, settings, factor),
-            partial(loaded_values, engine, settings, estimate=estimate),
+            partial(read_engine, engine, settings, estimate=estimate),
         )
-        planes = weights or "ends"
+        loaded, planes = found.engine, weights or "ends"
         build = partial(_engine_holes, made=made, factor=share, weights=planes)
         rests = resting_on(form, loaded, partial(bobweights, loaded, factor=share))
-        document = ranged(build, spread, loaded, rests=rests)
+        document = ranged(build, found.spread, loaded, rests=rests)
     give(document, output, form=form)
 
 
@@ -205,18 +205,17 @@ def _engine_holes(engine: Engine, made: Drill, factor: float, weights: str) -> D
     )
 
 
-def _over_speeds(name: str, settings: list[str] | None) -> Loaded:
-    """The engine of a name or file, and its Spread where its speed is estimated."""
+def _over_speeds(engine: Engine) -> Spread | None:
+    """An engine over the range of its speed, where that is estimated."""
     from crankstar.engine.copies import with_values
     from crankstar.files.box import Spread
 
-    engine = loaded_engine(name, settings)
     origin = engine.provenance.get("speed")
     if engine.speed is None or origin is None or origin.range is None:
-        return Loaded(engine, None)
+        return None
     low, high = (with_values(engine, speed=end * engine.speed) for end in origin.range)
     middle = with_values(engine, speed=sum(origin.range) / 2 * engine.speed)
-    return Loaded(engine, Spread(engine, middle, (low, high)))
+    return Spread(engine, middle, (low, high))
 
 
 def grade(
@@ -247,12 +246,12 @@ def grade(
         request.refuse_unused({"--set": settings}, without="ENGINE")
     if mass is None:
         raise RequestError('give the mass of the rotor, as in --mass "28 kg"')
-    kilograms, turning, wanted, apart, (loaded, spread), spots = together(
+    kilograms, turning, wanted, apart, loaded, spots = together(
         partial(workshop.size, "--mass", mass, MASS),
         partial(request.speed, speed),
         lambda: None if grade is None else workshop.grade(grade),
         partial(workshop.distances, bearing_distances),
-        lambda: (None, None) if engine is None else _over_speeds(engine, settings),
+        lambda: None if engine is None else read_engine(engine, settings, ranged=False).engine,
         lambda: [] if unbalance is None else workshop.measured(unbalance, most=2),
     )
     if turning is None and (loaded is None or loaded.speed is None):
@@ -265,7 +264,7 @@ def grade(
         own = turning if turning is not None else (each.speed or 0.0) if each is not None else 0.0
         return grade_document(title, Rotor(kilograms, own, planes), grade=wanted, measured=found)
 
-    document = graded(None) if loaded is None else graded(loaded)
-    if loaded is not None and turning is None and spread is not None:
+    document = graded(loaded)
+    if loaded is not None and turning is None and (spread := _over_speeds(loaded)) is not None:
         document = ranged(graded, spread, loaded)
     give(document, output, form=form)

@@ -178,6 +178,19 @@ def throw_angles(changes: Mapping[str, Any]) -> list[str]:
     return [path for path in changes if _turns_throw(keys_of(path))]
 
 
+def turning(changes: Mapping[str, Any]) -> list[str]:
+    """The same, and with them the paths that turn a weight, which then stays where it is set."""
+    turned = throw_angles(changes)
+    return [*turned, *filter(_turns_weight, changes)] if turned else []
+
+
+def _turns_weight(path: str) -> bool:
+    match keys_of(path):
+        case ["shaft", int(), "weight", int(), "angle"]:
+            return True
+    return False
+
+
 def _turns_throw(keys: Sequence[str | int]) -> bool:
     match keys:
         case ["shaft", int(), "throw", int(), "angle"]:

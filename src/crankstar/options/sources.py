@@ -9,11 +9,12 @@ from typing import Any
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
-from crankstar.files import changed, engine_of, explicit
+from crankstar.files import EngineFileError, changed, engine_of, explicit
 from crankstar.files.box import Spread, spread
 from crankstar.files.catalog import tree_of
 from crankstar.files.chains import chain_of, is_chain
-from crankstar.files.changes import throw_angles
+from crankstar.files.changes import turning
+from crankstar.language.faults import Fault
 from crankstar.language.messages import _
 from crankstar.language.quoting import given
 
@@ -30,10 +31,17 @@ class Loaded:
     """
 
     name: str
-    tree: Mapping[str, Any]
+    tree: dict[str, Any]
     source: Engine | Chain
     spread: Spread | None = None
     filled: bool = False
+
+    @property
+    def engine(self) -> Engine:
+        """The engine. Raises EngineFileError where it is a drive line."""
+        if isinstance(self.source, Chain):
+            raise EngineFileError(self.name, [Fault((), "form.drive-line")])
+        return self.source
 
 
 def loaded(
@@ -41,10 +49,13 @@ def loaded(
     changes: Mapping[str, Any] | None = None,
     *,
     estimate: bool = False,
+    chains: bool = True,
+    ranged: bool = True,
     asking: str = "crankstar",
 ) -> Loaded:
     """What is named, with `changes` by key path; `estimate` fills in what its file leaves out.
 
+    Without `chains` a drive line is refused as an engine; without `ranged` there is no spread.
     Raises EngineFileError, and TypeError for what names no engine, which `asking` was given.
 
     >>> loaded("i4", {"cylinder.stroke": "90 mm"}).source.first.number
@@ -56,10 +67,10 @@ def loaded(
         return Loaded(engine.name, explicit(engine), engine)
     shown, tree = _tree(engine, asking)
     values = dict(changes or {})
-    if is_chain(tree):
+    if chains and is_chain(tree):
         tree = changed(tree, values, name=shown) if values else tree
         return Loaded(shown, tree, chain_of(tree, name=shown))
-    turned = {path: values.pop(path) for path in throw_angles(values)}
+    turned = {path: values.pop(path) for path in turning(values)}
     tree = changed(tree, values, name=shown)
     filled = False
     if estimate:
@@ -67,7 +78,7 @@ def loaded(
 
         completed = estimated(tree, name=shown)
         tree, filled = completed.tree, bool(completed.filled)
-    ends = spread(tree, name=shown, changes=turned)
+    ends = spread(tree, name=shown, changes=turned) if ranged else None
     own = engine_of(tree, name=shown, changes=turned) if ends is None else ends.engine
     tree = changed(tree, turned, name=shown) if turned else tree
     return Loaded(shown, tree, own, ends, filled)
