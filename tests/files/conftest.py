@@ -16,7 +16,7 @@ from crankstar import cli
 
 WRITTEN = re.compile(
     r"^(Wrote |Replaced |Estimated: |None of orders? |Not in the(?:se)? |--[a-z]+ changes nothing "
-    r"|The file gives no |Записан файл ).*\n|^.* rests on:\n(?:.+\n)*",
+    r"|The file gives no |Shapes are |Записан файл ).*\n|^.* rests on:\n(?:.+\n)*",
     re.MULTILINE,
 )
 """Lines on standard error of a success: a file written, what in it is estimated or not there.

@@ -9,7 +9,9 @@ import numpy as np
 from crankstar.analysis.assumptions import Assumption
 from crankstar.analysis.changed_values import (
     by_factor,
+    pins_at_one_place,
     rods_at_one_place,
+    with_pins_apart,
     with_rods_apart,
     with_rods_of,
     with_turning_masses,
@@ -24,6 +26,8 @@ from crankstar.remedy.fitting import quiet_cranks
 
 ROD_WIDTH = 0.3
 """Width of a big end over the bore, at most: 0.2 to 0.3 in vehicles. Our judgement."""
+STAGGER = (0.35, 0.65)
+"""Distance of opposite pins over the bore, a rod and a web of each. Our judgement."""
 CROSSHEAD = ((0.3, 0.65, 1.0), (0.3, 0.75, 1.2))
 """Big end of the rod, and crank throw, of an engine with crossheads in its reciprocating mass.
 
@@ -54,10 +58,20 @@ def masses(engine: Engine, *, fitted: bool = False) -> Iterator[Assumption]:
 
 
 def _beside(engine: Engine) -> Iterator[Assumption]:
-    """Two rods of one crankpin at the same place, which most engines have side by side."""
-    if {"radius", "pitch"} & {*engine.relative} or not rods_at_one_place(engine):
+    """Rods of one crankpin, or opposite crankpins, at the same place."""
+    if {"radius", "pitch"} & {*engine.relative}:
         return
-    width = ROD_WIDTH * max(own.bore or 2 * engine.throw(own).radius for own in engine.cylinders)
+    bore = max(own.bore or 2 * engine.throw(own).radius for own in engine.cylinders)
+    if pins_at_one_place(engine):
+        low, high = (1e3 * share * bore for share in STAGGER)
+        yield Assumption(
+            "missing", "layout.bank_offset",
+            N_("opposite crankpins stand at the same place, as none can"),
+            None, "mm", low, high, vary=with_pins_apart,
+        )  # fmt: skip
+    if not rods_at_one_place(engine):
+        return
+    width = ROD_WIDTH * bore
     yield Assumption(
         "assumed", "layout.bank_offset",
         N_("two rods on one crankpin stand at the same place, as only fork-and-blade rods do"),

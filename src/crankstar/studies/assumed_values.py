@@ -23,6 +23,7 @@ from crankstar.analysis.changed_values import (
     with_block_value,
     with_disc_damping,
     with_mount_loss,
+    with_rear_disc,
     with_rod_inertias,
     with_rods_of,
     with_torsion_value,
@@ -65,6 +66,8 @@ six of 84 x 110 mm, is a loss factor of 0.02 of its first mode. The ends are our
 """
 RUBBER_ENDS = (0.5, 2.5)
 """Ends of the loss factor of rubber: 0.05 of natural rubber to 0.25 of filled kinds."""
+REST = 0.1
+"""Share of the inertia of a drive from which it is said that a shaft that twists lacks it."""
 DRIVEN = 5.0
 """High end of the damping of what is driven, over its torque by its speed: a ship's propeller.
 
@@ -209,6 +212,7 @@ def _torsion(engine: Engine) -> Iterator[Assumption]:
             N_("no damping of the throws against the block in the file, counted as zero"),
             None, "N*m*s/rad", low, high, vary=with_torsion_value("damping"),
         )  # fmt: skip
+    yield from _undriven(engine)
     dimensions = None if own is None else own.dimensions
     if dimensions is not None and "torsion.stiffness" in chain.estimated:
         modulus = dimensions.shear_modulus or STEEL
@@ -223,6 +227,22 @@ def _torsion(engine: Engine) -> Iterator[Assumption]:
             "assumed", "torsion.dimensions.shear_modulus", N_("that of steel"),
             STEEL / 1e9, "GPa", low, high,
             vary=with_torsion_value("dimensions.shear_modulus", 1e9),
+        )  # fmt: skip
+
+
+def _undriven(engine: Engine) -> Iterator[Assumption]:
+    """The inertia of the drive that no mass of the shaft that twists stands for."""
+    own, drive = engine.torsion, engine.drive
+    if own is None or drive is None or drive.inertia is None:
+        return
+    throws = sum(len(shaft.throws) for shaft in engine.shafts)
+    bare = sum(own.bare_inertia) * (throws if len(own.bare_inertia) == 1 else 1)
+    rest = drive.inertia - bare - sum(disc.inertia * disc.speed_ratio**2 for disc in own.discs)
+    if rest > REST * drive.inertia:
+        yield Assumption(
+            "left out", "drive.inertia",
+            N_("the masses of [torsion] are less; the rest is at no place of the shaft"),
+            unit="kg*m^2", low=float(rest), high=float(rest), vary=with_rear_disc,
         )  # fmt: skip
 
 

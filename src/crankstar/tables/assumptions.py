@@ -250,7 +250,7 @@ def _moving(each: Assumption) -> str:
         )
     if each.named:
         return _with_other(each, words)
-    if each.status == "left out" and each.low is not None:
+    if each.status == "left out" and "ignition" in dict(each.values) and each.low is not None:
         ends = {"low": _value(each, each.low), "high": _value(each, each.high)}
         ignition = _(FIRES[dict(each.values)["ignition"]])
         if not own.now:  # what is not computed is not zero
