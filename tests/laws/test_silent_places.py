@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from crankstar.dynamics.torsion_chain import torsion_chain
 from crankstar.files import engine_of, tree_of
 from crankstar.studies.answers import rests_on, summary
 
+CASES = Path(__file__).parents[1] / "cases"
 BOXER = """
 name = "flat twin"
 firing_order = [1, 2]
@@ -93,3 +95,14 @@ def test_a_drive_whose_inertia_the_discs_have_is_not_mentioned() -> None:
     tree = tree_of(SIX)
     tree["torsion"]["disc"] = [{"name": "rotor", "inertia": "4.2 kg*m^2", "to": "rear"}]
     assert of(crankstar.torsion(engine_of(tree)).rests_on, "drive.inertia") == []
+
+
+def test_a_family_rests_on_the_moments_of_its_table() -> None:
+    """The greatest H moment of the seven is what its assumptions move, not the roll without gas."""
+    tree = tree_of((CASES / "marine-seven.toml").read_text(encoding="utf-8"))
+    result = crankstar.guide(tree, numbers="7")
+    rows = [each for each in result.rests_on if each.moved and "roll" in each.moved.quantity]
+    assert of(result.rests_on, "gas") == []
+    assert {each.moved.quantity for each in rows if each.moved} == {"roll with gas"}
+    (most,) = {each.moved.now for each in rows if each.moved and each.moved.order == 7.0}
+    assert most == pytest.approx(max(result.to_frame()["h_N_m"]), rel=1e-9)

@@ -88,7 +88,9 @@ def write_bytes(content: bytes, place: str | None, *, option: str = "-o") -> Non
     if place in STANDARD_OUTPUT:
         _opened()
         sys.stdout.flush()
-        sys.stdout.buffer.write(content)
+        rest = memoryview(content)
+        while rest:  # unbuffered, a full disk takes a part without an error, and then none
+            rest = rest[sys.stdout.buffer.write(rest) :]
         return
     with _refusing(place, option):
         mode = _mode(place)

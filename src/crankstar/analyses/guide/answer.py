@@ -8,6 +8,7 @@ from crankstar.analyses.guide.question import Question
 from crankstar.analysis.assumptions import Answer
 from crankstar.engine.engine import Engine
 from crankstar.options.refusals import not_compiled
+from crankstar.studies.answer_parts import narrowed
 from crankstar.studies.answers import amplitudes
 
 if TYPE_CHECKING:
@@ -36,5 +37,8 @@ def compute(engine: Engine, question: Question) -> tuple[Member, ...]:
 
 
 def answer(engine: Engine, question: Question) -> Answer:
-    """The figures that it says first."""
-    return amplitudes(engine, point=question.point, speed=question.speed)
+    """The figures that it says first; the guide-force moments are rolls with gas, where it is."""
+    whole = amplitudes(engine, point=question.point, speed=question.speed, both=True)
+    if whole.gas is None:
+        return whole
+    return narrowed(whole, ["force", "couple", "roll with gas"])
