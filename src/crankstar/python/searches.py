@@ -39,6 +39,11 @@ class Found:
     """The stars that a search found, and what proves that these are all.
 
     `answer` has its rows and its certificate, `engine` what was searched, if that is an engine.
+
+    >>> import crankstar
+    >>> found = crankstar.search(5, cycle="two-stroke", best=1, minimise="M1")
+    >>> len(found), found.crank().firing_order
+    (1, (1, 5, 2, 3, 4))
     """
 
     answer: Answer
