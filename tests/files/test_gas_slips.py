@@ -267,6 +267,7 @@ def test_a_given_friction_pressure_replaces_the_correlation() -> None:
         ({"combustion_duration": "170 deg"}, "doubt.late"),
         ({"peak_pressure": "260 bar", "intake_pressure": "4 bar"}, "doubt.peak"),
         ({"imep": "36 bar", "intake_pressure": "4 bar"}, "doubt.imep"),
+        ({"imep": "25 bar", "intake_pressure": "1 bar"}, "doubt.charge"),
         ({"speed": "9000 rpm"}, "doubt.friction"),
         ({"imep": "0.2 bar", "intake_pressure": "1.5 bar"}, "doubt.no-cycle"),
     ],
@@ -430,53 +431,3 @@ def test_without_a_rotating_mass_nothing_is_a_bobweight_in_any_unit(name: str) -
     whole = bobweights(crankstar.load(name, changes={"cylinder.rotating_mass": 1.2}), 0.5)
     assert whole.title != headed.title
     assert whole.columns[-1].heading != headed.columns[-1].heading
-
-
-CASES = Path(__file__).parents[1] / "cases"
-STARVED = ["--set", 'gas.intake_pressure="1.155 bar"']
-
-
-@pytest.mark.parametrize("command", ["marine", "genset", "torque", "analyze", "balance"])
-def test_a_charge_that_cannot_burn_is_a_mistake_of_the_file(command: str, run: Run) -> None:
-    ran = run(command, str(CASES / "marine-seven.toml"), *STARVED)
-    assert (ran.code, ran.out) == (2, "")
-    said = " ".join(ran.err.split())
-    assert "gas.intake_pressure" in said
-    assert "9.33" in said
-    assert "14.5" in said
-
-
-def test_check_counts_a_charge_that_cannot_burn_as_a_mistake(run: Run, tmp_path: Path) -> None:
-    text = (CASES / "marine-seven.toml").read_text(encoding="utf-8")
-    file = tmp_path / "seven.toml"
-    for charge, code in (("1.155 bar", 2), ("3.6 bar", 0)):
-        file.write_text(f'{text}intake_pressure = "{charge}"\n', encoding="utf-8")
-        assert run("check", str(file)).code == code
-
-
-def test_each_load_of_a_file_is_judged_with_its_own_charge() -> None:
-    """Half the load burns in half the air; of two loads that do not, both are named."""
-    text = (CASES / "marine-seven.toml").read_text(encoding="utf-8")
-    tree = tree_of(text)
-    tree["gas"]["point"] = [
-        {"name": "half", "bmep": "9 bar", "intake_pressure": "2 bar"},
-        {"name": "much", "bmep": "22 bar", "intake_pressure": "1.3 bar"},
-        {"name": "all", "bmep": "19 bar", "intake_pressure": "1.2 bar"},
-    ]
-    with pytest.raises(EngineFileError) as caught:
-        engine_of(tree)
-    assert [fault.path for fault in caught.value.faults] == [
-        ("gas", "point", 1, "intake_pressure"),
-        ("gas", "point", 2, "intake_pressure"),
-    ]
-
-
-def test_the_least_charge_that_is_taken_is_the_one_in_which_the_fuel_burns() -> None:
-    """Air is in proportion to the pressure: the least charge is that share of 3.6 bar, nearly."""
-    text = (CASES / "marine-seven.toml").read_text(encoding="utf-8")
-    burning = cycle(engine_of(tree_of(text + 'intake_pressure = "3.6 bar"')))
-    assert burning.air_fuel_ratio is not None
-    least = 3.6 * 14.5 / burning.air_fuel_ratio
-    engine_of(tree_of(text + f'intake_pressure = "{1.05 * least} bar"'))
-    with pytest.raises(EngineFileError):
-        engine_of(tree_of(text + f'intake_pressure = "{0.95 * least} bar"'))

@@ -108,8 +108,6 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     faults = [*tolerances, *_elsewhere(own, tolerances)]
     faults += _elsewhere(contradictions, draft.faults)
     faults += _elsewhere([*unknown_sources(tree, forms), *range_faults(tree)], draft.faults)
-    if not faults and draft.engine is not None:
-        faults = _starved(draft.engine)
     faults = _without_repeats(in_file(tree, faults, explicit=explicit))
     cells: Mapping[KeyPath, str] = {}
     if isinstance(given, SpreadsheetTree):
@@ -118,16 +116,6 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     if faults or draft.engine is None:
         raise EngineFileError(name, faults, cells)
     return draft.engine
-
-
-def _starved(engine: Engine) -> list[Fault]:
-    """The loads whose fuel cannot burn in the charge that the file gives."""
-    gas = engine.gas
-    if gas is None or all(each.intake_pressure is None for each in (gas, *gas.points)):
-        return []  # libraries of cycles stay unread
-    from crankstar.mechanics.doubts import starved
-
-    return [*starved(engine)]
 
 
 def _is_bare_sum(fault: Fault, tree: Tree) -> bool:

@@ -69,7 +69,7 @@ SENTENCES: dict[str, str | Plural] = {
         "{where}: the indicated mean effective pressure is {value} bar; hardly any engine has more "
         "than {bound} bar"
     ),
-    "gas.charge": N_(
+    "doubt.charge": N_(
         "{where} is {intake} bar, with which {load} bar of indicated mean effective pressure has "
         "the air-fuel ratio {value}; below {bound} the fuel cannot burn: give the pressure of the "
         "charge, or less load"

@@ -22,17 +22,17 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import split_doubts
-from crankstar.engine.gas import LOADS, Gas, Ignition, Load
+from crankstar.engine.gas import LOADS, Ignition
 from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import CrankDimensions, Torsion
 from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
-from crankstar.mechanics.charge_air import LEAST_EFFICIENCY, STOICHIOMETRIC, air_fuel_ratio
-from crankstar.mechanics.gas import Cycle, computable, cycle, target, volumes_of
+from crankstar.mechanics.charge_air import STOICHIOMETRIC
+from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
 from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
 from crankstar.mechanics.mechanism import mechanism
-from crankstar.mechanics.operating_points import GasError, operating_state, resolved
+from crankstar.mechanics.operating_points import GasError
 
 Path = tuple[str | int, ...]
 GREATEST_SPARK_RATIO = 16.0
@@ -79,7 +79,10 @@ def doubts(engine: Engine) -> tuple[Fault, ...]:
     found += [*inertia_doubts(engine), *torsion_doubts(engine)]
     gas = engine.gas
     if gas is not None:
-        for path, name, _record in _loads(gas):
+        loaded = any(getattr(gas, name) is not None for name in LOADS) or not gas.points
+        places: list[tuple[Path, str]] = [(("gas",), "")] if loaded else []
+        places += [(("gas", "point", index), point.name) for index, point in enumerate(gas.points)]
+        for path, name in places:
             found += _point_doubts(engine, name, path)
     once: dict[tuple[str, Any], Fault] = {}
     for fault in found:
@@ -108,67 +111,6 @@ def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> 
     if "gas" in uses and computed is not None:
         found += point_doubts(engine, computed)
     return tuple(found)
-
-
-def starved(engine: Engine) -> tuple[Fault, ...]:
-    """The loads of a file, each at its own speed, whose fuel cannot burn in the charge it gives.
-
-    A charge that is assumed is one in which it does: only a given `intake_pressure` is judged. The
-    cycle is computed where the heat of the least efficient one would have too little air.
-
-    >>> from crankstar.files.catalog import load
-    >>> starved(load("honda-b18c"))
-    ()
-    """
-    gas = engine.gas
-    if gas is None or gas.trace is not None or not computable(engine):
-        return ()
-    found: list[Fault] = []
-    for path, name, record in _loads(gas):
-        if record.intake_pressure is None and gas.intake_pressure is None:
-            continue
-        try:
-            if not _plenty(engine, name):
-                found += _starved(cycle(engine, point=name), path)
-        except GasError:
-            continue
-    return tuple(found)
-
-
-def _loads(gas: Gas) -> Iterator[tuple[Path, str, Load]]:
-    """The key path, the name and the record of each load of a file."""
-    if any(getattr(gas, name) is not None for name in LOADS) or not gas.points:
-        yield ("gas",), "", gas
-    for index, point in enumerate(gas.points):
-        yield ("gas", "point", index), point.name, point
-
-
-def _plenty(engine: Engine, name: str) -> bool:
-    """Whether the fuel of the least efficient cycle has air enough. Raises GasError."""
-    speed = operating_state(engine, point=name).speed
-    values, _assumed = resolved(engine, point=name, speed=speed)
-    values["stroke"] = 2 * engine.throw(engine.first).radius
-    if values["process"] != "heat-release" or "peak_pressure" in values:
-        return False
-    heat = target(values) / LEAST_EFFICIENCY
-    return air_fuel_ratio(engine, volumes_of(engine), values, heat) >= _least(values["ignition"])
-
-
-def _least(fires: Ignition) -> float:
-    return LEAST_AIR[fires] * STOICHIOMETRIC[fires]
-
-
-def _starved(cycle: Cycle, path: Path) -> Iterator[Fault]:
-    """The fault of a cycle with too little air for its fuel."""
-    least = _least(cycle.values["ignition"])
-    if cycle.air_fuel_ratio is not None and cycle.air_fuel_ratio < least:
-        bound = {
-            "value": float(f"{cycle.air_fuel_ratio:.3g}"),
-            "intake": cycle.values["intake_pressure"] / 1e5,
-            "load": float(f"{cycle.imep / 1e5:.4g}"),
-            "bound": float(f"{least:.3g}"),
-        }
-        yield Fault((*path, "intake_pressure"), "gas.charge", bound)
 
 
 def _point_doubts(engine: Engine, name: str, path: Path) -> Iterator[Fault]:
@@ -240,7 +182,16 @@ def cycle_doubts(cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
     if cycle.imep > GREATEST_IMEP:
         bound = {"value": cycle.imep / 1e5, "bound": GREATEST_IMEP / 1e5}
         yield Fault(path, "doubt.imep", bound)
-    yield from _starved(cycle, path)
+    fires: Ignition = cycle.values["ignition"]
+    least = LEAST_AIR[fires] * STOICHIOMETRIC[fires]
+    if cycle.air_fuel_ratio is not None and cycle.air_fuel_ratio < least:
+        bound = {
+            "value": float(f"{cycle.air_fuel_ratio:.3g}"),
+            "intake": cycle.values["intake_pressure"] / 1e5,
+            "load": float(f"{cycle.imep / 1e5:.4g}"),
+            "bound": float(f"{least:.3g}"),
+        }
+        yield Fault((*path, "intake_pressure"), "doubt.charge", bound)
     rpm = None if cycle.speed is None else cycle.speed * 30 / pi
     known = cycle.values.get("friction_pressure") is not None
     limit = FRICTIONS.get(cycle.values.get("friction", ""))

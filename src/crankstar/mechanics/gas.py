@@ -380,7 +380,7 @@ def _charged(
         laws = [_law(engine, places, row, now) for row in range(len(places.swept))]
         return _heat(laws, places, now)
 
-    return boosted(engine, places, values, assumed, load=target(values), heat=heat)
+    return boosted(engine, places, values, assumed, load=_target(values), heat=heat)
 
 
 def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -> Law:
@@ -472,7 +472,7 @@ def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
     def peak(heat: float) -> float:
         return max(float(law(heat).max()) for law in laws)
 
-    wanted, found = target(values), mean
+    wanted, found = _target(values), mean
     if "imep" not in values and "bmep" not in values:
         found = peak
     greatest = inf
@@ -497,8 +497,8 @@ def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
     return root(lambda heat: found(heat) - wanted, low=low, high=high)
 
 
-def target(values: Mapping[str, Any]) -> float:
-    """What the load asks of the cycle, Pa. Raises GasError."""
+def _target(values: Mapping[str, Any]) -> float:
+    """What the load asks of the cycle, Pa."""
     if "imep" in values:
         return values["imep"]
     if "bmep" in values:
