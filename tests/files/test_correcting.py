@@ -191,11 +191,11 @@ def test_csv_says_what_to_add(run: Run, tmp_path: Path) -> None:
     weights = ("--positions", "12", "--at-radius", "80 mm")
     for line in (("runs.csv", *weights), (*SHOWN, *PLANES, *weights)):
         rows = csv_rows(run("correct", *line, "--csv").out, "added")
-        columns = ("plane", "at_deg [deg]", "unbalance [kg*m]", "mass [g]")
+        columns = ("plane", "at_deg [deg]", "unbalance [kg*m]", "mass_g [g]")
         added = json.loads(run("correct", *line, "--json").out)["added"]
         told = [[float(row[name]) for name in columns] for row in rows]
         assert told == [
-            [each[k] for k in ("plane", "at_deg", "unbalance", "mass")] for each in added
+            [each[k] for k in ("plane", "at_deg", "unbalance", "mass_g")] for each in added
         ]
 
 

@@ -97,7 +97,7 @@ def test_holes_for_estimated_weights_are_those_for_the_typical_ones(
     assert float(row["unbalance_low [kg*m]"]) < unbalance < float(row["unbalance_high [kg*m]"])
     measured = f"{unbalance!r} kg*m"
     (alone,) = csv.DictReader(StringIO(run("drill", "--unbalance", measured, *HOLES, "--csv").out))
-    for name in ("count", "depth [mm]", "mass [g]"):
+    for name in ("count", "depth_mm [mm]", "mass_g [g]"):
         assert float(row[name]) == pytest.approx(float(alone[name]), rel=1e-9)
     assert row["made_for"] == "typical unbalance (estimated)"
     assert "made_for" not in alone

@@ -14,6 +14,7 @@ from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
 from crankstar.options.values import RequestError, bounded, listed, refusal
 from crankstar.options.words import SearchWords
+from crankstar.stars import question as questions
 from crankstar.stars.faults import Faults, SearchError, error
 from crankstar.stars.options import (
     GREATEST_BEST,
@@ -49,7 +50,7 @@ def search_of(about: int | Engine, words: SearchWords, *, speed: float | None = 
 def whole(search: Search, answer: Answer) -> Answer:
     """An answer that lists all that was asked for. Raises RequestError where it cannot."""
     question = search.question
-    if isinstance(question.ask, All) and len(answer.rows) >= question.ask.size:
+    if isinstance(question.ask, questions.All) and len(answer.rows) >= question.ask.size:
         raise RequestError(
             "{stars} stars lie within these limits, more than the {most} classes that can be "
             "listed. Narrow the search, as in --limit M1=2, or ask for --best 100.",
