@@ -22,7 +22,7 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle, cycle, events
 from crankstar.mechanics.gas_torque import gas_torque, over_cycle
-from crankstar.studies.answers import summary, torques
+from crankstar.studies.answers import rests_on, summary, torques
 from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.response_answers import felt
 from crankstar.studies.single_faults import Fault
@@ -50,9 +50,14 @@ def felt_inertia(engine: Engine, theta: Array) -> Array:
 
 
 class Shot:
-    """dw/dtheta = (T_gas - T_L - J' w^2/2)/(J w), integrated until a cycle returns to its speed."""
+    """dw/dtheta = (T_gas - T_L - J' w^2/2)/(J w), integrated until a cycle returns to its speed.
 
-    def __init__(self, engine: Engine, found: Cycle, flywheel: float, course: Array) -> None:
+    Of the mean torque of the gas `friction` (N m) is taken steadily, the rest by the course.
+    """
+
+    def __init__(
+        self, engine: Engine, found: Cycle, flywheel: float, course: Array, friction: float = 0.0
+    ) -> None:
         self.theta = np.linspace(0.0, 4 * pi, COUNT + 1)
         gas = over_cycle(found, COUNT).sum(axis=0)
         self.inertia = flywheel + felt_inertia(engine, self.theta)
@@ -68,7 +73,7 @@ class Shot:
 
         def run(start: float) -> Array:
             def slope(at: float, state: Array) -> Array:
-                load = mean * shape(at) / course[:COUNT].mean()
+                load = friction + (mean - friction) * shape(at) / course[:COUNT].mean()
                 push = torque(at) - load - rise(at) * state[0] ** 2 / 2
                 return np.array([push / (felt(at) * state[0])])
 
@@ -107,6 +112,21 @@ def test_a_flywheel_is_sized_for_the_course_of_its_load() -> None:
         period=720,
     )
     assert Shot(engine, found, wheel, course).irregularity == pytest.approx(0.02, rel=1e-3)
+
+
+@pytest.mark.release
+@pytest.mark.parametrize("known", [{"gas.friction_pressure": "2 bar"}, {"gas.bmep": "6 bar"}])
+def test_the_load_has_the_brake_torque_where_friction_is_known(known: dict[str, str]) -> None:
+    """Both are 8 bar less 2: 0.75 of the course, and a quarter that is steady."""
+    own = {"gas.bmep": "6 bar", "gas.imep": None, "gas.friction_pressure": "2 bar"}
+    engine = crankstar.load(CASES / "four-pump.toml", changes=own if "gas.bmep" in known else known)
+    found = cycle(engine)
+    wheel = flywheel_for(engine, found, irregularity=0.02)
+    course = np.interp(np.linspace(0, 4 * pi, COUNT + 1), ANGLES, COURSE, period=4 * pi)
+    lost = 2e5 * 4 * pi / 4 * 0.1**2 * 0.12 / (4 * pi)
+    shot = Shot(engine, found, wheel, course, lost)
+    assert shot.irregularity == pytest.approx(0.02, rel=1e-3)
+    assert Shot(engine, found, wheel, course).irregularity > 0.021
 
 
 def of_order(samples: Array, order: float) -> float:
@@ -170,6 +190,41 @@ def test_the_frame_of_a_set_feels_the_course_of_its_load() -> None:
     )
     assert roll[1.0] == 0
     assert framed[1.0] == pytest.approx(sums[1.0])
+
+
+@pytest.mark.parametrize(
+    ("changes", "share"),
+    [
+        ({}, 1.0),  # 8 bar indicated, nothing of friction: the load takes it all
+        ({"gas.friction": "none"}, 1.0),
+        ({"gas.friction_pressure": "2 bar"}, 0.75),
+        ({"gas.friction": "spark-ignition"}, 1 - (0.97 + 0.15 * 1.5 + 0.05 * 1.5**2) / 8),
+        ({"gas.imep": None, "gas.bmep": "8 bar"}, 1.0),
+        ({"gas.imep": None, "gas.bmep": "4 bar", "gas.friction_pressure": "4 bar"}, 0.5),
+    ],
+)
+def test_the_course_of_a_load_has_the_brake_torque(
+    changes: dict[str, str | None], share: float
+) -> None:
+    engine = crankstar.load(CASES / "four-pump.toml", changes=changes)
+    sums = {each.order: each.one for each in generating_set(engine).sums if each.quantity == "roll"}
+    for order in (1.0, 3.0):
+        assert sums[order] == pytest.approx(share * of_course(order), rel=3e-4)
+
+
+def test_friction_that_nobody_gave_counts_with_the_load_and_the_record_says_so() -> None:
+    engine = crankstar.load(CASES / "four-pump.toml")
+    apart = crankstar.load(CASES / "four-pump.toml", changes={"gas.friction": "spark-ignition"})
+    wheel = flywheel_for(apart, cycle(apart), irregularity=0.02)
+    answer = torques(engine, cycle, irregularity=0.02)
+    (rest,) = (each for each in rests_on(engine, answer) if each.path == "gas.friction")
+    assert rest.moved is not None
+    assert (rest.moved.quantity, rest.moved.now) == ("flywheel", pytest.approx(0.9608, rel=1e-4))
+    assert rest.moved.high == pytest.approx(wheel)
+    assert not any(
+        each.path == "gas.friction"
+        for each in rests_on(apart, torques(apart, cycle, irregularity=0.02))
+    )
 
 
 def test_what_leaves_the_reaction_of_a_load_out_records_it() -> None:

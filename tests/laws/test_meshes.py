@@ -20,9 +20,10 @@ from crankstar.dynamics.uneven import SAMPLES, Running, running
 from crankstar.engine.copies import with_values
 from crankstar.engine.drive import Drive, Gearing
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import Gas
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import cycle
-from crankstar.mechanics.gas_torque import crankshaft_torque, over_cycle
+from crankstar.mechanics.gas_torque import crankshaft_torque, friction_torque, over_cycle
 from crankstar.mechanics.kinetic import inertia, inertias, shaft_torque
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Real
@@ -212,6 +213,20 @@ def test_a_load_that_goes_over_the_cycle_is_passed_on_as_it_goes() -> None:
     load = np.interp(theta, [0, pi, 2 * pi], [1.0, 3.0, 1.0]) / 2
     load *= over_cycle(found).sum(axis=0).mean()
     assert np.abs(sum(passed) - load).max() < 1e-9 * np.abs(passed).max()
+
+
+def test_the_friction_that_a_file_gives_is_passed_on_steadily() -> None:
+    drive = Drive(gearing="output", load_angle=(0.0, pi), load_torque=(1.0, 3.0))
+    gas = with_values(racer().gas or Gas(), friction_pressure=2e5)
+    engine = with_values(racer(), drive=drive, gas=gas)
+    found = cycle(engine)
+    passed = sum(mesh.torque for mesh in meshes(engine, found))
+    lost = friction_torque(found)
+    assert lost > 0
+    theta = np.arange(SAMPLES) * 2 * pi / SAMPLES
+    shape = np.interp(theta, [0, pi, 2 * pi], [1.0, 3.0, 1.0]) / 2
+    load = lost + (over_cycle(found).sum(axis=0).mean() - lost) * shape
+    assert np.abs(passed - load).max() < 1e-9 * np.abs(passed).max()
 
 
 @pytest.mark.parametrize("name", ["racer", "square four"])

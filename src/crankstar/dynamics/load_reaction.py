@@ -8,10 +8,11 @@ by it in the sense of rotation, so that a frame of both feels
 
 that is what the rotor takes, and no more. Of the load its alternating part counts, at even speed:
 
-    T_L = T_mean g(theta)/mean(g)
+    T_L = (T_mean - T_f) g(theta)/mean(g)
 
-with g the course of the file (`drive.load_torque`) and T_mean the mean torque of the gas. A steady
-load has none, whatever its exponent.
+with g the course of the file (`drive.load_torque`), T_mean the mean torque of the gas and T_f what
+friction takes of it where the file says so (`uneven.friction_apart`). A steady load has none,
+whatever its exponent.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from __future__ import annotations
 import numpy as np
 
 from crankstar import spectra
-from crankstar.dynamics.uneven import load_course
+from crankstar.dynamics.uneven import friction_apart, load_course
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import HIGHEST, added, gas_torque
@@ -46,7 +47,7 @@ def load_reaction(engine: Engine, cycle: Cycle) -> Spectrum | None:
     numbers = np.arange(1, int(HIGHEST * period / (2 * np.pi)) + 1)
     wave = 2 * np.fft.rfft(course)[numbers] / course.sum()
     wave = np.where(np.abs(wave) > ROUNDING * np.abs(wave).max(), wave, 0)
-    mean = float(gas_torque(cycle).mean.sum())
+    mean = float(gas_torque(cycle).mean.sum()) - friction_apart(cycle)
     return spectra.real_signal(numbers * (2 * np.pi / period), engine.sense * mean * wave)
 
 

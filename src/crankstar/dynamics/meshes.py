@@ -27,7 +27,7 @@ from functools import cached_property
 import numpy as np
 
 from crankstar import spectra
-from crankstar.dynamics.uneven import SAMPLES, Running, load_course
+from crankstar.dynamics.uneven import SAMPLES, Running, friction_apart, load_course
 from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
@@ -248,7 +248,7 @@ def meshes(
     gas = crankshaft_torque(engine, cycle, SAMPLES)[_rows(engine)]
     own = gas + _inertia_torque(engine, cycle)
     passed = (
-        _passed_on(own, gas, engine, parts)
+        _passed_on(own, gas, engine, parts, friction_apart(cycle))
         if running is None
         else gas - _kept(engine, running, parts)
     )
@@ -285,11 +285,14 @@ def _rows(engine: Engine) -> list[int]:
     return [index for index, shaft in enumerate(engine.shafts) if shaft.throws]
 
 
-def _passed_on(own: Real, gas: Real, engine: Engine, parts: Sequence[float]) -> Real:
+def _passed_on(
+    own: Real, gas: Real, engine: Engine, parts: Sequence[float], friction: float
+) -> Real:
     """T_i - s_i (T - T_L) [crankshaft, angle]."""
     course = load_course(engine)
     shape = np.ones(SAMPLES) if course is None else course / course.mean()
-    excess = own.sum(axis=0) - shape * gas.sum(axis=0).mean()
+    driven = gas.sum(axis=0).mean() - friction
+    excess = own.sum(axis=0) - friction - shape * driven
     return own - np.array(parts)[:, None] * excess
 
 

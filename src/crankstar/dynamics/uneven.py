@@ -8,10 +8,12 @@ crankshaft feels, flywheel included, and the torque of the load T_L,
 exactly: that J changes with the angle is the inertia torque. In steady running E comes back after a
 cycle, and the mean of the speed over time is what was asked for. The load is
 
-    T_L = c g(theta) (w/w_m)^k
+    T_L = T_f + c g(theta) (w/w_m)^k
 
-with g its course over the cycle (1 where it is steady) and c such that over a cycle it takes what
-gas and friction leave. The degree of irregularity is (w_max - w_min)/w_m.
+with T_f the mean torque that friction takes, steady, g the course of what is driven (1 where it is
+steady) and c such that over a cycle it takes what gas and friction leave. Where the file asks for
+an indicated load and says nothing of friction, T_f is 0: friction counts with the load. The degree
+of irregularity is (w_max - w_min)/w_m.
 
 The linear estimate takes J at its mean: with the fluctuation of energy dE = max - min of the
 integral of T_gas + T_inertia - T_L at the mean speed, delta = dE/(J w_m^2).
@@ -31,7 +33,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import MessageError
 from crankstar.mechanics.excitation import part_spectra
 from crankstar.mechanics.gas import Cycle
-from crankstar.mechanics.gas_torque import over_cycle
+from crankstar.mechanics.gas_torque import friction_torque, over_cycle
 from crankstar.mechanics.kinetic import inertia, mean_inertia, samples_over, throw_inertia
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.roots import root
@@ -109,6 +111,7 @@ class _WithoutFlywheel:
     fluctuation: float
     shape: Real
     exponent: float
+    friction: float
 
     @classmethod
     def of(
@@ -122,7 +125,9 @@ class _WithoutFlywheel:
         shape = np.ones_like(theta) if course is None else course / course.mean()
         torque = spectra.total(part_spectra(mechanism(engine)).torque)
         moving = np.real(spectra.value(torque, theta)) * speed**2
-        change = periodic_integral(gas + moving - shape * gas.mean(), theta[1] - theta[0])
+        lost = friction_apart(cycle)
+        load = lost + (gas.mean() - lost) * shape
+        change = periodic_integral(gas + moving - load, theta[1] - theta[0])
         return cls(
             theta=theta,
             speed=speed,
@@ -132,6 +137,7 @@ class _WithoutFlywheel:
             fluctuation=float(np.ptp(change)),
             shape=shape,
             exponent=exponent,
+            friction=lost,
         )
 
     def with_(self, flywheel: float) -> Running:
@@ -163,7 +169,7 @@ class _WithoutFlywheel:
         now = np.full_like(self.theta, speed)
         for _ in range(MOST_ROUNDS):
             load = self.shape * (now / speed) ** self.exponent
-            load = load * (gas.mean() / load.mean())
+            load = self.friction + load * ((gas.mean() - self.friction) / load.mean())
             energy = _energy(periodic_integral(gas - load, span), whole, speed)
             after = np.sqrt(2 * energy / whole)
             moved = float(np.abs(after - now).max()) / speed
@@ -262,6 +268,23 @@ def _driven_by(engine: Engine, cycle: Cycle) -> _WithoutFlywheel:
     """The engine with the load of its file."""
     exponent = (engine.drive or Drive()).load_exponent
     return _WithoutFlywheel.of(engine, cycle, exponent=exponent, course=load_course(engine))
+
+
+def friction_apart(cycle: Cycle) -> float:
+    """The mean torque of friction that does not go with the load, N m: what the file says of it.
+
+    Known with a brake mean effective pressure, a friction pressure or its correlation. A load in
+    indicated pressure alone leaves it unknown: 0.
+
+    >>> from crankstar import cycle, load
+    >>> five = load("audi-25-tfsi")
+    >>> indicated = cycle(five, speed="800 rpm", imep="2 bar")
+    >>> brake = cycle(five, speed="800 rpm", bmep="2 bar")
+    >>> [round(friction_apart(each), 1) for each in (indicated, brake)]
+    [0.0, 22.4]
+    """
+    said = "bmep" in cycle.values or "friction" not in cycle.assumed
+    return friction_torque(cycle) if said else 0.0
 
 
 def load_course(engine: Engine) -> Real | None:

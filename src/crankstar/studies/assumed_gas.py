@@ -24,6 +24,7 @@ from crankstar.analysis.changed_values import (
 )
 from crankstar.analysis.tried_values import Figures
 from crankstar.engine.copies import with_values
+from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas
 from crankstar.engine.quantities import Cycle as Strokes
@@ -256,6 +257,11 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             reason = N_("usual for such engines")
             if name == "ignition":
                 reason = N_("as compression ratio or bore say")
+            elif _rubs_with_load(engine, own):
+                other, reason = (
+                    str(value),
+                    N_("counted with the load, as the file gives no friction"),
+                )
             yield Assumption(
                 "assumed", path, reason, str(value), "", 1.0, 1.0, values=(("other", other),),
                 named=True, vary=with_gas_choice(name, other, ignition=own.values["ignition"]),
@@ -267,6 +273,12 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             each if measured else replace(each, vary=_held(own, each.vary))
             for each in valves(engine)
         )
+
+
+def _rubs_with_load(engine: Engine, own: Cycle) -> bool:
+    """Whether an assumed friction counts with a load that alternates (`uneven.friction_apart`)."""
+    drive = engine.drive or Drive()
+    return "bmep" not in own.values and bool(drive.load_torque or drive.load_exponent)
 
 
 def _ends(name: str, value: float, own: Cycle) -> tuple[float, float]:

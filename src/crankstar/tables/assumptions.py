@@ -287,6 +287,12 @@ def _moving(each: Assumption) -> str:
 def _with_other(each: Assumption, words: Mapping[str, str]) -> str:
     """One of two choices with what the other one moves most."""
     words = {**words, "value": str(each.value), "other": dict(each.values)["other"]}
+    if words["other"] == words["value"]:
+        return _(
+            "{path}: {value} assumed, {reason}. Given, so that the load takes the brake torque, "
+            "the {figure} is {sizes}, not {now}.",
+            **words,
+        )
     if each.path == "gas.friction":
         return _(
             "{path}: {value} assumed, {reason}. With {other} and the same ignition the {figure} is "
