@@ -12,6 +12,7 @@ from typing import Any
 
 from crankstar.engine.copies import throws_of_weights, with_values, wrapped
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import LOADS
 from crankstar.engine.records import Shaft
 from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.mistakes import SpreadsheetTree, Tree, copied
@@ -65,10 +66,40 @@ def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine")
                 table[key] = copied(value)  # a later path may lead into it
             else:
                 table = table[key] if isinstance(key, int) else table.setdefault(key, {})
+    overruled = [keys_of(path) for path in changes if overruling(out, keys_of(path))]
+    if overruled:
+        raise EngineFileError(
+            name,
+            [
+                Fault(tuple(keys), "set.at-points", {"paths": ", ".join(overruling(out, keys))})
+                for keys in overruled
+            ],
+        )
     if changes:
         with_references(tree, out, [tuple(keys_of(path)) for path in changes])
     out = bounded(_without_estimates(out, changes), name)
     return tree.without(map(keys_of, changes), out) if isinstance(tree, SpreadsheetTree) else out
+
+
+def overruling(tree: Tree, keys: Sequence[str | int]) -> list[str]:
+    """The paths of the operating points' own values where none is left that a value of [gas] is of.
+
+    >>> gas = {"imep": 1e6, "gamma": 1.3, "point": [{"name": "idle", "speed": 80, "gamma": 1.35}]}
+    >>> overruling({"gas": gas}, ["gas", "gamma"])  # of the load of the table itself
+    []
+    >>> overruling({"gas": {**gas, "imep": None}}, ["gas", "gamma"])
+    ['gas.point[1].gamma']
+    """
+    gas = tree.get("gas")
+    points = gas.get("point") if isinstance(gas, dict) else None
+    if len(keys) != 2 or keys[0] != "gas" or not isinstance(points, list) or not points:
+        return []
+    name = str(keys[1])
+    if any(gas.get(load) is not None for load in LOADS):
+        return []
+    if not all(isinstance(each, dict) and each.get(name) is not None for each in (gas, *points)):
+        return []
+    return [f"gas.point[{place}].{name}" for place, _point in enumerate(points, 1)]
 
 
 def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:

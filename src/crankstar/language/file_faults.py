@@ -280,6 +280,7 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} cannot be set; {whole} is a list of {size}; name one of them by its place, as in "
         "[1], or give all of it"
     ),
+    "set.at-points": N_("{where} has no effect, as each operating point has its own: give {paths}"),
     "set.not-a-list": N_("{where} cannot be set; {whole} is not a list"),
     "set.not-a-table": N_("{where} cannot be set; {whole} is not a table; give all of it"),
     "form.mixed": N_(

@@ -18,6 +18,7 @@ from crankstar.tables.sweeps import (
     KINDS,
     axis_columns,
     cleared,
+    doubt_sentences,
     evenly,
     every_value,
     facts,
@@ -168,4 +169,5 @@ def answer(
         columns.append(Column("alike", key="alike"))
         pairs = tuple((*pair.values, *pair.results, pair.alike) for pair in front)
         parts.append(Table("", tuple(columns), pairs, key="front"))
-    return Document(sweep.engine.name, tuple(parts), facts(sweep))
+    own = {**facts(sweep), "doubts": doubt_sentences(sweep, curves)}
+    return Document(sweep.engine.name, tuple(parts), own)

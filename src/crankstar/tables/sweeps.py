@@ -29,7 +29,8 @@ from crankstar.mechanics.labelled import AXIAL, VECTORS
 from crankstar.spectra import Real
 from crankstar.studies.best_value import Best
 from crankstar.studies.gas_results import GAS_WATCHABLE
-from crankstar.studies.sweep import Curve, Sweep
+from crankstar.studies.sweep import Axis, Curve, Sweep
+from crankstar.studies.sweep_doubts import Doubted, doubted
 from crankstar.tables import ranges
 from crankstar.tables.conditions import missing_sentence, unit_sentence
 from crankstar.tables.sweep_ranges import Band, estimate_remarks, ranged_text
@@ -80,11 +81,41 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
         "them."
     )
     more = (_estimates_note(sweep), added if sweep.adds else "")
+    doubts = remarks(*doubt_sentences(sweep, curves), kind="doubt")
     if curves and all(curve.what in measures() for curve in curves):
-        return remarks(_estimates_note(sweep), kind="note")
+        return (*remarks(_estimates_note(sweep), kind="note"), *doubts)
     own = (*GAS_WATCHABLE, *measures())
     gas = bool(curves) and all(curve.what in own for curve in curves)
-    return remarks(counted, "" if gas else speed_note(sweep), *more, kind="note")
+    return (*remarks(counted, "" if gas else speed_note(sweep), *more, kind="note"), *doubts)
+
+
+def doubt_sentences(sweep: Sweep, curves: Sequence[Curve]) -> list[str]:
+    """What is hardly right at some of the values, or at all of them."""
+    return [_doubt(sweep, one) for one in doubted(sweep, curves)]
+
+
+def _doubt(sweep: Sweep, one: Doubted) -> str:
+    """One doubt: at all values, at those of a range, or at some."""
+
+    def value(axis: Axis, place: int) -> str:
+        return f"{number(float(axis.values[place]))} {axis.unit}".strip()
+
+    if one.everywhere:
+        return one.fault.sentence
+    words = {
+        "at": ", ".join(
+            f"{axis.path} = {value(axis, place)}"
+            for axis, place in zip(sweep.axes, one.at, strict=True)
+        ),
+        "doubt": one.fault.sentence,
+    }
+    if len(sweep.axes) == 1 and len(one.places) > 1:
+        (axis,) = sweep.axes
+        low, high = (value(axis, place[0]) for place in (one.places[0], one.places[-1]))
+        return _("At {at}: {doubt}. So it is from {low} to {high}.", **words, low=low, high=high)
+    if len(one.places) > 1:
+        return _("At {at}, as at others: {doubt}.", **words)
+    return _("At {at}: {doubt}.", **words)
 
 
 def _estimates_note(sweep: Sweep) -> str:
@@ -139,7 +170,12 @@ def answer(
     return Document(
         sweep.engine.name,
         (every_value(sweep, curves, ranged), Table("", heads, bests, key="best")),
-        {**facts(sweep), "over": sweep.path, "unit": sweep.unit},
+        {
+            **facts(sweep),
+            "over": sweep.path,
+            "unit": sweep.unit,
+            "doubts": doubt_sentences(sweep, curves),
+        },
     )
 
 

@@ -1,0 +1,50 @@
+"""Sweeps over what no engine runs with say so; a value that nothing uses cannot be set."""
+
+import json
+
+import pytest
+from tests.commands import Run
+
+import crankstar
+from crankstar.files.errors import EngineFileError
+
+STARVED = ("sweep", "honda-b18c", "--quantity", "torque_with_gas")
+
+
+def test_a_sweep_says_from_where_to_where_the_fuel_cannot_burn(run: Run) -> None:
+    """9 bar of 1 bar of charge have 22.5: less than 11 of any charge below 0.489 bar."""
+    words = [*STARVED, "--over", "gas.intake_pressure=0.3..1 bar by 0.1"]
+    made = run(*words)
+    assert made.code == 0, made.err
+    said = " ".join(made.out.split())
+    assert said.count("the fuel cannot burn") == 1
+    assert "At gas.intake_pressure = 0.3 bar: " in said
+    assert "So it is from 0.3 bar to 0.5 bar." in said
+    [doubt] = json.loads(run(*words, "--json").out)["doubts"]
+    assert doubt in said
+
+
+def test_a_sweep_of_two_numbers_says_it_too_and_one_that_burns_does_not(run: Run) -> None:
+    two = ["--over", "gas.intake_pressure=0.3..1 bar/3", "--over", "gas.gamma=1.25..1.35/3"]
+    assert "the fuel cannot burn" in " ".join(run(*STARVED, *two).out.split())
+    rich = [*STARVED, "--over", "gas.intake_pressure=0.8..1 bar/3"]
+    assert "cannot burn" not in run(*rich).out
+    assert json.loads(run(*rich, "--json").out)["doubts"] == []
+
+
+def test_a_value_that_every_operating_point_has_of_its_own_cannot_be_set(run: Run) -> None:
+    said = "give gas.point[1].intake_pressure, gas.point[2].intake_pressure"
+    for words in (
+        ["torque", "audi-25-tfsi", "--set", "gas.intake_pressure=1 bar"],
+        ["sweep", "audi-25-tfsi", "--over", "gas.intake_pressure=1..2 bar/3"],
+    ):
+        made = run(*words)
+        assert made.code == 2
+        assert said in " ".join(made.err.split())
+    with pytest.raises(EngineFileError, match="has no effect"):
+        crankstar.load("audi-25-tfsi", changes={"gas.intake_pressure": "1 bar"})
+    one = crankstar.load("audi-25-tfsi", changes={"gas.gamma": 1.32})  # no point has one
+    assert crankstar.cycle(one).values["gamma"] == 1.32
+    # the load of the table [gas] has all of its values
+    both = {"gas.imep": "9 bar", "gas.intake_pressure": "0.9 bar"}
+    assert crankstar.load("audi-25-tfsi", changes=both).gas is not None
