@@ -15,7 +15,7 @@ from tests.commands import Ran, Run, replaced
 from crankstar import cli
 
 WRITTEN = re.compile(
-    r"^(Wrote |Replaced |Estimated: |None of orders? |Not in the(?:se)? |--[a-z]+ changes nothing "
+    r"^(Wrote |Replaced |Estimated\b|None of orders? |Not in the(?:se)? |--[a-z]+ changes nothing "
     r"|The file gives no |Shapes are |Записан файл ).*\n|^.* rests on:\n(?:.+\n)*",
     re.MULTILINE,
 )

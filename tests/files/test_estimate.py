@@ -355,7 +355,7 @@ def test_nothing_estimated_is_written_without_its_mark(run: Run, form: str, verb
         heads = pyarrow.parquet.read_table(content).column_names
         assert any(head.endswith("_estimated") for head in heads)
     else:
-        assert "Estimated: " in content.read_text()
+        assert "Estimated as of type " in content.read_text()
         assert "(estimated)" in content.read_text()
 
 

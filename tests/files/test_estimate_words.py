@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 from tests.commands import Run
 from tests.files.test_estimate_one_range import TWIN
 
+import crankstar
+from crankstar.engine.proportions import inferred, look_of
 from crankstar.language.kept import values_kept
 from crankstar.language.numbers import number
 from crankstar.tables.ranges import sentence, sentences
@@ -85,7 +89,8 @@ def test_an_exported_engine_is_said_to_be_estimated(run: Run, suffix: str) -> No
     Path("twin.toml").write_text(TWIN)
     told = run("export", "twin.toml", "--estimate", "-o", f"model.{suffix}").err
     assert re.match(
-        rf"Wrote model\.{suffix}\n(?:Shapes .*\n)?Estimated: cylinder\.rod_length, .*throw_mass\.",
+        rf"Wrote model\.{suffix}\n(?:Shapes .*\n)?"
+        r"Estimated as of type [a-z-]+: cylinder\.rod_length, .*throw_mass\.",
         told,
     )
     known = run("export", "bmw-r1200", "-o", f"known.{suffix}").err
@@ -102,3 +107,40 @@ def test_the_same_engine_from_a_spreadsheet_has_the_share_of_itself(run: Run) ->
     out = run("compare", "whole.toml", "whole.xlsx", "--orders", "4").out
     row = next(line for line in out.splitlines() if line.split()[:1] == ["4"])
     assert row.split()[-1] == "100"
+
+
+@pytest.mark.parametrize(
+    ("gas", "speed", "kind"),
+    [
+        ({}, None, "petrol"),
+        ({}, "4000 rpm", "diesel-car"),
+        ({"ignition": "spark"}, "4000 rpm", "petrol"),
+        ({"ignition": "compression"}, None, "diesel-car"),
+        ({"process": "diesel"}, "9000 rpm", "diesel-car"),
+        ({"friction": "diesel"}, "2200 rpm", "diesel"),
+        ({"compression_ratio": 18}, None, "diesel-car"),
+        ({"point": [{"name": "full", "speed": "9000 rpm", "imep": "12 bar"}]}, None, "motorcycle"),
+    ],
+)
+def test_estimate_and_record_know_one_type_of_engine_by_size_speed_and_ignition(
+    gas: dict[str, Any], speed: str | None, kind: str, run: Run
+) -> None:
+    tree: dict[str, Any] = {
+        "name": "four",
+        "firing_order": [1, 3, 4, 2],
+        "cylinder": {"bore": "85 mm", "stroke": "95 mm"},
+        "layout": {"type": "inline"},
+        "gas": {"imep": "9 bar", **gas},
+    }
+    if "point" in gas:
+        del tree["gas"]["imep"]
+    if speed is not None:
+        tree["speed"] = speed
+    Path("four.json").write_text(json.dumps(tree))
+    found = json.loads(run("estimate", "four.json", "--json").out)
+    assert found["type"] == kind
+    assert f"as of type {kind}" in run("analyze", "four.json", "--estimate").out
+    engine = crankstar.load("four.json")
+    look = look_of(engine, engine.gas)
+    assert look is not None
+    assert inferred(look)[0] == kind

@@ -110,7 +110,7 @@ def test_the_band_is_drawn_and_written(run: Callable[..., str]) -> None:
     ends = [float(row[f"amplitude{end}"]) for end in ("_low", "", "_high")]
     assert 0 < ends[0] < ends[1] < ends[2]
     text = run()
-    assert text.splitlines()[1].startswith("Estimated: ")
+    assert text.splitlines()[1].startswith("Estimated as of type ")
     assert "couple (estimated)" in text
     assert "Least couple: about " in text
     made = sweep("triumph-675", OVER, estimate=True)

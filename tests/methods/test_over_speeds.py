@@ -257,7 +257,7 @@ def test_the_ranges_of_an_estimated_engine_are_those_of_a_single_speed(
     for key in ("greatest", "greatest_low", "greatest_high"):
         assert over[key] == pytest.approx(single[key], rel=1e-9)
     out = run("analyze", *words).out
-    assert "Estimated: layout.bore_pitch" in " ".join(out.split())
+    assert "Estimated as of type petrol: layout.bore_pitch" in " ".join(out.split())
     row = re.search(r"^ 8000 .*?([\d.]+) \(([\d.]+) to ([\d.]+)\)$", out, re.MULTILINE)
     assert row is not None
     run("plot", words[0], "amplitudes", *words[1:], "-o", str(tmp_path / "a.json"))

@@ -17,11 +17,11 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import complain, write, write_bytes
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, passage
 from crankstar.options import values as request
 from crankstar.options.forms import form_of
 from crankstar.options.values import refusal
-from crankstar.tables.ranges import estimated_paths
+from crankstar.tables.ranges import estimated_paths, listed
 
 PROGRAMS = ("opentorsion", "ross")
 """For what twists."""
@@ -89,7 +89,5 @@ def _write_chain(
 
 
 def _tell_estimated(engine: Engine) -> None:
-    if paths := estimated_paths(engine):
-        complain(
-            _("Estimated: {paths}. The file has their typical values.", paths=", ".join(paths))
-        )
+    if estimated_paths(engine):
+        complain(passage((listed(engine), _("The file has their typical values."))))

@@ -166,3 +166,28 @@ class Gas(Load):
         max_length=GREATEST_POINTS,
         description="named loads, each with what differs in it",
     )
+
+
+SPARK_RATIO = 14.0
+"""Greatest compression ratio of an engine that is taken for one with spark ignition."""
+
+
+def said_ignition(gas: Gas | None) -> tuple[Ignition | None, bool]:
+    """How a file says that its engine ignites, and whether in words or by its compression ratio.
+
+    >>> said_ignition(Gas(process="diesel")), said_ignition(Gas(compression_ratio=10))
+    (('compression', True), ('spark', False))
+    >>> said_ignition(None), said_ignition(Gas(imep=1e6))
+    ((None, False), (None, False))
+    """
+    if gas is None:
+        return None, False
+    if gas.ignition is not None:
+        return gas.ignition, True
+    if gas.process in ("diesel", "limited-pressure") or gas.friction == "diesel":
+        return "compression", True
+    if gas.process == "otto" or gas.friction == "spark-ignition":
+        return "spark", True
+    if gas.compression_ratio is None:
+        return None, False
+    return ("compression" if gas.compression_ratio > SPARK_RATIO else "spark"), False

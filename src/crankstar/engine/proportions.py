@@ -24,6 +24,7 @@ from math import exp, log, pi
 from typing import NamedTuple
 
 from crankstar.engine.assembly import Assembly
+from crankstar.engine.gas import Gas, Ignition, said_ignition
 from crankstar.engine.weighed import ENGINES, EngineType, Weighed
 
 STEEL = 7850.0
@@ -189,10 +190,11 @@ class Look(NamedTuple):
     radial: bool = False
     opposed: bool = False
     speed: float | None = None
+    ignition: Ignition | None = None
 
 
-def look_of(engine: Assembly) -> Look | None:
-    """What of an engine tells its type; None where its size is not known."""
+def look_of(engine: Assembly, gas: Gas | None) -> Look | None:
+    """What of an engine and its gas tells its type; None where its size is not known."""
     if "radius" in engine.relative:
         return None
     first = engine.first
@@ -204,8 +206,17 @@ def look_of(engine: Assembly) -> Look | None:
         cylinders=len(engine.chambers),
         radial=any(cylinder.articulated for cylinder in engine.cylinders),
         opposed=len(engine.chambers) < len(engine.cylinders),
-        speed=engine.speed,
+        speed=fastest(engine, gas),
+        ignition=said_ignition(gas)[0],
     )
+
+
+def fastest(engine: Assembly, gas: Gas | None) -> float | None:
+    """The highest speed that a file has for its engine, rad/s."""
+    known = [engine.speed]
+    if gas is not None:
+        known += [gas.speed, *(point.speed for point in gas.points)]
+    return max((speed for speed in known if speed is not None), default=None)
 
 
 GREATEST_TRUNK = 0.65
@@ -231,7 +242,7 @@ def inferred(look: Look) -> tuple[EngineType, str]:
         look.cycle == "two-stroke" and look.stroke > SLOW * look.bore and look.bore > CAR
     ):
         return "crosshead", "long-stroke"
-    if look.opposed:
+    if look.opposed and look.ignition != "spark":
         return "diesel", "opposed"
     if look.radial:
         return "aero", "radial"
@@ -239,17 +250,19 @@ def inferred(look: Look) -> tuple[EngineType, str]:
         fast = (
             mean_speed is not None
             and mean_speed > (PISTON_SPEEDS["diesel"] + PISTON_SPEEDS["aero"]) / 2
+            and look.ignition != "compression"
         )
         return ("aero", "large-fast") if fast else ("diesel", "large")
+    slow = look.speed is not None and look.speed < SLOW_CAR
+    heavy = slow and mean_speed is not None and mean_speed < PISTON_SPEEDS["diesel"]
+    if look.ignition == "compression":
+        return "diesel" if heavy or look.cycle == "two-stroke" else "diesel-car", "compression"
     if look.cycle == "two-stroke":
         return "motorcycle", "small-two-stroke"
     if look.speed is not None and look.speed > HIGH_SPEED:
         return "motorcycle", "high-speed"
-    slow = look.speed is not None and look.speed < SLOW_CAR
     if look.cylinders <= 2 and (mean_speed is None or mean_speed > PISTON_SPEEDS["petrol"]):
         return "motorcycle", "few-cylinders"
-    if slow and mean_speed is not None and mean_speed < PISTON_SPEEDS["diesel"]:
-        return "diesel", "slow"
-    if slow:
-        return "diesel-car", "slow"
-    return "petrol", "car"
+    if slow and look.ignition != "spark":
+        return ("diesel" if heavy else "diesel-car"), "slow"
+    return "petrol", "spark" if slow else "car"

@@ -13,11 +13,13 @@ from typing import Any, NamedTuple
 
 from crankstar.engine.block import inertia_in_box
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import said_ignition
 from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.proportions import (
     TWO_MASSES,
     Look,
     Proportion,
+    fastest,
     inferred,
     piston_speed,
     proportion,
@@ -93,7 +95,8 @@ def estimated(
         cylinders=chambers,
         radial=any(c.articulated for c in laid_out.cylinders) or _kind_of(tree) == "radial",
         opposed=opposed,
-        speed=laid_out.speed,
+        speed=fastest(laid_out, laid_out.gas),
+        ignition=said_ignition(laid_out.gas)[0],
     )
     reason = ""
     if kind is None:

@@ -25,13 +25,11 @@ from math import pi, radians
 from typing import Any, NamedTuple
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.gas import LOADS, Gas, Ignition, Load, Process
+from crankstar.engine.gas import LOADS, Gas, Ignition, Load, Process, said_ignition
 from crankstar.language.messages import MessageError
 
 CRANKCASE = 101_325.0
 """Pa: the standard atmosphere behind the pistons."""
-SPARK_RATIO = 14.0
-"""Greatest compression ratio of an engine that is taken for one with spark ignition."""
 SPARK_BORE = 0.18
 """Greatest bore, m, of an engine that is taken for one with spark ignition."""
 SCAVENGING = 1.1
@@ -294,14 +292,9 @@ def ignition(engine: Engine, gas: Gas) -> tuple[Ignition, bool]:
     >>> ignition(load("audi-25-tfsi"), Gas()), ignition(load("man-s90mc-c"), Gas())
     (('spark', False), ('compression', False))
     """
-    if gas.ignition is not None:
-        return gas.ignition, True
-    if gas.process in ("diesel", "limited-pressure") or gas.friction == "diesel":
-        return "compression", True
-    if gas.process == "otto" or gas.friction == "spark-ignition":
-        return "spark", True
-    if gas.compression_ratio is not None:
-        return ("compression" if gas.compression_ratio > SPARK_RATIO else "spark"), False
+    said, told = said_ignition(gas)
+    if said is not None:
+        return said, told
     large = (engine.first.bore or 0.0) > SPARK_BORE and "radius" not in engine.relative
     facing = len(engine.chambers) < len(engine.cylinders)  # pistons that face each other
     return ("compression" if large or facing else "spark"), False

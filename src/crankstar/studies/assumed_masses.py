@@ -21,7 +21,6 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.proportions import Look, Proportion, inferred, look_of, proportion
 from crankstar.engine.weighed import EngineType
 from crankstar.language.messages import N_
-from crankstar.mechanics.operating_points import ignition
 from crankstar.remedy.fitting import quiet_cranks
 
 ROD_WIDTH = 0.3
@@ -48,8 +47,8 @@ def masses(engine: Engine, *, fitted: bool = False) -> Iterator[Assumption]:
 
     Weights that were `fitted` to the engine as it is balance no crankpins that it lacks.
     """
-    look = look_of(engine)
-    kind = None if look is None else _kind(engine, look)
+    look = look_of(engine, engine.gas)
+    kind = None if look is None else inferred(look)[0]
     yield from _rods(engine, kind)
     yield from _turning(engine, kind, look, fitted=fitted)
     yield from _beside(engine)
@@ -77,22 +76,6 @@ def _beside(engine: Engine) -> Iterator[Assumption]:
         N_("two rods on one crankpin stand at the same place, as only fork-and-blade rods do"),
         None, "mm", -1e3 * width, 1e3 * width, vary=with_rods_apart,
     )  # fmt: skip
-
-
-def _kind(engine: Engine, look: Look) -> EngineType:
-    """The type by size, by the highest speed that the file knows, and by how it ignites."""
-    gas = engine.gas
-    known = [look.speed] if gas is None else [look.speed, gas.speed, *(p.speed for p in gas.points)]
-    fastest = max((speed for speed in known if speed is not None), default=None)
-    kind = inferred(look._replace(speed=fastest))[0]
-    if gas is None:
-        return kind
-    fires, told = ignition(engine, gas)
-    if not told and gas.compression_ratio is None:
-        return kind
-    if fires == "spark" and kind in ("diesel", "diesel-car"):
-        return "petrol"
-    return "diesel-car" if fires == "compression" and kind == "petrol" else kind
 
 
 def _weights(engine: Engine) -> Assumption:

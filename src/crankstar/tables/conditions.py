@@ -108,7 +108,7 @@ def can_be_estimated(engine: Engine) -> bool:
     """
     several = len({cylinder.z for cylinder in engine.cylinders}) > 1
     missing = {"mass", *(("pitch",) if several else ())} & {*engine.relative}
-    look = look_of(engine)
+    look = look_of(engine, engine.gas)
     return look is not None and bool(missing) and inferred(look)[0] != "crosshead"
 
 

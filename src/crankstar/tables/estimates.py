@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from crankstar.analysis.document import Column, Document, Remarks, Table, remarks
 from crankstar.engine.engine import Engine
 from crankstar.files import units
-from crankstar.language.messages import N_, _
-from crankstar.tables.ranges import estimated_paths
+from crankstar.language.messages import N_, _, passage
+from crankstar.tables.ranges import estimated_paths, listed
 
 if TYPE_CHECKING:
     from crankstar.files.estimate import Estimate
@@ -33,6 +33,8 @@ REASONS = {
     "high-speed": N_("a speed above that of road cars"),
     "few-cylinders": N_("few cylinders at a high or unknown speed"),
     "slow": N_("a low rated speed"),
+    "compression": N_("compression ignition"),
+    "spark": N_("spark ignition"),
     "car": N_("bore and speed as in petrol cars"),
 }
 """What tells the type of an engine."""
@@ -41,11 +43,8 @@ REASONS = {
 def typical_remarks(engine: Engine) -> tuple[Remarks, ...]:
     """What is estimated, where results are for typical values alone; none where nothing is."""
     paths = estimated_paths(engine)
-    line = _(
-        "Estimated: {paths}. Results are for these typical values, without ranges.",
-        paths=", ".join(paths),
-    )
-    return remarks(line if paths else "", kind="doubt")
+    line = _("Results are for these typical values, without ranges.")
+    return remarks(passage((listed(engine), line)) if paths else "", kind="doubt")
 
 
 def estimate_document(estimate: Estimate, *, name: str) -> Document:

@@ -44,6 +44,8 @@ LINEAR = 1e-6
 """Share of the greatest by which the middle may lie below the mean of the corners."""
 _CLAUSE = re.compile(r"\S.*?(?:[.;](?=\s|$)|。|$)", re.DOTALL)
 """A part of a text that ends with a full stop or a semicolon."""
+_TYPE = re.compile(r"engines of type ([a-z-]+)")
+"""How the source of an estimated value names the type."""
 _PHRASE = re.compile(r"\S.*?(?:[,.;](?=\s|$)|。|$)", re.DOTALL)
 """A part of a text that ends with any of these or a comma."""
 
@@ -56,11 +58,22 @@ def estimated_paths(engine: Engine) -> list[str]:
 def doubt(*engines: Engine) -> tuple[Remarks, ...]:
     """What is estimated, in a sentence before everything else; none where nothing is."""
     paths = dict.fromkeys(path for engine in engines for path in estimated_paths(engine))
-    line = _(
-        "Estimated: {paths}. What rests on them is marked and given with its range.",
-        paths=", ".join(paths),
-    )
-    return remarks(line if paths else "", kind="doubt")
+    line = _("What rests on them is marked and given with its range.")
+    return remarks(passage((listed(*engines), line)) if paths else "", kind="doubt")
+
+
+def listed(*engines: Engine) -> str:
+    """The estimated values, and the type of engine that they are usual for."""
+    paths = ", ".join(dict.fromkeys(path for each in engines for path in estimated_paths(each)))
+    kinds = {
+        found[1]: None
+        for engine in engines
+        for path in estimated_paths(engine)
+        if (found := _TYPE.search(engine.provenance[path].source or ""))
+    }
+    if not kinds:
+        return _("Estimated: {paths}.", paths=paths)
+    return _("Estimated as of type {types}: {paths}.", types=", ".join(kinds), paths=paths)
 
 
 def facts(*engines: Engine) -> dict[str, Any]:
