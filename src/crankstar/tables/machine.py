@@ -152,6 +152,8 @@ def _single(column: Column, value: Value) -> list[Any]:
 def _short(value: Any) -> str:
     if isinstance(value, tuple):
         return "-".join(map(_short, value))
+    if value is None:
+        return "-"
     return f"{value + 0.0:.10g}" if isinstance(value, float) else str(value)
 
 

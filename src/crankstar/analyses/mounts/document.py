@@ -18,7 +18,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.rigid_block import FREEDOMS
 from crankstar.language.messages import _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.mass_doubts import body_doubts
 from crankstar.spectra import Complex
@@ -94,6 +94,8 @@ def _mount_table(found: MountAnalysis) -> Table:
         Column(_("loss factor"), key="loss_factor"),
         Column(_("load at rest"), "N", key="load"),
     )
+    borne = np.linalg.norm(found.loads, axis=-1)
+    borne = np.where(borne > NEGLIGIBLE * borne.max(initial=0.0), borne, 0.0)
     rows = tuple(
         (
             each.name,
@@ -102,9 +104,9 @@ def _mount_table(found: MountAnalysis) -> Table:
             each.z * MM,
             tuple(value / MM for value in each.along),
             each.loss,
-            float(np.linalg.norm(load)),
+            float(load),
         )
-        for each, load in zip(found.block.mounts, found.loads, strict=True)
+        for each, load in zip(found.block.mounts, borne, strict=True)
     )
     title = _("Mounts") if found.block.freedoms == SIX else _("Mounts, and those of the foundation")
     level = _("At rest gravity acts against up, the crankshaft being level.")
@@ -114,6 +116,7 @@ def _mount_table(found: MountAnalysis) -> Table:
 def _mode_table(found: MountAnalysis) -> Table:
     """Natural frequencies, with the share of each freedom in the kinetic energy."""
     based = found.block.freedoms > SIX
+    freedoms = (*FREEDOMS, *(f"foundation_{name}" for name in FREEDOMS * based))
     columns = (
         Column(_("mode"), key="mode", label=True),
         Column(_("frequency"), "Hz", key="frequency_hz", fixed=True),
@@ -121,8 +124,8 @@ def _mode_table(found: MountAnalysis) -> Table:
         Column(_("damping ratio"), key="damping_ratio", digits=3),
         *(Column(_(FREEDOM_NAMES[name]), "%", digits=3, fixed=True) for name in FREEDOMS),
         *([Column(_("foundation"), "%", digits=3, fixed=True)] if based else []),
-        Column("", kind="list", key="shape", machine=True),
-        Column("", kind="list", key="energy", machine=True),
+        Column("", kind="list", key="shape", machine=True, names=freedoms),
+        Column("", kind="list", key="energy", machine=True, names=freedoms),
     )
     rows: list[tuple[Value, ...]] = []
     for index, mode in enumerate(found.modes):
@@ -157,7 +160,7 @@ def _axis_table(found: MountAnalysis) -> Table:
         Column(_("right"), "mm", key="right"),
         Column(_("along"), "mm", key="z"),
         Column(_("from the crankshaft"), "deg", key="angle_deg"),
-        Column("", kind="list", key="direction", machine=True),
+        Column("", kind="list", key="direction", machine=True, names=("up", "right", "z")),
         Column(_("advance"), "mm/rad", key="advance"),
     )
 

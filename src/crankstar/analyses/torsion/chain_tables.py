@@ -104,7 +104,7 @@ def mode_table(chain: TorsionChain, modes: Sequence[Mode]) -> Table:
         Column(_("frequency"), "Hz", key="frequency_hz", fixed=True, digits=6),
         Column(_("per minute"), "1/min", fixed=True, digits=6),
         Column(_("nodes"), kind="text", wraps=True),
-        Column("", kind="list", key="shape", machine=True),
+        Column("", kind="list", key="shape", machine=True, names=tuple(chain.names)),
         Column("", kind="list", key="nodes", machine=True),
     )
     rows: list[tuple[Value, ...]] = [

@@ -151,14 +151,17 @@ def _critical_tables(found: TorsionAnalysis) -> tuple[Table, ...]:
 def _over_speeds(found: TorsionAnalysis, own: Response) -> Table:
     """The whole response for machines, speed by speed; lists go over the shafts."""
     stress, added = stresses(own)
+    names = tuple(map(found.chain.section_name, range(len(found.chain.sections))))
     columns = (
         Column(_("speed"), "rpm", key="speed_rpm"),
         Column(_("free end"), "deg", key="free_end_deg"),
-        Column(_("torque"), "N*m", kind="list", key="torque"),
-        Column(_("sum of amplitudes"), "N*m", kind="list", key="torque_sum"),
-        Column(_("shear stress"), "MPa", kind="list", key="stress", fixed=True),
-        Column(_("sum of amplitudes"), "MPa", kind="list", key="stress_sum", fixed=True),
-        Column(_("heat"), "W", kind="list", key="heat", fixed=True),
+        Column(_("torque"), "N*m", kind="list", key="torque", names=names),
+        Column(_("sum of amplitudes"), "N*m", kind="list", key="torque_sum", names=names),
+        Column(_("shear stress"), "MPa", kind="list", key="stress", fixed=True, names=names),
+        Column(
+            _("sum of amplitudes"), "MPa", kind="list", key="stress_sum", fixed=True, names=names
+        ),
+        Column(_("heat"), "W", kind="list", key="heat", fixed=True, names=names),
     )
     turns, peak, sums, heat = own.peak_turn(found.free_end), own.peak, own.added, own.heat
     rows = [
