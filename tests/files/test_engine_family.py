@@ -294,3 +294,37 @@ def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
     told = run("guide", written(tmp_path), *words).err
     assert [option for option in [*wrong][1:] if option not in told] == []
     assert "--numbers:" not in told
+
+
+def test_a_rotating_mass_that_the_engine_cancels_is_missing_from_its_family(run: Run) -> None:
+    """A six cancels what it lacks; the five of the same cylinders shows it."""
+    tree = json.loads(json.dumps(SIX))
+    Path("six.json").write_text(json.dumps(tree))
+    rests = json.loads(run("guide", "six.json", "--numbers", "5,6", "--json").out)["rests_on"]
+    [rest] = [each for each in rests if each["path"] == "cylinder.rotating_mass"]
+    assert (rest["moves"]["quantity"], rest["moves"]["order"]) == ("couple", 1)
+    low, high = rest["low"], rest["high"]
+    now = engine_family(crankstar.load("six.json"), numbers=[5])[0]
+    assert now.found is not None
+    assert rest["moves"]["now"] == pytest.approx(now.found.after.moment(1), rel=1e-9)
+    assert 0 < low < high
+    tree["cylinder"]["rotating_mass"] = "2000 kg"
+    Path("full.json").write_text(json.dumps(tree))
+    rests = json.loads(run("guide", "full.json", "--numbers", "5,6", "--json").out)["rests_on"]
+    assert not [each for each in rests if each["path"] == "cylinder.rotating_mass"]
+
+
+SIX: dict[str, Any] = {
+    "name": "six",
+    "cycle": "two-stroke",
+    "speed": "100 rpm",
+    "firing_order": [1, 5, 3, 4, 2, 6],
+    "cylinder": {
+        "bore": "500 mm",
+        "stroke": "2000 mm",
+        "rod_length": "2000 mm",
+        "reciprocating_mass": "3000 kg",
+    },
+    "layout": {"type": "inline", "bore_pitch": "900 mm"},
+    "gas": {"imep": "19 bar", "ignition": "compression"},
+}

@@ -323,6 +323,7 @@ def test_a_factor_in_percent_without_its_sign_says_how_it_is_written(
         (("drill", "--unbalance", "5 g*mm", *HOLE, "--greatest-depth", "90 mm"), "crank axis"),
         (("drill", "--unbalance", "1 kg*m", *HOLE), "more than holes of 12.7 mm"),
         (("drill", "--unbalance", "5 g*mm", *HOLE, "--slug", "7 g/cm^3"), "no heavier"),
+        (("drill", "--unbalance", "999 g*mm", *HOLE, "--slug", "7.9 g/cm^3"), "0.637 % denser"),
         (("drill", "--unbalance", "5 g*mm", *HOLE, "--slug", "lead"), "or tungsten"),
         (("drill", "--unbalance", "5 g*mm", *HOLE, "--density", "7.85"), "with a unit"),
         (("drill", "--unbalance", "5 g*mm", *HOLE, "--tip", "5 deg"), "from 30 to 180 deg"),

@@ -428,6 +428,8 @@ def test_the_same_seed_builds_the_same_engines() -> None:
 def test_what_cannot_be_scattered_is_refused() -> None:
     with pytest.raises(ScatterError, match="has no tolerances"):
         scatter("i4")
+    with pytest.raises(ScatterError, match=r"stand in its file.*assume="):
+        scatter(load("i4"))
     with pytest.raises(ScatterError, match="no force"):
         scatter("i4", changes={"speed": "6000 rpm +- 1 %"})
     for count in cast("list[Any]", [10, 1e5, True, "many", 10**9]):

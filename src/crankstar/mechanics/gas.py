@@ -34,6 +34,8 @@ from crankstar.mechanics.operating_points import (
 from crankstar.mechanics.roots import root
 from crankstar.spectra import Real
 
+LEAST_STEP = 1e5
+"""Pa: a heat per swept volume, up from which that of a load is sought."""
 SAMPLES = 3600
 """Samples of a cycle: a fifth of a degree of a four-stroke one."""
 
@@ -478,7 +480,8 @@ def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
     greatest = inf
     if values["process"] != "heat-release":
         greatest = ideal_cycles.greatest_heat(ideal_cycle(values))
-    low, high = 0.0, min(4 * wanted, greatest)
+    least = max(wanted, LEAST_STEP)
+    low, high = 0.0, min(4 * least, greatest)
     if found(low) >= wanted:
         raise GasError(
             "the load is {load} bar, and without any combustion it is {least} bar; give more, or "
@@ -487,7 +490,7 @@ def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
             least=f"{found(low) / 1e5:.4g}",
         )
     while found(high) < wanted:
-        if high >= greatest or high > 1e4 * wanted:
+        if high >= greatest or high > 1e4 * least:
             raise GasError(
                 "the load is {load} bar, and this cycle reaches {most} bar at most",
                 load=f"{wanted / 1e5:.4g}",

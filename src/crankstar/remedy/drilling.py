@@ -138,6 +138,17 @@ def holes(unbalance: float, drill: Drill) -> Holes:
             angles = tuple((place - (count - 1) / 2) * step for place in range(count))
             mass = count * mass_of_hole(depth, drill)
             return Holes(count, depth, depth + drill.cone, angles, mass)
+    if drill.slug is not None:
+        raise RemedyError(
+            "an unbalance of {needed} is more than slugs of {diameter}, side by side and {deepest} "
+            "long and {share} % denser than what they replace, can have ({greatest}); take a "
+            "denser metal, a larger diameter or radius, or more planes",
+            needed=quantity_text(unbalance, "kg*m", beside=greatest),
+            diameter=_length(drill.diameter),
+            deepest=_length(drill.deepest),
+            share=f"{100 * (drill.slug / drill.density - 1):.3g}",
+            greatest=quantity_text(max(greatest, 0.0), "kg*m", beside=unbalance),
+        )
     raise RemedyError(
         "an unbalance of {needed} is more than holes of {diameter}, side by side and {deepest} "
         "deep, can have ({greatest}); take a larger diameter or radius, or more planes",

@@ -147,7 +147,8 @@ def scatter(
 ) -> Scatter:
     """How far engines built to the tolerances of a file scatter; as `crankstar tolerance`.
 
-    `engine` is a name or a file, `changes` are values by key path, with tolerances as in a file.
+    `engine` is a name or a file, since an Engine has no tolerances; `changes` are values by key
+    path, with tolerances as in a file.
     In N and N m at `speed` (rad/s; "file": that of the file), without one in units of m r w^2.
     `assume`: "typical" takes published tolerances for masses that the file gives none for.
     `distribution`: "normal" with a standard deviation of a third of the bound, or "uniform".
@@ -164,6 +165,11 @@ def scatter(
     (43.5, 0.0)
     """
     source = source_of(engine, changes=changes, estimate=estimate)
+    if isinstance(engine, Engine) and assume is None and not tolerances_of(source.tree):
+        raise ScatterError(
+            "an Engine has no tolerances, which stand in its file: give the name or the path of "
+            'the file, or changes with tolerances, or assume="typical"'
+        )
     return scatter_of(
         source,
         speed=speed,

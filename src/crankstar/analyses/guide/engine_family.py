@@ -106,6 +106,25 @@ def engine_family(
     return tuple(replace(each, published=_source(each.order, published)) for each in members)
 
 
+def best_orders(
+    engine: Engine,
+    numbers: Sequence[int],
+    *,
+    options: SearchOptions | None = None,
+    drive: ChainDrive | None = None,
+    speed: float | None = None,
+) -> list[tuple[int, ...]]:
+    """The best firing order of each number of cylinders that has one. Raises as `engine_family`.
+
+    >>> from crankstar.files.catalog import load
+    >>> best_orders(load("man-s90mc-c"), [5, 7])
+    [(1, 4, 3, 2, 5), (1, 7, 2, 5, 4, 3, 6)]
+    """
+    plain = [with_cylinders(engine, range(1, count + 1), drive=drive) for count in numbers]
+    found = [_best(each, [], options, speed=speed) for each in plain]
+    return [tuple(each.firing_order) for each in found if each is not None]
+
+
 def _known(
     given: Sequence[Sequence[int]], published: Sequence[Published], count: int
 ) -> dict[tuple[int, ...], Chosen]:
