@@ -232,6 +232,8 @@ def test_a_block_is_heavier_than_its_pistons_and_rods() -> None:
             ["doubt.slender"],
         ),
         ({"block": BLOCK | dict.fromkeys(INERTIAS, "1e-3 kg*m^2")}, ["doubt.slender"]),
+        ({"block": BLOCK | {"mass": "38 kg"}}, ["doubt.block-mass"]),
+        ({"block": BLOCK | {"mass": "138 t"}}, ["doubt.block-mass", "doubt.slender"]),
     ],
 )
 def test_a_body_that_hardly_can_be_is_a_doubt(tables: dict[str, Any], found: list[str]) -> None:

@@ -23,6 +23,13 @@ CROSSHEAD_RADIUS = 0.5
 """m: of a crank whose piston has a crosshead in a two-stroke engine."""
 LEAST_STROKE, MOST_STROKE = 0.25, 8.0
 """Over the bore: racing engines have 0.4, the longest ship's engines 5."""
+LIGHTEST, HEAVIEST = 19.5e3, 2000e3
+"""Mass of an engine over its displacement, kg/m^3.
+
+Aircraft engines have 20 to 30 kg per litre (a flat four of 5.9 l 117 kg), racing engines of cars 30
+and more, a motorcycle with all of its frame 300, an old single for a pump 450. Our judgement, from
+weights that makers publish.
+"""
 LEAST_SHARE = 0.01
 """Of a body's mass, as if at the farthest of its mounts: the frame that reaches there has more."""
 
@@ -120,6 +127,8 @@ def body_doubts(engine: Engine) -> Iterator[Fault]:
     through its centre is m_h h^2 at least, m_h the part of its mass out there.
     """
     block, below = engine.block, engine.foundation
+    if block is not None and block.mass:
+        yield from _weight(engine, block.mass)
     if block is not None and block.mass and block.inertia is not None and engine.mounts:
         middle = default_reference(engine).z if block.z is None else block.z
         places = [(mount.up, mount.right, mount.z) for mount in engine.mounts]
@@ -134,6 +143,25 @@ def body_doubts(engine: Engine) -> Iterator[Fault]:
     places = [(mount.up, mount.right, mount.z) for mount in (*engine.mounts, *below.mounts)]
     centre = (below.up, below.right, below.z)
     yield from _slender("foundation", below.mass, below.inertia, centre, places)
+
+
+def _weight(engine: Engine, mass: float) -> Iterator[Fault]:
+    """An engine that is far lighter, or heavier, for its displacement than any other."""
+    if {"mass", "radius"} & {*engine.relative}:
+        return
+    bores = [(cylinder.bore, engine.throw(cylinder).radius) for cylinder in engine.cylinders]
+    if not all(bore for bore, _radius in bores):
+        return
+    volume = sum(pi / 4 * (bore or 0.0) ** 2 * 2 * radius for bore, radius in bores)
+    if not LIGHTEST <= mass / volume <= HEAVIEST:
+        values = {
+            "value": mass,
+            "litres": float(f"{1e3 * volume:.3g}"),
+            "share": float(f"{1e-3 * mass / volume:.3g}"),
+            "low": LIGHTEST * 1e-3,
+            "high": HEAVIEST * 1e-3,
+        }
+        yield Fault(("block", "mass"), "doubt.block-mass", values)
 
 
 def _slender(
