@@ -75,7 +75,7 @@ class Assumption:
     `explained` says that it stands also where no figure does, as it says what to do; `named` that
     it is one of two choices, tried at the `other` in `values`, without a range; `sentence` is one
     on all of its kind, with their {paths}, instead of that of their status; `figures` are computed
-    of the changed engine where those of the answer leave out what changes.
+    of the changed engine where those of the answer leave out what changes, others stay as they are.
     """
 
     status: Status
@@ -164,10 +164,11 @@ def _moved(
     trial = each.low is None or each.high is None
     ends = (1 - TRIAL, 1 + TRIAL) if trial else (float(each.low or 0), float(each.high or 0))
     value = 0.0 if each.value is None else each.value
+    own = each.figures
     try:
         tried = Tried(
             at=partial(each.vary, engine),
-            figures=each.figures or answer.figures,
+            figures=answer.figures if own is None else lambda varied: {**now, **own(varied)},
             now=now,
             ends=ends,
             value=1.0 if trial else value if isinstance(value, float) else None,

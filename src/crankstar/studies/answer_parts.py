@@ -107,6 +107,7 @@ def joined(parts: Sequence[Answer]) -> Answer:
         without_reaction=next(
             (part.without_reaction for part in parts if part.without_reaction is not None), None
         ),
+        choices=[*{each.path: each for part in parts for each in reversed(part.choices)}.values()],
         tunings=[each for part in parts for each in part.tunings],
     )
 

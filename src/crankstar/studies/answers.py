@@ -14,7 +14,7 @@ frequencies. `rests_on` varies what the file lacks and says which figure of them
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -27,7 +27,9 @@ from crankstar import spectra
 from crankstar.analysis.assumptions import Answer, Assumption, moved
 from crankstar.analysis.registry import analyses
 from crankstar.analysis.tried_values import Figure, Figures
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
+from crankstar.engine.proportions import inferred, look_of, piston_speed
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
@@ -146,7 +148,8 @@ def compared(
     if not speed_assumed or speed is None or speed == engine.speed:
         return answer
     rpm = float(f"{speed * 30 / pi:.12g}")
-    return replace(answer, choices=[Assumption("assumed", "speed", ONE_SPEED, rpm, "rpm")])
+    chosen = Assumption("assumed", "speed", ONE_SPEED, rpm, "rpm")
+    return replace(answer, choices=[*answer.choices, chosen])
 
 
 def summary(engine: Engine, *, speed: float | None = None) -> Answer:
@@ -218,6 +221,7 @@ def outlook(
         gas=found,
         without_reaction=found,
         least=lambda each: _pushed(each, speed, reference),
+        choices=[*_without_inertia(engine, found, figures)],
     )
 
 
@@ -266,7 +270,38 @@ def torques(
         uses=("inertia", "gas", *(("running",) if running and flywheel is None else ())),
         gas=found,
         without_reaction=None if sums else found,
+        choices=[] if found is None else [*_without_inertia(engine, found, figures)],
     )
+
+
+def _without_inertia(
+    engine: Engine, found: Cycle, figures: Callable[[Engine], Figures]
+) -> Iterator[Assumption]:
+    """What a file lacks for the inertia in its torques and rolling moments: masses, a speed."""
+
+    def rolls(each: Engine) -> Figures:
+        again = figures(each).items()
+        return {key: size for key, size in again if key[0] == "roll"}
+
+    if {"mass", "radius"} & {*engine.relative}:
+        yield Assumption(
+            "left out", "cylinder.reciprocating_mass", N_("the torque of inertia needs it"),
+            explained=True,
+        )  # fmt: skip
+    elif found.speed is None:
+        look = look_of(engine, engine.gas)
+        if look is None:
+            return
+        slow, _usual, fast = piston_speed(inferred(look)[0])
+        low, high = (30 * own / look.stroke for own in (slow, fast))  # mean speed 2 S n
+        yield Assumption(
+            "missing", "speed", N_("no speed in the file, so that all of it is gas alone"),
+            None, "rpm", low, high, vary=_with_speed, figures=rolls,
+        )  # fmt: skip
+
+
+def _with_speed(engine: Engine, rpm: float) -> Engine:
+    return with_values(engine, speed=rpm * pi / 30)
 
 
 def _evenness(

@@ -32,7 +32,7 @@ from crankstar.tables.gas_words import (
 )
 from crankstar.tables.headings import heading
 from crankstar.tables.meshes import mesh_table
-from crankstar.tables.torque_orders import Orders, by_order, order_tables
+from crankstar.tables.torque_orders import by_order, order_tables
 from crankstar.tables.torque_parts import (
     changes_table,
     side_thrust_tables,
@@ -117,7 +117,7 @@ def torque_document(
     gears = mesh_table(engine, cycle, running=running)
     more = [] if gears is None else [gears]
     more += side_thrust_tables(engine, cycle)
-    told = [*_other_points(engine, cycle), *notes(engine, cycle), *_provisos(waves)]
+    told = [*_other_points(engine, cycle), *notes(engine, cycle), _proviso()]
     pairs = [] if wheel is None else [wheel_table(wheel)]
     if running is not None:
         pairs = [running_table(running), *pairs]
@@ -360,18 +360,10 @@ def _pressure_lines(engine: Engine, cycle: Cycle) -> list[str]:
     return lines
 
 
-def _provisos(waves: Orders) -> list[str]:
-    """What is not in the torque, and what the rolling moment is."""
-    lines: list[str] = []
-    if waves.inertia is None:
-        lines.append(
-            _("Without a speed or without masses there is no inertia torque: this is gas alone.")
-        )
-    lines.append(
-        _(
-            "The block rolls by the reaction to all of the alternating torque, wherever the load "
-            "stands. Only the mean torque stays inside where the load, such as a generator, stands "
-            "on the same frame. Gas makes no force and no couple."
-        )
+def _proviso() -> str:
+    """What the rolling moment is."""
+    return _(
+        "The block rolls by the reaction to all of the alternating torque, wherever the load "
+        "stands. Only the mean torque stays inside where the load, such as a generator, stands "
+        "on the same frame. Gas makes no force and no couple."
     )
-    return lines

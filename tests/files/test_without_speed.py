@@ -1,0 +1,55 @@
+"""A torque without a speed is that of gas alone: the record says so first, and how much it is."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.commands import Run
+
+import crankstar
+from crankstar import spectra
+from crankstar.mechanics.gas import cycle
+from crankstar.studies.gas_results import roll_of
+
+FOUR: dict[str, Any] = {
+    "name": "four",
+    "firing_order": [1, 3, 4, 2],
+    "cylinder": {
+        "bore": "86 mm",
+        "stroke": "86 mm",
+        "rod_length": "146 mm",
+        "reciprocating_mass": "500 g",
+        "rotating_mass": "500 g",
+    },
+    "layout": {"type": "inline", "bore_pitch": "94 mm"},
+    "gas": {"imep": "9 bar"},
+}
+
+
+def roll(rpm: float) -> float:
+    engine = crankstar.load("four.json", changes={"speed": f"{rpm} rpm"})
+    own = spectra.selected(roll_of(engine, cycle(engine)), [2.0])
+    return float(np.abs(spectra.amplitude(own))[0])
+
+
+@pytest.mark.parametrize("verb", ["torque", "genset", "verdict"])
+def test_a_missing_speed_says_what_inertia_would_change(verb: str, run: Run) -> None:
+    Path("four.json").write_text(json.dumps(FOUR))
+    rests = json.loads(run(verb, "four.json", "--json").out)["rests_on"]
+    first = rests[0]
+    assert (first["status"], first["path"], first["unit"]) == ("missing", "speed", "rpm")
+    assert (first["moves"]["quantity"], first["moves"]["order"]) == ("roll", 2)
+    ends = [roll(first[end]) for end in ("low", "high")]
+    assert first["moves"]["low"] <= min(ends) * (1 + 1e-9)
+    assert first["moves"]["high"] == pytest.approx(max(ends), rel=1e-9)
+
+
+def test_missing_masses_are_not_in_a_torque(run: Run) -> None:
+    tree = json.loads(json.dumps(FOUR))
+    del tree["cylinder"]["reciprocating_mass"], tree["cylinder"]["rotating_mass"]
+    Path("four.json").write_text(json.dumps(tree))
+    rests = json.loads(run("torque", "four.json", "--json").out)["rests_on"]
+    [rest] = [each for each in rests if each["path"] == "cylinder.reciprocating_mass"]
+    assert rest["status"] == "left out"
