@@ -253,19 +253,7 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
                 low / factor, high / factor, vary=held(name, factor),
             )  # fmt: skip
         elif name in CHOICES and value in CHOICES[name]:
-            other = next(each for each in CHOICES[name] if each != value)
-            reason = N_("usual for such engines")
-            if name == "ignition":
-                reason = N_("as compression ratio or bore say")
-            elif _rubs_with_load(engine, own):
-                other, reason = (
-                    str(value),
-                    N_("counted with the load, as the file gives no friction"),
-                )
-            yield Assumption(
-                "assumed", path, reason, str(value), "", 1.0, 1.0, values=(("other", other),),
-                named=True, vary=with_gas_choice(name, other, ignition=own.values["ignition"]),
-            )  # fmt: skip
+            yield _choice(engine, own, name, str(value))
         else:
             yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
     if own.values.get("process") == "heat-release" and (own.values["charges"] or not measured):
@@ -273,6 +261,20 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             each if measured else replace(each, vary=_held(own, each.vary))
             for each in valves(engine)
         )
+
+
+def _choice(engine: Engine, own: Cycle, name: str, value: str) -> Assumption:
+    """What is assumed without a number: one of two, or a friction that counts with the load."""
+    other = next(each for each in CHOICES[name] if each != value)
+    reason = N_("usual for such engines")
+    if name == "ignition":
+        reason = N_("as compression ratio or bore say")
+    elif _rubs_with_load(engine, own):
+        other, reason = value, N_("counted with the load, as the file gives no friction")
+    return Assumption(
+        "assumed", f"gas.{name}", reason, value, "", 1.0, 1.0, values=(("other", other),),
+        named=True, vary=with_gas_choice(name, other, ignition=own.values["ignition"]),
+    )  # fmt: skip
 
 
 def _rubs_with_load(engine: Engine, own: Cycle) -> bool:
