@@ -90,7 +90,7 @@ def overruling(tree: Tree, keys: Sequence[str | int]) -> list[str]:
     >>> overruling({"gas": {**gas, "imep": None}}, ["gas", "gamma"])
     ['gas.point[1].gamma']
     """
-    gas = tree.get("gas")
+    gas: Any = tree.get("gas")
     points = gas.get("point") if isinstance(gas, dict) else None
     if len(keys) != 2 or keys[0] != "gas" or not isinstance(points, list) or not points:
         return []
