@@ -35,12 +35,15 @@ class Judged:
         if told.quantity == "couple":  # a place is rounded as it is read, however small the force
             arms = max(abs(z - result.reference.z) for z in places(engine)) / engine.pitch
             most = max(most, arms)
+        # a motion that is sampled, known to rounding, has k^2 times that of acceleration
+        sampled = any(cylinder.articulated for cylinder in engine.cylinders)
+        sharper = max(1.0, float(told.order) ** 2 / 4) if sampled else 1.0
         return cls(
             engine,
             told,
             forward,
             backward,
-            1e-12 * largest + 1e-14 * len(result.parts) * max(most, 1.0),
+            1e-12 * largest + 1e-14 * len(result.parts) * max(most, 1.0) * sharper,
         )
 
     def vector(self, kind: str, rows: tuple[int, ...]) -> complex:

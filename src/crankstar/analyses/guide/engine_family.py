@@ -118,7 +118,7 @@ def best_orders(
 
     >>> from crankstar.files.catalog import load
     >>> best_orders(load("man-s90mc-c"), [5, 7])
-    [(1, 4, 3, 2, 5), (1, 7, 2, 5, 4, 3, 6)]
+    [(1, 5, 2, 3, 4), (1, 7, 2, 5, 4, 3, 6)]
     """
     plain = [with_cylinders(engine, range(1, count + 1), drive=drive) for count in numbers]
     found = [_best(each, [], options, speed=speed) for each in plain]
