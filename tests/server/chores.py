@@ -11,6 +11,7 @@ from typing import Any
 from crankstar.language.messages import _
 from crankstar.server import search_process
 from crankstar.server.refusal import refused
+from crankstar.stars.progress import Progress, note
 
 
 def say(pipe: Connection) -> None:
@@ -61,6 +62,19 @@ def compile_for_ever(pipe: Connection, asked: dict[str, Any]) -> None:
         threading.Event().wait()
 
     setattr(Dispatcher, "compile", compiling)  # noqa: B010 - of another signature
+    search_process.work(pipe, asked)
+
+
+def search_until_stopped(pipe: Connection, asked: dict[str, Any]) -> None:
+    """A search that says how far it is, and goes on only once it is stopped."""
+
+    class Held(search_process._Reporter):
+        def progress(self, now: Progress) -> None:
+            pipe.send(search_process.Progressed(now.done, now.blocks, note(now)))
+            self.stopping.wait()
+            super().progress(now)
+
+    search_process._Reporter = Held
     search_process.work(pipe, asked)
 
 

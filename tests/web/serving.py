@@ -12,6 +12,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
@@ -26,6 +27,14 @@ from crankstar.__main__ import main
 main()
 """
 """The command, with as much patience with its workers as tests have with it."""
+HELD = f"""
+import sys
+sys.path.insert(0, {str(Path(__file__).parents[2])!r})
+from crankstar.server import search_process
+from tests.server import chores
+search_process.work = chores.search_until_stopped
+"""
+"""Before it: searches find the first, then wait until they are stopped."""
 
 
 class Answer(NamedTuple):
@@ -84,19 +93,21 @@ class Server:
         return code, "".join(self.said)
 
 
-def command(*arguments: str) -> list[str]:
+def command(*arguments: str, held: bool = False) -> list[str]:
     """The command line of a server at a free port."""
-    return [sys.executable, "-c", START, "serve", *arguments, "--port", "0"]
+    start = HELD + START if held else START
+    return [sys.executable, "-c", start, "serve", *arguments, "--port", "0"]
 
 
 @contextmanager
-def serving(*arguments: str, alone: bool = False) -> Iterator[Server]:
+def serving(*arguments: str, alone: bool = False, held: bool = False) -> Iterator[Server]:
     """A server started with these command-line arguments; it is always ended.
 
     `alone`: it leads a group of processes of its own, as one that was started in a terminal.
+    `held`: its searches end only when they are stopped.
     """
     process = subprocess.Popen(
-        command(*arguments), stderr=subprocess.PIPE, text=True, start_new_session=alone
+        command(*arguments, held=held), stderr=subprocess.PIPE, text=True, start_new_session=alone
     )
     assert process.stderr is not None
     said: list[str] = []

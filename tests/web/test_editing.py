@@ -6,6 +6,7 @@ import json
 import re
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Literal
 
@@ -13,7 +14,7 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 from tests.web.browsing import HANG, barriers, drag, release, too_wide, watched
 from tests.web.engine_page import CARD, COUNTED
-from tests.web.serving import Server
+from tests.web.serving import Server, serving
 
 from crankstar import files
 
@@ -29,6 +30,22 @@ WIDTHS = (400, 900, 1600)
 @pytest.fixture
 def editing(browser: Browser, server: Server) -> Iterator[Page]:
     """The page of the shared server with the editor open, the engine at rest, no complaints."""
+    with edited(browser, server) as page:
+        yield page
+
+
+@pytest.fixture
+def held_search(browser: Browser) -> Iterator[Page]:
+    """The dialog of the search of seven cylinders, on a server whose searches end when stopped."""
+    with serving(held=True) as server, edited(browser, server) as page:
+        page.get_by_role("button", name="Find a better crank").click()
+        dialog = page.get_by_role("dialog")
+        dialog.get_by_role("spinbutton", name="Number of cylinders").fill("7")
+        yield page
+
+
+@contextmanager
+def edited(browser: Browser, server: Server) -> Iterator[Page]:
     complaints: list[str] = []
     with watched(browser, complaints, width=1000, height=700) as page:
         opened(page, server)
@@ -388,10 +405,8 @@ def test_a_row_of_a_search_becomes_the_engine(editing: Page) -> None:
 
 
 @pytest.mark.release
-def test_a_search_is_cancelled(editing: Page) -> None:
-    editing.get_by_role("button", name="Find a better crank").click()
-    dialog = editing.get_by_role("dialog")
-    dialog.get_by_role("spinbutton", name="Number of cylinders").fill("15")
+def test_a_search_is_cancelled(held_search: Page) -> None:
+    dialog = held_search.get_by_role("dialog")
     dialog.get_by_role("button", name="Search").click()
     dialog.get_by_role("progressbar").wait_for()
     dialog.get_by_role("button", name="Cancel").click()
@@ -401,16 +416,14 @@ def test_a_search_is_cancelled(editing: Page) -> None:
 
 
 @pytest.mark.release
-def test_a_search_that_nobody_waits_for_is_stopped(editing: Page) -> None:
-    editing.get_by_role("button", name="Find a better crank").click()
-    dialog = editing.get_by_role("dialog")
-    dialog.get_by_role("spinbutton", name="Number of cylinders").fill("15")
-    with editing.expect_response(lambda answer: answer.url.endswith("/api/search")) as begun:
+def test_a_search_that_nobody_waits_for_is_stopped(held_search: Page) -> None:
+    dialog = held_search.get_by_role("dialog")
+    with held_search.expect_response(lambda answer: answer.url.endswith("/api/search")) as begun:
         dialog.get_by_role("button", name="Search").click()
     dialog.get_by_role("progressbar").wait_for()
     address = f"{begun.value.url}/{begun.value.json()['id']}"
-    editing.goto("about:blank")
-    eventually(lambda: editing.request.get(address).json()["state"], "cancelled")
+    held_search.goto("about:blank")
+    eventually(lambda: held_search.request.get(address).json()["state"], "cancelled")
 
 
 @pytest.mark.release

@@ -33,13 +33,16 @@ SHOWN = """() => {
         'aria-valuetext', 'aria-roledescription']
     for (const element of document.body.querySelectorAll('*'))
         if (!element.parentElement.closest('[role=img], [lang=en]'))
-            for (const name of names) out.push(element.getAttribute(name) ?? '')
+            for (const name of names)
+                if (name !== 'placeholder' || !element.closest('[id^="edit:"]'))
+                    out.push(element.getAttribute(name) ?? '')
     for (const image of document.body.querySelectorAll('img[src^="data:image/svg"]')) {
         const svg = decodeURIComponent(image.src).replace(/<style>.*?<\\/style>/s, '')
         for (const [, text] of svg.matchAll(/>([^<]*)</g)) out.push(text)
     }
     return out
 }"""
+"""What is read, without examples in an empty form: they are what a file says."""
 HELD = """() => HANDLE.exhibits
     .flatMap(({ name, file }) => [name, file.source, file.notes, file.left_out]).flat(3)"""
 OPENED = "document.querySelectorAll('details').forEach(each => each.open = true)"
@@ -59,8 +62,6 @@ published computed unverified placeholder estimated
 """
 KNOWN = set(AS_THEY_STAND.split())
 """Units, keys of the keyboard, programs, what is typed; names that files give."""
-EXAMPLE = "V8, cross-plane, 90 deg"
-"""The name in an empty form."""
 
 
 def english(texts: list[str], names: set[str]) -> dict[str, list[str]]:
@@ -137,7 +138,7 @@ def untranslated(language: str) -> set[str]:
 @pytest.mark.release
 @pytest.mark.parametrize("language", ["ja", "ru"])
 def test_no_english_is_left_on_a_page_in_another_language(language: str, browser: Browser) -> None:
-    seen, complaints = Seen([], {EXAMPLE, *untranslated(language)}), list[str]()
+    seen, complaints = Seen([], untranslated(language)), list[str]()
     with serving("--language", language) as server, watched(browser, complaints) as page:
         page.goto(f"{server.address}?lang={language}#engine={ENGINES[0]}&a=30")
         page.evaluate(READY)
