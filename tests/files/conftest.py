@@ -16,10 +16,10 @@ from crankstar import cli
 
 WRITTEN = re.compile(
     r"^(Wrote |Replaced |Estimated\b|None of orders? |Not in the(?:se)? |--[a-z]+ changes nothing "
-    r"|The file gives no |Shapes are |Записан файл ).*\n|^.* rests on:\n(?:.+\n)*",
+    r"|The file gives no |Shapes are |At [a-z_.]+ = |Записан файл ).*\n|^.* rests on:\n(?:.+\n)*",
     re.MULTILINE,
 )
-"""Lines on standard error of a success: a file written, what in it is estimated or not there.
+"""Lines on standard error of a success: a file written, what is estimated, not there, doubtful.
 
 Last what a figure rests on.
 """

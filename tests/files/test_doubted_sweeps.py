@@ -1,6 +1,7 @@
 """Sweeps over what no engine runs with say so; a value that nothing uses cannot be set."""
 
 import json
+from pathlib import Path
 
 import pytest
 from tests.commands import Run
@@ -48,3 +49,15 @@ def test_a_value_that_every_operating_point_has_of_its_own_cannot_be_set(run: Ru
     # the load of the table [gas] has all of its values
     both = {"gas.imep": "9 bar", "gas.intake_pressure": "0.9 bar"}
     assert crankstar.load("audi-25-tfsi", changes=both).gas is not None
+
+
+def test_its_table_for_programs_and_its_chart_say_it_too(run: Run, tmp_path: Path) -> None:
+    words = [*STARVED, "--over", "gas.intake_pressure=0.3..1 bar/4"]
+    made = run(*words, "--csv")
+    assert made.out.startswith("engine,")
+    assert "the fuel cannot burn" in " ".join(made.err.split())
+    assert "the fuel" not in made.out
+    assert run(*words, "-o", str(tmp_path / "chart.html")).code == 0
+    figure = (tmp_path / "chart.html").read_text("utf-8")
+    assert "cannot" in figure
+    assert "burn" in figure

@@ -54,3 +54,20 @@ def test_missing_masses_are_not_in_a_torque(run: Run) -> None:
     rests = json.loads(run("torque", "four.json", "--json").out)["rests_on"]
     [rest] = [each for each in rests if each["path"] == "cylinder.reciprocating_mass"]
     assert rest["status"] == "left out"
+
+
+def test_compared_at_an_assumed_speed_forces_go_with_its_square(run: Run) -> None:
+    """Of two engines without a speed; the greatest of what moves is a force of inertia."""
+    for name in ("one", "two"):
+        Path(f"{name}.json").write_text(json.dumps({**FOUR, "name": name}))
+    answer = json.loads(run("compare", "one.json", "two.json", "--json").out)
+    rests = [each for each in answer["rests_on"] if each["path"] == "speed"]
+    assert len(rests) == 2
+    for rest in rests:
+        moves = rest["moves"]
+        assert (rest["status"], moves["quantity"], moves["order"]) == ("assumed", "force", 2)
+        for end in ("low", "high"):
+            assert moves[end] / moves["now"] == pytest.approx(
+                (rest[end] / rest["value"]) ** 2, rel=1e-9
+            )
+    assert answer["rests_on"][0]["path"] == "speed"

@@ -33,6 +33,7 @@ from crankstar.tables.assumptions import (
     leading_lines,
 )
 from crankstar.tables.field_names import field_name
+from crankstar.tables.sweeps import doubt_sentences
 
 if TYPE_CHECKING:
     from crankstar.studies.sweep import Curve, Sweep
@@ -59,13 +60,15 @@ OF_COMPONENT = {
 class Rests(NamedTuple):
     """The engines of a figure, the answer it gives of each, and what lists all that this rests on.
 
-    `command` is a verb of the command line; `at` are the values, of many, at which it is found.
+    `command` is a verb of the command line; `at` are the values, of many, at which it is found;
+    `doubts` says what is hardly right of others of them.
     """
 
     engines: Sequence[Engine]
     answer: Callable[[Engine], Answer]
     command: str
     at: str = ""
+    doubts: Callable[[], Sequence[str]] = tuple
 
 
 class Told(NamedTuple):
@@ -103,6 +106,8 @@ def told(rests: Rests | None) -> Told:
         return known[0]
     found = [(engine, answers.rests_on(engine, rests.answer(engine))) for engine in rests.engines]
     out = _told(found, rests.command, rests.at)
+    if doubts := rests.doubts():
+        out = out._replace(foot=[*doubts, *out.foot], sentences=(*doubts, *out.sentences))
     if known is not None:
         known.append(out)
     return out
@@ -321,4 +326,5 @@ def of_sweep(sweep: Sweep, curves: Sequence[Curve]) -> Rests:
 
     found = judged(sweep, curves)
     at = ", ".join(f"{field_name(path)} = {value}" for path, value in found.values.items())
-    return Rests([found.engine], lambda _engine: found.answer, "sweep", at)
+    doubts = partial(doubt_sentences, sweep, curves)
+    return Rests([found.engine], lambda _engine: found.answer, "sweep", at, doubts)

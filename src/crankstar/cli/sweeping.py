@@ -102,6 +102,9 @@ def sweep(
             tree = written_tree(found.engine, found.tree)
         document = replace(document, parts=(*document.parts, *made.document("txt").sentences))
     give(document, output, form=form, tree=tree)
+    if form in ("csv", "parquet"):
+        for line in made.doubts():
+            complain(line)
 
 
 def _resting(document: Document, made: _Made) -> Document:
@@ -195,6 +198,12 @@ class _Made:
         self.bands = bands(swept, curves, self.bests, greatest=greatest)
         if self.pair and len(curves) == 2:
             self.front = front(swept, curves[0], curves[1], greatest=greatest)
+
+    def doubts(self) -> list[str]:
+        """What is hardly right at some of the values."""
+        from crankstar.tables.sweeps import doubt_sentences
+
+        return doubt_sentences(self.sweep, self.curves)
 
     def document(self, form: str) -> Document:
         """The tables of the sweep, for readers (txt) or for machines."""

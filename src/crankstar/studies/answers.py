@@ -145,10 +145,17 @@ def compared(
     else:
         inertia = amplitudes(engine, speed=speed, gas=of_file)
     answer = joined([inertia, *torque, *_driven(engine, speed)])
+
+    def at_its_own(each: Engine) -> Figures:
+        return compared(each, speed=each.speed or speed, gas=gas).figures(each)
+
     if not speed_assumed or speed is None or speed == engine.speed:
         return answer
     rpm = float(f"{speed * 30 / pi:.12g}")
     chosen = Assumption("assumed", "speed", ONE_SPEED, rpm, "rpm")
+    if engine.speed is None and not own_unit and (usual := _usual_speeds(engine)):
+        low, high = usual
+        chosen = replace(chosen, low=low, high=high, vary=_with_speed, figures=at_its_own)
     return replace(answer, choices=[*answer.choices, chosen])
 
 
@@ -175,6 +182,7 @@ def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:
         uses=("inertia", "gas"),
         gas=found,
         given=TURNING,
+        choices=[*_without_inertia(engine, found, figures)],
     )
     return [made]
 
@@ -279,9 +287,9 @@ def _without_inertia(
 ) -> Iterator[Assumption]:
     """What a file lacks for the inertia in its torques and rolling moments: masses, a speed."""
 
-    def rolls(each: Engine) -> Figures:
+    def alternating(each: Engine) -> Figures:
         again = figures(each).items()
-        return {key: size for key, size in again if key[0] == "roll"}
+        return {key: size for key, size in again if key[0] in ("roll", "torque")}
 
     if {"mass", "radius"} & {*engine.relative}:
         yield Assumption(
@@ -289,15 +297,23 @@ def _without_inertia(
             explained=True,
         )  # fmt: skip
     elif found.speed is None:
-        look = look_of(engine, engine.gas)
-        if look is None:
+        usual = _usual_speeds(engine)
+        if usual is None:
             return
-        slow, _usual, fast = piston_speed(inferred(look)[0])
-        low, high = (30 * own / look.stroke for own in (slow, fast))  # mean speed 2 S n
+        low, high = usual
         yield Assumption(
             "missing", "speed", N_("no speed in the file, so that all of it is gas alone"),
-            None, "rpm", low, high, vary=_with_speed, figures=rolls,
+            None, "rpm", low, high, vary=_with_speed, figures=alternating,
         )  # fmt: skip
+
+
+def _usual_speeds(engine: Engine) -> tuple[float, float] | None:
+    """The least and the greatest rated speed (rpm) of such engines; None where no size is known."""
+    look = look_of(engine, engine.gas)
+    if look is None:
+        return None
+    slow, _usual, fast = piston_speed(inferred(look)[0])
+    return 30 * slow / look.stroke, 30 * fast / look.stroke  # the mean speed is 2 S n
 
 
 def _with_speed(engine: Engine, rpm: float) -> Engine:

@@ -329,16 +329,8 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
     with_gas, facts = _gas_rows(compared)
     rows += [*with_gas, *_response_rows(compared)]
     title = ", ".join(compared.names)
-    facts["engines"] = [
-        {
-            "engine": name,
-            "firing": plain(_fires(own.engine)),
-            "speed_rpm": _rpm(result),
-            "unverified": len(unverified(own.engine)),
-        }
-        for name, own, result in zip(compared.names, shown, compared.results, strict=True)
-    ]
-    return Document(title, (Table("", heads, tuple(rows), key="amplitudes"),), facts)
+    tables = (Table("", heads, tuple(rows), key="amplitudes"), _engine_rows(compared))
+    return Document(title, tables, facts)
 
 
 def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
@@ -381,6 +373,21 @@ def _engines(compared: _Compared) -> Table:
         speed = (_rpm(result),) if compared.real else ()
         rows.append((name, _fires(own.engine), *speed, len(unverified(own.engine))))
     return Table(_("Engines"), tuple(heads), tuple(rows))
+
+
+def _engine_rows(compared: _Compared) -> Table:
+    """The same for machines."""
+    heads = (
+        Column("engine", kind="text", key="engine", label=True),
+        Column("firing", kind="text", key="firing"),
+        Column("speed_rpm", key="speed_rpm"),
+        Column("unverified", key="unverified"),
+    )
+    rows: list[tuple[Value, ...]] = [
+        (name, plain(_fires(own.engine)), _rpm(result), len(unverified(own.engine)))
+        for name, own, result in zip(compared.names, compared.shown, compared.results, strict=True)
+    ]
+    return Table("", heads, tuple(rows), key="engines")
 
 
 def _fires(engine: Engine) -> str:
