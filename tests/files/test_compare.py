@@ -27,7 +27,19 @@ def file(tmp_path: Path) -> str:
 
 
 def amplitudes(run: Run, *words: str) -> list[dict[str, str]]:
-    return list(csv.DictReader(io.StringIO(run("compare", *words, "--csv").out)))
+    rows = csv.DictReader(io.StringIO(run("compare", *words, "--csv").out))
+    return [row for row in rows if row["table"] == "amplitudes"]
+
+
+def test_the_table_of_engines_is_in_the_csv_too(run: Run) -> None:
+    rows = csv.DictReader(io.StringIO(run("compare", "i4", "audi-25-tfsi", "--csv").out))
+    engines = [row for row in rows if row["table"] == "engines"]
+    assert [row["firing"] for row in engines] == [
+        "1-3-4-2 every 180 deg",
+        "1-2-4-5-3 every 144 deg",
+    ]
+    shown = json.loads(run("compare", "i4", "audi-25-tfsi", "--json").out)["engines"]
+    assert [int(row["unverified"]) for row in engines] == [each["unverified"] for each in shown]
 
 
 def test_a_compared_amplitude_is_the_one_that_analyze_finds(run: Run) -> None:

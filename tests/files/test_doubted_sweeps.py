@@ -61,3 +61,11 @@ def test_its_table_for_programs_and_its_chart_say_it_too(run: Run, tmp_path: Pat
     figure = (tmp_path / "chart.html").read_text("utf-8")
     assert "cannot" in figure
     assert "burn" in figure
+
+
+def test_values_between_two_doubtful_ones_are_not_said_to_be_doubtful(run: Run) -> None:
+    words = ["--over", "gas.compression_ratio=2,10,28", "--quantity", "peak_pressure"]
+    said = " ".join(run("sweep", "honda-b18c", *words).out.split())
+    assert "So it is at 2, 28." in said
+    few = ["--over", "gas.compression_ratio=1.5,2,10,28", "--quantity", "peak_pressure"]
+    assert "So it is at 1.5 to 2, 28." in " ".join(run("sweep", "honda-b18c", *few).out.split())

@@ -302,7 +302,7 @@ def test_a_rotating_mass_that_the_engine_cancels_is_missing_from_its_family(run:
     Path("six.json").write_text(json.dumps(tree))
     rests = json.loads(run("guide", "six.json", "--numbers", "5,6", "--json").out)["rests_on"]
     [rest] = [each for each in rests if each["path"] == "cylinder.rotating_mass"]
-    assert (rest["moves"]["quantity"], rest["moves"]["order"]) == ("couple", 1)
+    assert (rest["moves"]["quantity"], rest["moves"]["order"]) == ("couple of member 5", 1)
     low, high = rest["low"], rest["high"]
     now = engine_family(crankstar.load("six.json"), numbers=[5])[0]
     assert now.found is not None

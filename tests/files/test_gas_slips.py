@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from math import cos, degrees, radians
+from math import cos, degrees, pi, radians
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,7 @@ import crankstar
 from crankstar.engine import motion
 from crankstar.engine.gas import Gas
 from crankstar.engine.valves import timing
-from crankstar.files import EngineFileError, engine_of, tree_of
+from crankstar.files import EngineFileError, engine_of, explicit, tree_of
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.doubts import doubts
 from crankstar.mechanics.gas import cycle
@@ -269,6 +269,9 @@ def test_a_given_friction_pressure_replaces_the_correlation() -> None:
         ({"imep": "36 bar", "intake_pressure": "4 bar"}, "doubt.imep"),
         ({"imep": "25 bar", "intake_pressure": "1 bar"}, "doubt.charge"),
         ({"speed": "9000 rpm"}, "doubt.friction"),
+        ({"friction_pressure": "50 bar"}, "doubt.great-friction"),
+        ({"process": "diesel", "ignition": "spark"}, "doubt.ignition"),
+        ({"friction": "diesel", "ignition": "spark"}, "doubt.ignition"),
         ({"imep": "0.2 bar", "intake_pressure": "1.5 bar"}, "doubt.no-cycle"),
     ],
 )
@@ -280,6 +283,31 @@ def test_a_value_that_hardly_any_engine_has_is_told_by_check(
     assert doubts(engine) == ()
     engine = crankstar.load("bmw-m52b28", changes={"gas": {}, **changes})
     assert code in [fault.code for fault in doubts(engine)]
+
+
+def test_a_point_at_the_speed_of_the_load_of_the_table_is_told_by_check_and_torque(
+    run: Run,
+) -> None:
+    points = [{"name": "part", "speed": "6000 rpm", "imep": "5 bar"}]
+    changes = {"gas": {"imep": "9 bar", "speed": "6000 rpm", "point": points}}
+    engine = crankstar.load("bmw-m52b28", changes=changes)
+    assert [fault.code for fault in doubts(engine)] == ["doubt.shadowed"]
+    assert "at 6000 rpm, where the load of the table" in doubts(engine)[0].sentence
+    assert cycle(engine, speed=6000 * pi / 30).imep == pytest.approx(9e5)
+    Path("six.json").write_text(json.dumps(explicit(engine)))
+    for words in ([], ["--speed", "6000 rpm"]):
+        assert "gas.point[1] (part) is at 6000 rpm" in " ".join(
+            run("torque", "six.json", *words).out.split()
+        )
+    assert "(part) is at" not in " ".join(run("torque", "six.json", "--point", "part").out.split())
+
+
+def test_a_course_of_the_load_ends_as_it_began() -> None:
+    tree = {"load_angle": ["0 deg", "360 deg", "720 deg"], "load_torque": [1, 2, 3]}
+    with pytest.raises(EngineFileError, match="which is the same angle"):
+        crankstar.load("bmw-m52b28", changes={"drive": tree})
+    for last in ({"load_torque": [1, 2, 1]}, {"load_angle": ["0 deg", "360 deg", "719 deg"]}):
+        crankstar.load("bmw-m52b28", changes={"drive": {**tree, **last}})
 
 
 def test_an_exhaust_above_the_charge_of_a_two_stroke_is_doubted() -> None:
@@ -431,3 +459,23 @@ def test_without_a_rotating_mass_nothing_is_a_bobweight_in_any_unit(name: str) -
     whole = bobweights(crankstar.load(name, changes={"cylinder.rotating_mass": 1.2}), 0.5)
     assert whole.title != headed.title
     assert whole.columns[-1].heading != headed.columns[-1].heading
+
+
+@pytest.mark.parametrize("path", ["gas", "gas.point[1]"])
+def test_a_starved_charge_says_what_enough_of_it_would_change(path: str, run: Run) -> None:
+    """With the pressure at which it is tried the roll is that of the command itself."""
+    load = {"imep": "20 bar", "intake_pressure": "1 bar", "exhaust_pressure": "1 bar"}
+    gas = load if path == "gas" else {"point": [{"name": "full", "speed": "4000 rpm", **load}]}
+    engine = crankstar.load("bmw-m52b28", changes={"gas": {"ignition": "compression", **gas}})
+    Path("six.json").write_text(json.dumps(explicit(engine)))
+    rests = json.loads(run("torque", "six.json", "--json").out)["rests_on"]
+    [doubt] = [each for each in rests if each["status"] == "doubtful"]
+    assert doubt["path"] == f"{path}.intake_pressure"
+    assert doubt["low"] == doubt["high"] > 1
+    change = f'{path}.intake_pressure="{doubt["low"]} bar"'
+    enough = json.loads(run("torque", "six.json", "--set", change, "--json").out)
+    assert enough["air_fuel_ratio"] == pytest.approx(29, rel=0.15)  # by the heat of another charge
+    assert doubt["moves"]["quantity"] == "roll"
+    order = doubt["moves"]["order"]
+    [roll] = [each["roll"] for each in enough["orders"] if each["order"] == order]
+    assert doubt["moves"]["high"] == pytest.approx(abs(complex(*roll)), rel=1e-9)

@@ -41,7 +41,7 @@ def test_a_missing_speed_says_what_inertia_would_change(verb: str, run: Run) -> 
     first = rests[0]
     assert (first["status"], first["path"], first["unit"]) == ("missing", "speed", "rpm")
     assert (first["moves"]["quantity"], first["moves"]["order"]) == ("roll", 2)
-    assert "so that all of it is gas alone" in run("verdict", "four.json").out
+    assert "so that no inertia is beside the gas" in run("verdict", "four.json").out
     ends = [roll(first[end]) for end in ("low", "high")]
     assert first["moves"]["low"] <= min(ends) * (1 + 1e-9)
     assert first["moves"]["high"] == pytest.approx(max(ends), rel=1e-9)
@@ -71,3 +71,60 @@ def test_compared_at_an_assumed_speed_forces_go_with_its_square(run: Run) -> Non
                 (rest[end] / rest["value"]) ** 2, rel=1e-9
             )
     assert answer["rests_on"][0]["path"] == "speed"
+
+
+@pytest.mark.parametrize("quantity", ["peak_pressure", "mean_torque"])
+def test_a_speed_is_not_missed_in_what_does_not_depend_on_it(quantity: str, run: Run) -> None:
+    Path("four.json").write_text(json.dumps(FOUR))
+    words = ["sweep", "four.json", "--over", "gas.imep=6..9 bar/3", "--quantity", quantity]
+    answer = json.loads(run(*words, "--json").out)
+    assert "speed" not in {each["path"] for each in answer.get("rests_on", ())}
+    fast = json.loads(run(*words, "--speed", "6000 rpm", "--json").out)
+    slow, quick = ([row[quantity] for row in each["values"]] for each in (answer, fast))
+    assert slow == pytest.approx(quick, rel=1e-12)
+
+
+SEVEN: dict[str, Any] = {
+    "name": "seven",
+    "cycle": "two-stroke",
+    "firing_order": [1, 7, 2, 5, 4, 3, 6],
+    "cylinder": {
+        "bore": "600 mm",
+        "stroke": "2400 mm",
+        "rod_ratio": 2.2,
+        "reciprocating_mass": "5500 kg",
+        "rotating_mass": "3200 kg",
+    },
+    "layout": {"type": "inline", "bore_pitch": "1020 mm"},
+    "gas": {"imep": "19 bar", "intake_pressure": "3.6 bar", "ignition": "compression"},
+}
+
+
+def test_a_missing_speed_is_in_the_record_of_guide_forces_and_of_what_analyze_says(
+    run: Run,
+) -> None:
+    Path("seven.json").write_text(json.dumps(SEVEN))
+    for words, quantity, order in (
+        (["marine"], "X moment", 3),
+        (["guide", "--numbers", "5,7"], "X of member 5", None),
+        (["analyze"], "roll with gas", 7),
+    ):
+        verb, *others = words
+        rests = json.loads(run(verb, "seven.json", *others, "--json").out)["rests_on"]
+        [rest] = [each for each in rests if each["path"] == "speed"]
+        moves = rest["moves"]
+        assert (moves["quantity"], moves["order"]) == (quantity, order), verb
+        if verb != "marine":
+            continue
+        tables = [
+            json.loads(run("marine", "seven.json", "--speed", f"{rest[end]} rpm", "--json").out)
+            for end in ("low", "high")
+        ]
+        sizes = [
+            each["x"]["amplitude"]
+            for table in tables
+            for each in table["guide"]
+            if each["order"] == 3
+        ]
+        assert moves["low"] <= min(sizes) * (1 + 1e-9)
+        assert moves["high"] == pytest.approx(max(sizes), rel=1e-9)

@@ -42,8 +42,12 @@ TOLD = 0.01
 """Effect from which an assumption has a sentence of its own."""
 ROUNDING = 1e-9
 """Share of the maximum load of a mount below which one bears nothing."""
+LEADING, TWICE = ("force", "couple"), 2.0
+"""Quantities that an answer says first, and how much more another moves that is told instead."""
 LOAD_OF = "load of mount "
 """What a mount bears upward at rest, as a quantity: before its name."""
+COUPLE_OF, H_OF, X_OF = (f"{name} of member " for name in ("couple", "H", "X"))
+"""The moments of an engine of a family, as quantities: before its number of cylinders."""
 
 
 @dataclass(frozen=True)
@@ -201,20 +205,26 @@ def _moved(
 
 
 def _most(tried: Tried, now: Figures, least: Mapping[str, float]) -> tuple[Figure, float, float]:
-    """The figure that moves most, by how much of the greatest of its quantity, and that."""
+    """The figure that moves most, by how much of the greatest of its quantity, and that.
+
+    A force or a couple, which an answer says first, stands before others that move up to TWICE.
+    """
     tops = dict(least)
     every = [now, *tried.known.values()]
     for (quantity, _order), size in (item for one in every for item in one.items()):
         tops[quantity] = max(tops.get(quantity, 0.0), abs(size))
-    best: tuple[Figure, float, float] | None = None
+    best: dict[bool, tuple[Figure, float, float]] = {}
     for key in dict.fromkeys(key for one in every for key in one):
-        size, top = now.get(key, 0.0), tops[key[0]]
+        size, top, leads = now.get(key, 0.0), tops[key[0]], key[0] in LEADING
         most = max(abs(one.get(key, 0.0) - size) for one in tried.known.values())
         effect = most / top if top else 0.0
-        if best is None or effect > best[1] * (1 + 1e-9):
-            best = key, effect, top
-    assert best is not None  # noqa: S101  # an answer has figures
-    return best
+        if leads not in best or effect > best[leads][1] * (1 + 1e-9):
+            best[leads] = key, effect, top
+    first, other = best.get(True), best.get(False)
+    if first is None or (other is not None and other[1] > TWICE * first[1]):
+        assert other is not None  # noqa: S101  # an answer has figures
+        return other
+    return first
 
 
 def _lifting(tried: Tried, now: Figures) -> tuple[str, ...]:

@@ -188,12 +188,19 @@ def with_rod_inertias(numbers: Collection[int]) -> Vary:
     return vary
 
 
-def with_gas_value(name: str, factor: float) -> Vary:
-    """The change of one value of the table [gas], given in a unit of `factor` SI units."""
+def with_gas_value(name: str, factor: float, *, point: int | None = None) -> Vary:
+    """The change of one value of the table [gas], given in a unit of `factor` SI units.
+
+    Or of the operating point at the place `point`, from 0.
+    """
 
     def vary(engine: Engine, value: float) -> Engine:
-        gas = engine.gas or Gas()
-        return with_values(engine, gas=with_values(gas, **{name: value * factor}))
+        gas, changed = engine.gas or Gas(), {name: value * factor}
+        if point is not None:
+            points = [*gas.points]
+            points[point] = with_values(points[point], **changed)
+            changed = {"points": tuple(points)}
+        return with_values(engine, gas=with_values(gas, **changed))
 
     return vary
 

@@ -125,6 +125,14 @@ def _course_faults(drive: Drive, cycle: Cycle) -> Iterator[Fault]:
         yield Fault(("drive", "load_torque"), "drive.no-load")
     elif any(b <= a for a, b in pairwise(angle)) or angle[-1] - angle[0] > whole + _SLACK:
         yield Fault(("drive", "load_angle"), "drive.angles", {"cycle": degrees(whole)})
+    elif angle[-1] - angle[0] > whole - _SLACK and drive.load_torque[0] != drive.load_torque[-1]:
+        values = {
+            "first": drive.load_torque[0],
+            "last": drive.load_torque[-1],
+            "start": degrees(angle[0]),
+            "end": degrees(angle[-1]),
+        }
+        yield Fault(("drive", "load_torque"), "drive.open-course", values)
 
 
 def _load_faults(load: Load, gas: Gas, path: Path) -> Iterator[Fault]:

@@ -74,6 +74,16 @@ SENTENCES: dict[str, str | Plural] = {
         "the air-fuel ratio {value}; below {bound} the fuel cannot burn: give the pressure of the "
         "charge, or less load"
     ),
+    "doubt.shadowed": N_(
+        "{where} ({name}) is at {rpm} rpm, where the load of the table [gas] stands too and counts "
+        "unless --point names the other: leave one out, or give it a speed of its own"
+    ),
+    "doubt.ignition": N_(
+        "{where} is {value}, and gas.ignition is {ignition}; no engine has both: change one of them"
+    ),
+    "doubt.great-friction": N_(
+        "{where} is {value} bar; hardly any engine has more than {bound} bar"
+    ),
     "doubt.friction": N_(
         "{where} is not given, and at {rpm} rpm the correlation of friction, measured up to "
         "{bound} rpm, gives {value} bar, which may be far too much"
@@ -113,6 +123,10 @@ SENTENCES: dict[str, str | Plural] = {
     "drive.lengths": N_("{where} has {count} values for {angles} angles; give as many"),
     "drive.no-load": N_("{where} takes no work over the cycle; its mean is above 0"),
     "drive.angles": N_("{where} ascends within one cycle of {cycle} deg"),
+    "drive.open-course": N_(
+        "{where} is {first} at {start} deg and {last} at {end} deg, which is the same angle: give "
+        "both the same, or leave the last out"
+    ),
     "drive.output-and-gears": N_(
         '{where} is given, and with gearing = "output" no crankshaft is the output: leave one out'
     ),

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import pairwise
-from math import degrees, pi
+from math import degrees, isclose, pi
 from typing import Any
 
 import numpy as np
@@ -27,12 +27,12 @@ from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import CrankDimensions, Torsion
 from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
-from crankstar.mechanics.charge_air import STOICHIOMETRIC
+from crankstar.mechanics.charge_air import CHARGED, STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
 from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
 from crankstar.mechanics.mechanism import mechanism
-from crankstar.mechanics.operating_points import GasError
+from crankstar.mechanics.operating_points import GasError, own_speed
 
 Path = tuple[str | int, ...]
 GREATEST_SPARK_RATIO = 16.0
@@ -45,6 +45,8 @@ LONGER = 1.05
 GREATEST_PEAK = 250e5
 GREATEST_IMEP = 35e5
 """Pa; only racing and research engines have more."""
+GREATEST_FRICTION = 6e5
+"""Pa: motored engines have 1 to 3 bar, and about 5 at the speeds of racing."""
 LEAST_AIR: Mapping[Ignition, float] = {"spark": 0.75, "compression": 1.0}
 """Air-fuel ratio over the stoichiometric one, least of all with which an engine runs."""
 GAMMAS = (1.2, 1.42)
@@ -129,7 +131,20 @@ def point_doubts(engine: Engine, computed: Cycle) -> tuple[Fault, ...]:
     path: Path = ("gas", *point)
     values = computed.values
     given = {key: value for key, value in values.items() if key not in computed.assumed}
-    return (*value_doubts(engine, values, given, path=path), *cycle_doubts(computed, path=path))
+    shadowed = () if point or computed.motored else _shadowed(engine)
+    found = value_doubts(engine, values, given, path=path)
+    return (*shadowed, *found, *cycle_doubts(computed, path=path))
+
+
+def _shadowed(engine: Engine) -> Iterator[Fault]:
+    """Operating points at the speed of the load of the table [gas], which counts there."""
+    gas, own = engine.gas, own_speed(engine, "")
+    if gas is None or own is None or not any(getattr(gas, name) is not None for name in LOADS):
+        return
+    for index, point in enumerate(gas.points):
+        if point.speed is not None and isclose(point.speed, own, rel_tol=1e-9):
+            named = {"name": point.name, "rpm": float(f"{own * 30 / pi:.12g}")}
+            yield Fault(("gas", "point", index), "doubt.shadowed", named)
 
 
 def value_doubts(
@@ -146,6 +161,13 @@ def value_doubts(
     elif ratio is not None and not RATIOS[0] <= ratio <= RATIOS[1]:
         bounds = {"value": ratio, "least": RATIOS[0], "greatest": RATIOS[1]}
         yield Fault((*path, "compression_ratio"), "doubt.ratio", bounds)
+    kinds: dict[str, Mapping[str, Ignition]] = {"process": {"diesel": "compression"}}
+    kinds["friction"] = {"diesel": "compression", "spark-ignition": "spark"}
+    for key, fires in kinds.items():
+        kind = fires.get(given.get(key, ""), given.get("ignition"))
+        if kind != given.get("ignition"):
+            both = {"value": given[key], "ignition": given["ignition"]}
+            yield Fault((*path, key), "doubt.ignition", both)
     gamma = given.get("gamma")
     if gamma is not None and not GAMMAS[0] <= gamma <= GAMMAS[1]:
         yield Fault((*path, "gamma"), "doubt.gamma", {"value": gamma})
@@ -191,9 +213,14 @@ def cycle_doubts(cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
             "load": float(f"{cycle.imep / 1e5:.4g}"),
             "bound": float(f"{least:.3g}"),
         }
+        enough = CHARGED[fires] * STOICHIOMETRIC[fires] / cycle.air_fuel_ratio
+        bound["enough"] = float(f"{bound['intake'] * enough:.3g}")
         yield Fault((*path, "intake_pressure"), "doubt.charge", bound)
     rpm = None if cycle.speed is None else cycle.speed * 30 / pi
     known = cycle.values.get("friction_pressure") is not None
+    if known and cycle.friction > GREATEST_FRICTION:
+        bound = {"value": cycle.friction / 1e5, "bound": GREATEST_FRICTION / 1e5}
+        yield Fault((*path, "friction_pressure"), "doubt.great-friction", bound)
     limit = FRICTIONS.get(cycle.values.get("friction", ""))
     if rpm is not None and limit is not None and not known and rpm > limit:
         bound = {"rpm": rpm, "bound": limit, "value": cycle.friction / 1e5}

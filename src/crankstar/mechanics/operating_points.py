@@ -26,6 +26,7 @@ from typing import Any, NamedTuple
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS, Gas, Ignition, Load, Process, said_ignition
+from crankstar.engine.proportions import SPARK, inferred, look_of
 from crankstar.language.messages import MessageError
 
 CRANKCASE = 101_325.0
@@ -288,6 +289,8 @@ def default_point(gas: Gas) -> str:
 def ignition(engine: Engine, gas: Gas) -> tuple[Ignition, bool]:
     """How an engine ignites, and whether its file says so or only its sizes do.
 
+    Of a file without gas its speed counts too, as for the estimate of its masses.
+
     >>> from crankstar.files.catalog import load
     >>> ignition(load("audi-25-tfsi"), Gas()), ignition(load("man-s90mc-c"), Gas())
     (('spark', False), ('compression', False))
@@ -295,6 +298,8 @@ def ignition(engine: Engine, gas: Gas) -> tuple[Ignition, bool]:
     said, told = said_ignition(gas)
     if said is not None:
         return said, told
+    if engine.gas is None and (look := look_of(engine, None)) is not None:
+        return ("spark" if inferred(look)[0] in SPARK else "compression"), False
     large = (engine.first.bore or 0.0) > SPARK_BORE and "radius" not in engine.relative
     facing = len(engine.chambers) < len(engine.cylinders)  # pistons that face each other
     return ("compression" if large or facing else "spark"), False

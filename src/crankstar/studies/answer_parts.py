@@ -51,16 +51,15 @@ def narrowed(
     nothing: Figures = {(next(iter(quantities)), None): 0.0}
 
     def kept(figures: Figures) -> Figures:
-        out = {
+        return {
             (name, order): size
             for (name, order), size in figures.items()
             if name in quantities and (orders is None or order in orders)
         }
-        return out or nothing
 
+    made = _with_figures(answer, lambda figures: lambda engine: kept(figures(engine)))
     return replace(
-        _with_figures(answer, lambda figures: lambda engine: kept(figures(engine))),
-        given={*answer.given, *given},
+        made, figures=lambda engine: made.figures(engine) or nothing, given={*answer.given, *given}
     )
 
 

@@ -14,7 +14,7 @@ frequencies. `rests_on` varies what the file lacks and says which figure of them
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -27,9 +27,7 @@ from crankstar import spectra
 from crankstar.analysis.assumptions import Answer, Assumption, moved
 from crankstar.analysis.registry import analyses
 from crankstar.analysis.tried_values import Figure, Figures
-from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.engine.proportions import inferred, look_of, piston_speed
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
@@ -47,6 +45,7 @@ from crankstar.studies.answer_parts import (
     without_speed,
 )
 from crankstar.studies.assumed_values import assumed_values
+from crankstar.studies.gas_alone import gas_alone, usual_speeds, with_speed
 
 MakeCycle = Callable[[Engine], Cycle | None]
 GAS_OPTION = N_("--gas adds it")
@@ -98,6 +97,9 @@ def amplitudes(
     def unit(quantity: str, each: Engine) -> str:
         return "N*m" if quantity == "roll with gas" else _inertia_unit(speed, quantity, each)
 
+    choices: list[Assumption] = []
+    if both and without is not None and not {"mass", "radius"} & {*engine.relative}:
+        choices += gas_alone(engine, without, figures, ["roll with gas"])
     return Answer(
         figures=figures,
         unit=unit,
@@ -108,6 +110,7 @@ def amplitudes(
         without_gas=usual if both else without or usual,
         gasless="" if gas or (both and without is not None) else IN_ROLL,
         why_gasless=why or short,
+        choices=choices,
     )
 
 
@@ -153,9 +156,9 @@ def compared(
         return answer
     rpm = float(f"{speed * 30 / pi:.12g}")
     chosen = Assumption("assumed", "speed", ONE_SPEED, rpm, "rpm")
-    if engine.speed is None and not own_unit and (usual := _usual_speeds(engine)):
+    if engine.speed is None and not own_unit and (usual := usual_speeds(engine)):
         low, high = usual
-        chosen = replace(chosen, low=low, high=high, vary=_with_speed, figures=at_its_own)
+        chosen = replace(chosen, low=low, high=high, vary=with_speed, figures=at_its_own)
     return replace(answer, choices=[*answer.choices, chosen])
 
 
@@ -182,7 +185,7 @@ def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:
         uses=("inertia", "gas"),
         gas=found,
         given=TURNING,
-        choices=[*_without_inertia(engine, found, figures)],
+        choices=[*gas_alone(engine, found, figures)],
     )
     return [made]
 
@@ -229,7 +232,7 @@ def outlook(
         gas=found,
         without_reaction=found,
         least=lambda each: _pushed(each, speed, reference),
-        choices=[*_without_inertia(engine, found, figures)],
+        choices=[*gas_alone(engine, found, figures)],
     )
 
 
@@ -278,46 +281,8 @@ def torques(
         uses=("inertia", "gas", *(("running",) if running and flywheel is None else ())),
         gas=found,
         without_reaction=None if sums else found,
-        choices=[] if found is None else [*_without_inertia(engine, found, figures)],
+        choices=[] if found is None else [*gas_alone(engine, found, figures)],
     )
-
-
-def _without_inertia(
-    engine: Engine, found: Cycle, figures: Callable[[Engine], Figures]
-) -> Iterator[Assumption]:
-    """What a file lacks for the inertia in its torques and rolling moments: masses, a speed."""
-
-    def alternating(each: Engine) -> Figures:
-        again = figures(each).items()
-        return {key: size for key, size in again if key[0] in ("roll", "torque")}
-
-    if {"mass", "radius"} & {*engine.relative}:
-        yield Assumption(
-            "left out", "cylinder.reciprocating_mass", N_("the torque of inertia needs it"),
-            explained=True,
-        )  # fmt: skip
-    elif found.speed is None:
-        usual = _usual_speeds(engine)
-        if usual is None:
-            return
-        low, high = usual
-        yield Assumption(
-            "missing", "speed", N_("no speed in the file, so that all of it is gas alone"),
-            None, "rpm", low, high, vary=_with_speed, figures=alternating,
-        )  # fmt: skip
-
-
-def _usual_speeds(engine: Engine) -> tuple[float, float] | None:
-    """The least and the greatest rated speed (rpm) of such engines; None where no size is known."""
-    look = look_of(engine, engine.gas)
-    if look is None:
-        return None
-    slow, _usual, fast = piston_speed(inferred(look)[0])
-    return 30 * slow / look.stroke, 30 * fast / look.stroke  # the mean speed is 2 S n
-
-
-def _with_speed(engine: Engine, rpm: float) -> Engine:
-    return with_values(engine, speed=rpm * pi / 30)
 
 
 def _evenness(

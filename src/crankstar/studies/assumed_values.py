@@ -22,6 +22,7 @@ from crankstar.analysis.changed_values import (
     with_block_product,
     with_block_value,
     with_disc_damping,
+    with_gas_value,
     with_mount_loss,
     with_rear_disc,
     with_rod_inertias,
@@ -96,6 +97,8 @@ PRODUCTS = {
 
 A gearbox that hangs behind an engine has most of up and z. Our judgement.
 """
+GAS_DEPTH = 2
+"""Keys of the path of a value of the table [gas]; operating points stand deeper."""
 SHIFT = 10.0
 """By how many per cent of the least distance between two a main bearing may lie elsewhere."""
 
@@ -148,6 +151,12 @@ def _not_modelled(engine: Engine) -> Iterator[Assumption]:
 def _doubt(fault: Fault) -> Assumption:
     """A doubt, tried at what may be meant where that is known."""
     path = where(fault.path)
+    if fault.code == "doubt.charge":
+        value, meant = fault.values["intake"], fault.values["enough"]
+        point = fault.path[2] if len(fault.path) > GAS_DEPTH else None
+        assert not isinstance(point, str)  # noqa: S101  # it numbers the operating points
+        vary = with_gas_value("intake_pressure", 1e5, point=point)
+        return Assumption("doubtful", path, fault.sentence, value, "bar", meant, meant, vary=vary)
     if fault.code != "doubt.rod-ratio" or fault.cylinder is not None:
         return Assumption("doubtful", path, fault.sentence)
     value, meant = fault.values["value"], fault.values["meant"]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from contextlib import suppress
-from itertools import product
+from itertools import groupby, product
 from typing import NamedTuple
 
 import numpy as np
@@ -27,13 +27,15 @@ TRIED = (31, 6)
 class Doubted(NamedTuple):
     """One kind of doubt: the `places` of the values tried at which it is, and what it says.
 
-    `fault` is that of `at`, an end of the range where it is one. `everywhere`: at all tried.
+    `fault` is that of `at`, an end of the range where it is one. `everywhere`: at all tried. `runs`
+    are the first and the last of those of one number that follow each other.
     """
 
     fault: Fault
     at: tuple[int, ...]
     places: tuple[tuple[int, ...], ...]
     everywhere: bool
+    runs: tuple[tuple[int, int], ...]
 
 
 def doubted(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Doubted, ...]:
@@ -66,8 +68,19 @@ def doubted(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Doubted, ...]:
         if everywhere and where(next(iter(faults.values())).path) not in varied:
             continue
         at = last if last in faults else next(iter(faults))
-        out.append(Doubted(faults[at], at, tuple(faults), everywhere))
+        runs = _runs(tried[0], {place for place, *_others in faults})
+        out.append(Doubted(faults[at], at, tuple(faults), everywhere, runs))
     return tuple(out)
+
+
+def _runs(tried: Sequence[int], doubtful: Collection[int]) -> tuple[tuple[int, int], ...]:
+    """The first and the last of each row of neighbours that are doubtful.
+
+    >>> _runs([0, 1, 3, 5, 7], {0, 1, 7})
+    ((0, 1), (7, 7))
+    """
+    rows = [[*own] for bad, own in groupby(tried, lambda place: place in doubtful) if bad]
+    return tuple((own[0], own[-1]) for own in rows)
 
 
 def _at(engine: Engine, speed: float | None, uses: Collection[str]) -> tuple[Fault, ...]:

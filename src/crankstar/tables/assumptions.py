@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import inf
 from typing import Any
 
-from crankstar.analysis.assumptions import LOAD_OF, TOLD, Assumption, Moved
+from crankstar.analysis.assumptions import COUPLE_OF, H_OF, LOAD_OF, TOLD, X_OF, Assumption, Moved
 from crankstar.analysis.document import Remarks
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number, order_text, unit_text
@@ -51,9 +51,14 @@ FIGURES = {
     "transmissibility": N_("maximum transmissibility"),
     "mount load": N_("maximum load of a mount at rest"),
     LOAD_OF: N_("vertical load of mount {name} at rest"),
+    COUPLE_OF: N_("moment of order {order} with {number} cylinders"),
+    H_OF: N_("greatest H moment with {number} cylinders"),
+    X_OF: N_("greatest X moment with {number} cylinders"),
     "bobweight": N_("bobweight"),
     **{f"mode {number}": N_("frequency of mode {number}") for number in range(1, 13)},
 }
+OF_PARTS = (LOAD_OF, COUPLE_OF, H_OF, X_OF)
+"""What is of one part of many: before its name or number."""
 
 
 def assumption_lines(found: Sequence[Assumption]) -> list[str]:
@@ -215,7 +220,8 @@ def _line(each: Assumption) -> str:
 def _words(each: Assumption, own: Moved) -> dict[str, str]:
     """What sentences on the figure that an assumption moves most are made of."""
     order = "" if own.order is None else order_text(own.order)
-    kind = LOAD_OF if own.quantity.startswith(LOAD_OF) else own.quantity
+    begun = (each for each in OF_PARTS if own.quantity.startswith(each))
+    kind = next(begun, own.quantity)
     figure = _(
         FIGURES[kind],
         order=order,

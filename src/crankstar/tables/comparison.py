@@ -13,7 +13,7 @@ from crankstar.analysis.document import ROW_UNIT, Column, Document, Ranged, Tabl
 from crankstar.analysis.registry import analyses
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any, plain
-from crankstar.language.messages import _
+from crankstar.language.messages import _, spoken
 from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.bounds import peak, size
@@ -383,10 +383,13 @@ def _engine_rows(compared: _Compared) -> Table:
         Column("speed_rpm", key="speed_rpm"),
         Column("unverified", key="unverified"),
     )
-    rows: list[tuple[Value, ...]] = [
-        (name, plain(_fires(own.engine)), _rpm(result), len(unverified(own.engine)))
-        for name, own, result in zip(compared.names, compared.shown, compared.results, strict=True)
-    ]
+    with spoken("en"):
+        rows: list[tuple[Value, ...]] = [
+            (name, plain(_fires(own.engine)), _rpm(result), len(unverified(own.engine)))
+            for name, own, result in zip(
+                compared.names, compared.shown, compared.results, strict=True
+            )
+        ]
     return Table("", heads, tuple(rows), key="engines")
 
 

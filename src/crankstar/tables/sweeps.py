@@ -111,7 +111,14 @@ def _doubt(sweep: Sweep, one: Doubted) -> str:
     }
     if len(sweep.axes) == 1 and len(one.places) > 1:
         (axis,) = sweep.axes
-        low, high = (value(axis, place[0]) for place in (one.places[0], one.places[-1]))
+        ends = [[value(axis, place) for place in run] for run in one.runs]
+        if len(ends) > 1:
+            words["values"] = ", ".join(
+                low if low == high else _("{low} to {high}", low=low, high=high)
+                for low, high in ends
+            )
+            return _("At {at}: {doubt}. So it is at {values}.", **words)
+        [[low, high]] = ends
         return _("At {at}: {doubt}. So it is from {low} to {high}.", **words, low=low, high=high)
     if len(one.places) > 1:
         return _("At {at}, as at others: {doubt}.", **words)

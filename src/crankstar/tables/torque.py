@@ -117,7 +117,7 @@ def torque_document(
     gears = mesh_table(engine, cycle, running=running)
     more = [] if gears is None else [gears]
     more += side_thrust_tables(engine, cycle)
-    told = [*_other_points(engine, cycle), *notes(engine, cycle), _proviso()]
+    told = [*_other_points(engine, cycle), *notes(engine, cycle), _proviso(engine)]
     pairs = [] if wheel is None else [wheel_table(wheel)]
     if running is not None:
         pairs = [running_table(running), *pairs]
@@ -360,8 +360,14 @@ def _pressure_lines(engine: Engine, cycle: Cycle) -> list[str]:
     return lines
 
 
-def _proviso() -> str:
+def _proviso(engine: Engine) -> str:
     """What the rolling moment is."""
+    if engine.drive is not None and engine.drive.load_torque:
+        return _(
+            "The block rolls by the reaction to all of the alternating torque. Where the load, "
+            "such as a generator, stands on the same frame, its mean torque stays inside, and what "
+            "alternates of its course acts on the frame too. Gas makes no force and no couple."
+        )
     return _(
         "The block rolls by the reaction to all of the alternating torque, wherever the load "
         "stands. Only the mean torque stays inside where the load, such as a generator, stands "

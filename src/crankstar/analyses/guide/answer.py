@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from crankstar.analyses.guide.question import Question
-from crankstar.analysis.assumptions import Answer
-from crankstar.analysis.tried_values import Figures
+from crankstar.analysis.assumptions import COUPLE_OF, H_OF, X_OF, Answer
+from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.engine import Engine
+from crankstar.mechanics.balance import scales
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.options.refusals import not_compiled
-from crankstar.studies.answer_parts import narrowed
-from crankstar.studies.answers import amplitudes
+from crankstar.studies.answer_parts import gas_of
+from crankstar.studies.gas_alone import gas_alone
 
 if TYPE_CHECKING:
     from crankstar.analyses.guide.engine_family import Member
 
 SMALL = 8
 """Numbers of cylinders up to which an order is searched for in no time."""
-OF_MEMBERS = ("force", "couple")
+ORDERS = (1.0, 2.0, 4.0)
+"""Those of the external moments in its table."""
 
 
 def compute(engine: Engine, question: Question) -> tuple[Member, ...]:
@@ -44,34 +48,63 @@ def compute(engine: Engine, question: Question) -> tuple[Member, ...]:
 
 
 def answer(engine: Engine, question: Question) -> Answer:
-    """The figures that it says first; the guide-force moments are rolls with gas, where it is."""
-    whole = _of_members(engine, question)
-    if whole.gas is None:
-        return whole
-    return narrowed(whole, ["force", "couple", "roll with gas"])
+    """The moments of the small members with their best firing orders, as its table has them.
 
-
-def _of_members(engine: Engine, question: Question) -> Answer:
-    """Force and couple by order, of the small members that which has most; the rest its own.
-
-    An even number of cylinders may cancel what an odd one shows: a rotating mass that is missing.
+    Other members have more of the same, and an even number of cylinders may cancel what an odd one
+    shows: a rotating mass that is missing.
     """
-    from crankstar.analyses.guide.engine_family import best_orders, with_cylinders
+    from crankstar.analyses.guide.engine_family import best_orders, member, with_cylinders
 
-    asked: Mapping[str, Any] = {"point": question.point, "speed": question.speed}
-    whole = amplitudes(engine, **asked, both=True)
     numbers = [count for count in question.numbers if count <= SMALL] or question.numbers[:1]
     orders = best_orders(
         engine, numbers, options=question.goals, drive=question.chain_drive, speed=question.speed
     )
+    asked = {
+        "point": question.point,
+        "speed": question.speed,
+        "horizontal_share": question.first_order,
+    }
 
     def figures(each: Engine) -> Figures:
-        out = {key: size for key, size in whole.figures(each).items() if key[0] not in OF_MEMBERS}
+        out: dict[Figure, float] = {}
         for order in orders:
-            member = with_cylinders(each, order, drive=question.chain_drive)
-            for key, size in amplitudes(member, **asked, gas=True).figures(member).items():
-                if key[0] in OF_MEMBERS:
-                    out[key] = max(out.get(key, 0.0), size)
+            made = with_cylinders(each, order, drive=question.chain_drive)
+            out |= _of_member(member(made, "best", asked))
         return out
 
-    return replace(whole, figures=figures)
+    def least(each: Engine) -> Mapping[str, float]:
+        """The greatest of its kind in the table: what a member cancels is no measure."""
+        sizes = figures(each)
+        tops: dict[str, float] = {}
+        for (name, _order), size in sizes.items():
+            kind = name.rpartition(" ")[0]
+            tops[kind] = max(tops.get(kind, 0.0), size)
+        return {name: tops[name.rpartition(" ")[0]] for name, _order in sizes}
+
+    guided = [f"{name}{count}" for name in (H_OF, X_OF) for count in numbers]
+    found, why = gas_of(engine, point=question.point, speed=question.speed)
+    turning = operating_state(engine, point=question.point, speed=question.speed).speed
+    return Answer(
+        figures=figures,
+        unit=lambda quantity, each: (
+            scales(each, turning)[1].couple if quantity.startswith(COUPLE_OF) else "N*m"
+        ),
+        uses=("inertia", *(("gas",) if found is not None else ())),
+        gas=found,
+        least=least,
+        why_gasless=why,
+        choices=[] if found is None else [*gas_alone(engine, found, figures, guided)],
+    )
+
+
+def _of_member(own: Member) -> dict[Figure, float]:
+    """The moments of a member that its table has: couples by order, the greatest H and X."""
+    out: dict[Figure, float] = {}
+    if own.found is not None:
+        for order in ORDERS:
+            sizes = [own.found.after.moment(order, side) for side in ("V", "H")]
+            out[f"{COUPLE_OF}{own.cylinders}", order] = float(np.nanmax([0.0, *sizes]))
+    for name, greatest in ((H_OF, own.h), (X_OF, own.x)):
+        if greatest is not None:
+            out[f"{name}{own.cylinders}", None] = greatest[1]
+    return out

@@ -99,9 +99,9 @@ def engine_family(
         if best is None:
             members.append(Member(count, "best", (), None, None, None, None))
         else:
-            members.append(_member(best, "best", asked, why))
+            members.append(member(best, "best", asked, why))
         members += [
-            _member(one, orders[one.firing_order], asked, why) for one in known if one is not best
+            member(one, orders[one.firing_order], asked, why) for one in known if one is not best
         ]
     return tuple(replace(each, published=_source(each.order, published)) for each in members)
 
@@ -270,8 +270,14 @@ def _from_first(star: Star, stars: Stars) -> Star:
     return tuple((direction - star[0]) % stars.directions for direction in star)
 
 
-def _member(engine: Engine, chosen: Chosen, asked: Mapping[str, object], why: str) -> Member:
-    """A member with its moments."""
+def member(engine: Engine, chosen: Chosen, asked: Mapping[str, object], why: str = "") -> Member:
+    """A member with its moments; `asked` are options of `marine`, `why` is its `without_chain`.
+
+    >>> from crankstar.files.catalog import load
+    >>> five = member(with_cylinders(load("man-s90mc-c"), [1, 4, 3, 2, 5]), "given", {})
+    >>> five.cylinders, five.order
+    (5, (1, 4, 3, 2, 5))
+    """
     try:
         found = marine(engine, **asked)  # pyright: ignore[reportArgumentType]
     except NothingToShareError:

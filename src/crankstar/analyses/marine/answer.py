@@ -14,6 +14,7 @@ from crankstar.mechanics.guide_moments import GuideMoments
 from crankstar.options.refusals import refuse_unused
 from crankstar.studies.answer_parts import IN_GUIDES, usual_gas
 from crankstar.studies.assumed_gas import usual_load
+from crankstar.studies.gas_alone import gas_alone
 
 
 def compute(engine: Engine, question: Question) -> MarineAnalysis:
@@ -61,6 +62,9 @@ def answer(engine: Engine, question: Question) -> Answer:
     whole = _analysed(engine, question)
     usual = usual_gas(engine, speed=whole.after.speed)[0]
     one_shaft = len({cylinder.shaft for cylinder in engine.cylinders}) == 1
+    choices = [usual_load(usual, figures, IN_GUIDES)] if usual and one_shaft else []
+    if whole.cycle is not None:
+        choices += gas_alone(engine, whole.cycle, figures)
     return Answer(
         figures=figures,
         unit=lambda quantity, each: (
@@ -68,7 +72,7 @@ def answer(engine: Engine, question: Question) -> Answer:
         ),
         uses=("inertia", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
-        choices=[usual_load(usual, figures, IN_GUIDES)] if usual and one_shaft else [],
+        choices=choices,
     )
 
 
