@@ -29,7 +29,7 @@ from crankstar.cli.options import (
     together,
     write_tree,
 )
-from crankstar.cli.output import display
+from crankstar.cli.output import display, working
 from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
@@ -229,7 +229,8 @@ def compare(
         answer = partial(
             compared, speed=turning, own_unit=own_unit, gas=burning, speed_assumed=assumed
         )
-        rests = [rests_on(one, answer(one)) for one in engines]
+        with working(_("Trying what is assumed ...")):
+            rests = [rests_on(one, answer(one)) for one in engines]
         document = tables.resting(document, rests, own)
     give(tables.with_shares(document, engines), output, form=form)
 

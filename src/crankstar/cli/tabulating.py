@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from crankstar.cli.output import display, write, write_bytes
-from crankstar.language.messages import language, spoken
+from crankstar.cli.output import display, working, write, write_bytes
+from crankstar.language.messages import _, language, spoken
 
 if TYPE_CHECKING:
     from crankstar.analysis.assumptions import Answer, Assumption
@@ -35,7 +35,8 @@ def resting_on(
     def rests() -> Sequence[Assumption]:
         from crankstar.studies.answers import rests_on
 
-        return rests_on(engine, answer())
+        with working(_("Trying what is assumed ...")):
+            return rests_on(engine, answer())
 
     return rests
 

@@ -492,9 +492,11 @@ def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
     while found(high) < wanted:
         if high >= greatest or high > 1e4 * least:
             raise GasError(
-                "the load is {load} bar, and this cycle reaches {most} bar at most",
+                "the load is {load} bar, and this cycle reaches {most} bar at most; give less, or "
+                "a greater gas.compression_ratio than {ratio}",
                 load=f"{wanted / 1e5:.4g}",
                 most=f"{found(high) / 1e5:.4g}",
+                ratio=f"{values['compression_ratio']:.8g}",
             )
         high = min(2 * high, greatest)
     return root(lambda heat: found(heat) - wanted, low=low, high=high)

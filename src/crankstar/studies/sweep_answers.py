@@ -15,6 +15,7 @@ from crankstar.analysis.assumptions import Answer
 from crankstar.analysis.registry import analysis, measures, names
 from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import LOADS
 from crankstar.mechanics.gas import cycle
 from crankstar.studies.answer_parts import joined, narrowed
 from crankstar.studies.answers import amplitudes, torques
@@ -26,8 +27,8 @@ from crankstar.studies.variants import SweepError
 
 NATURAL = " modes"
 """Behind the name of an analysis: free vibration alone."""
-HIGHEST = (SPEED_PATH, BALANCE_FACTOR)
-"""Numbers of which the highest value is judged."""
+HIGHEST = (SPEED_PATH, BALANCE_FACTOR, *(f"gas.{load}" for load in LOADS))
+"""Numbers of which the highest value is judged: a great load shows that there is a charger."""
 FIGURES: Mapping[str, Sequence[str]] = {
     "force": ["force"],
     "couple": ["couple"],
