@@ -15,7 +15,8 @@ from crankstar.files.catalog import tree_of
 from crankstar.files.sheets import sheets_of, value_of
 from crankstar.files.write import toml
 from crankstar.page.exhibits import in_units
-from crankstar.studies.answers import amplitudes, bearing_peaks, rests_on, summary
+from crankstar.studies.answers import amplitudes, rests_on, summary
+from crankstar.studies.load_answers import bearing_peaks
 from crankstar.tables.assumptions import assumption_lines, leading_lines
 from crankstar.tables.cures import fitted_lines
 from crankstar.tables.verdict import verdict

@@ -26,7 +26,8 @@ from crankstar.files import engine_of, toml
 from crankstar.files.catalog import load, names
 from crankstar.mechanics.gas import cycle
 from crankstar.studies.answer_parts import narrowed
-from crankstar.studies.answers import amplitudes, bearing_peaks, rests_on, torques
+from crankstar.studies.answers import amplitudes, rests_on, torques
+from crankstar.studies.load_answers import bearing_peaks
 from crankstar.tables.assumptions import assumption_lines
 
 __all__ = ["run"]
@@ -464,3 +465,28 @@ def test_the_charge_of_a_part_load_reaches_down_to_a_closed_throttle() -> None:
     loaded = load("honda-b18c", changes={**sizes, "gas": {"imep": "11 bar"}})
     usual = of(rests_on(loaded, torques(loaded, cycle)), "gas.intake_pressure")
     assert (usual.low, usual.high) == pytest.approx((0.9, 1.2))
+
+
+def test_loads_say_what_the_gas_that_they_leave_out_would_change() -> None:
+    """With it they are those of the program with gas; of a usual cycle those at its two loads."""
+    engine = load("audi-25-tfsi")
+    rest = of(rests_on(engine, bearing_peaks(engine, lambda _: None)), "gas")
+    assert rest.moved is not None
+    burnt = bearing_loads(engine, speed=engine.speed, cycle=cycle(engine))
+    parts = {"main bearing": burnt.load, "crank pin": burnt.pin, "cylinder wall": burnt.guide}
+    most = float(spectra.peaks(parts[rest.moved.quantity]).max())
+    assert rest.moved.high == pytest.approx(most, rel=1e-9)
+
+    bare = load("audi-25-tfsi", changes={"gas": None})
+    rest = of(rests_on(bare, bearing_peaks(bare, lambda _: None)), "gas")
+    assert rest.moved is not None
+    assert dict(rest.values)["ignition"] == "spark"
+    ends: list[float] = []
+    for imep in (rest.low, rest.high):
+        assert imep is not None
+        filled = load("audi-25-tfsi", changes={"gas": {"imep": f"{imep} bar"}})
+        burnt = bearing_loads(filled, speed=filled.speed, cycle=cycle(filled))
+        parts = {"main bearing": burnt.load, "crank pin": burnt.pin, "cylinder wall": burnt.guide}
+        ends.append(float(spectra.peaks(parts[rest.moved.quantity]).max()))
+    assert rest.moved.low <= min(ends) * (1 + 1e-9)
+    assert rest.moved.high >= max(ends) * (1 - 1e-9)

@@ -12,7 +12,8 @@ from crankstar import spectra
 from crankstar.files import engine_of
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.doubts import doubts
-from crankstar.studies.answers import amplitudes, bearing_peaks, rests_on
+from crankstar.studies.answers import amplitudes, rests_on
+from crankstar.studies.load_answers import bearing_peaks
 from crankstar.tables.assumptions import assumption_facts
 from crankstar.tables.conditions import assumed_sentence
 

@@ -26,6 +26,7 @@ from crankstar.mechanics.gas import Cycle
 from crankstar.studies import answers
 from crankstar.studies.answer_parts import TURNING, in_own_unit, narrowed, without_speed
 from crankstar.studies.chart_answers import vectors
+from crankstar.studies.load_answers import bearing_peaks
 from crankstar.tables.assumptions import (
     assumption_facts,
     assumption_lines,
@@ -261,7 +262,7 @@ def of_loads(
     speed: float | None,
     model: str = "determinate",
 ) -> Rests:
-    """Of a figure of loads, by a quantity of `answers.bearing_peaks`.
+    """Of a figure of loads, by a quantity of `load_answers.bearing_peaks`.
 
     At a `speed` (rad/s), or without gas in m r omega^2.
     """
@@ -269,9 +270,9 @@ def of_loads(
     def answer(each: Engine) -> Answer:
         if speed is None and make(each) is None:
             own = without_speed(each)
-            made = in_own_unit(answers.bearing_peaks(own, make, model=model))
+            made = in_own_unit(bearing_peaks(own, make, model=model))
         else:
-            made = answers.bearing_peaks(each, make, speed=speed, model=model)
+            made = bearing_peaks(each, make, speed=speed, model=model)
         return narrowed(made, [quantity])
 
     return Rests([engine], answer, "bearings")

@@ -16,6 +16,7 @@
 | `answer_parts` | answers about fewer quantities, and several as one |
 | `response_answers` | what shakes a block with faults, by figures |
 | `answers` | the figures of each analysis, of which the record says how far they may move |
+| `load_answers` | the maximum loads of bearings and pins, with what gas would change |
 | `chart_answers` | the figures of what charts alone show |
 | `judged_orders` | firing orders by the stress and the bearing loads that they make |
 | `sweep` | one or two values of an engine file varied, and what becomes of its quantities |

@@ -17,9 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
-from functools import partial
 from math import pi
-from typing import Any
 
 import numpy as np
 
@@ -31,7 +29,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
-from crankstar.mechanics.gas import Cycle, computable, cycle_or_reason
+from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import friction_torque, gas_torque
 from crankstar.mechanics.operating_points import GasError, operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
@@ -48,16 +46,12 @@ from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.gas_alone import gas_alone, usual_speeds, with_speed
 
 MakeCycle = Callable[[Engine], Cycle | None]
-GAS_OPTION = N_("--gas adds it")
-USUAL_OPTION = N_("--gas adds that of a usual cycle")
-"""Why loads are without gas, of a file with gas and of one without."""
 IN_OTHER_UNIT = N_(
     "compared in m r ω², without a speed, as an engine beside it has no masses, sizes or speed"
 )
 """Why rolling moments of a file with gas are without it where those of another have no unit."""
 ONE_SPEED = N_("no speed in one of the files; the ratio of inertia forces is that of any speed")
 IN_ROLL = N_("Not in the rolling moment: {paths}.")
-IN_LOADS = N_("Not in the loads: {paths}.")
 
 
 def rests_on(engine: Engine, answer: Answer) -> tuple[Assumption, ...]:
@@ -298,56 +292,6 @@ def _evenness(
     if irregularity is not None and found.speed is not None:
         out["flywheel", None] = flywheel_for(engine, found, irregularity=irregularity)
     return out
-
-
-def bearing_peaks(
-    engine: Engine, make: MakeCycle, *, speed: float | None = None, model: Any = "determinate"
-) -> Answer:
-    """The maximum load of a main bearing, of a crankpin and of a cylinder wall."""
-
-    def found(each: Engine, again: Cycle | None, model: Any) -> Any:
-        from crankstar.dynamics.bearings import bearing_loads
-
-        own = each.speed if speed is None else speed
-        turning = own if again is None else again.speed
-        return bearing_loads(each, speed=turning, model=model, cycle=again)
-
-    def figures(each: Engine, *, model: Any = model) -> Figures:
-        loads = found(each, make(each), model)
-        named = {"main bearing": loads.load, "crank pin": loads.pin, "cylinder wall": loads.guide}
-        return {
-            (name, None): float(spectra.peaks(own).max(initial=0.0)) for name, own in named.items()
-        }
-
-    first = make(engine)
-    reason = N_("a crankshaft hinged at each main bearing")
-    if any(shaft.bending_stiffness for shaft in engine.shafts):
-        reason = N_("the bending stiffness of the file is not used")
-    shared = Assumption(
-        "assumed", "--model", reason, MODELS[0], low=1.0, high=1.0, values=(("other", MODELS[1]),),
-        named=True, vary=lambda each, _value: each, figures=partial(figures, model=MODELS[1]),
-    )  # fmt: skip
-    return Answer(
-        figures=figures,
-        unit=lambda _quantity, each: found(each, make(each), model).unit,
-        uses=("inertia", "bearings", *(("gas",) if first is not None else ())),
-        gas=first,
-        gasless=IN_LOADS,
-        why_gasless=_why_gasless(engine, speed),
-        choices=[shared] if model == MODELS[0] else [],
-    )
-
-
-MODELS = ("determinate", "continuous")
-"""How a crankshaft stands on its main bearings: as is usual, and the other way."""
-
-
-def _why_gasless(engine: Engine, speed: float | None) -> str:
-    """Why loads are without gas, or how they have it; nothing where there can be none."""
-    if engine.gas is not None:
-        return gas_of(engine, speed=speed)[1] or GAS_OPTION
-    known = computable(engine) and not {"mass", "radius"} & {*engine.relative}
-    return USUAL_OPTION if known else ""
 
 
 def bobweights(engine: Engine, *, factor: float) -> Answer:

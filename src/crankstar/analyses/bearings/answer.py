@@ -9,7 +9,7 @@ from crankstar.analysis.assumptions import Answer
 from crankstar.dynamics.bearings import BearingLoads, bearing_loads
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle, cycle
-from crankstar.studies.answers import bearing_peaks
+from crankstar.studies.load_answers import bearing_peaks
 
 
 @dataclass(frozen=True)

@@ -48,7 +48,7 @@ from crankstar.mechanics import bounds
 from crankstar.remedy.counterweights import RemedyError, with_web_weights, without_counterweights
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import in_own_unit, narrowed
-from crankstar.studies.answers import IN_LOADS
+from crankstar.studies.load_answers import IN_LOADS
 
 FACTOR = 0.5
 """Balance factor of the weights that are compared where the engine file gives none."""

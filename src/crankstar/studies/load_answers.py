@@ -1,0 +1,95 @@
+"""The maximum loads of bearings, pins and cylinder walls, with what gas would change of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+from crankstar import spectra
+from crankstar.analysis.assumptions import Answer, Assumption
+from crankstar.analysis.tried_values import Figures
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_
+from crankstar.mechanics.gas import Cycle, computable, cycle_or_reason
+from crankstar.studies.answer_parts import gas_of, usual_gas
+from crankstar.studies.assumed_gas import usual_load
+
+MakeCycle = Callable[[Engine], Cycle | None]
+GAS_OPTION = N_("--gas adds it")
+USUAL_OPTION = N_("--gas adds that of a usual cycle")
+USUAL_CYCLE = N_("no table [gas] in the file; --gas adds that of a usual cycle")
+"""Why loads are without gas, of a file with gas, of one without, and where it can be computed."""
+IN_LOADS = N_("Not in the loads: {paths}.")
+MODELS = ("determinate", "continuous")
+"""How a crankshaft stands on its main bearings: as is usual, and the other way."""
+
+
+def bearing_peaks(
+    engine: Engine, make: MakeCycle, *, speed: float | None = None, model: Any = "determinate"
+) -> Answer:
+    """The maximum load of a main bearing, of a crankpin and of a cylinder wall."""
+
+    def found(each: Engine, again: Cycle | None, model: Any) -> Any:
+        from crankstar.dynamics.bearings import bearing_loads
+
+        own = each.speed if speed is None else speed
+        turning = own if again is None else again.speed
+        return bearing_loads(each, speed=turning, model=model, cycle=again)
+
+    def of_cycle(each: Engine, again: Cycle | None, model: Any) -> Figures:
+        loads = found(each, again, model)
+        named = {"main bearing": loads.load, "crank pin": loads.pin, "cylinder wall": loads.guide}
+        return {
+            (name, None): float(spectra.peaks(own).max(initial=0.0)) for name, own in named.items()
+        }
+
+    def figures(each: Engine, *, model: Any = model) -> Figures:
+        return of_cycle(each, make(each), model)
+
+    def with_gas(each: Engine) -> Figures:
+        return of_cycle(each, cycle_or_reason(each, speed=speed)[0], model)
+
+    first = make(engine)
+    reason = N_("a crankshaft hinged at each main bearing")
+    if any(shaft.bending_stiffness for shaft in engine.shafts):
+        reason = N_("the bending stiffness of the file is not used")
+    shared = Assumption(
+        "assumed", "--model", reason, MODELS[0], low=1.0, high=1.0, values=(("other", MODELS[1]),),
+        named=True, vary=lambda each, _value: each, figures=partial(figures, model=MODELS[1]),
+    )  # fmt: skip
+    choices = [shared] if model == MODELS[0] else []
+    left = None if first is not None else _unburnt(engine, speed, with_gas)
+    return Answer(
+        figures=figures,
+        unit=lambda _quantity, each: found(each, make(each), model).unit,
+        uses=("inertia", "bearings", *(("gas",) if first is not None else ())),
+        gas=first,
+        gasless="" if left is not None else IN_LOADS,
+        why_gasless=_why_gasless(engine, speed),
+        choices=choices if left is None else [*choices, left],
+    )
+
+
+def _unburnt(
+    engine: Engine, speed: float | None, with_gas: Callable[[Engine], Figures]
+) -> Assumption | None:
+    """The gas that loads leave out, and what it would change; None where it is not known."""
+    usual = usual_gas(engine, speed=speed)[0]
+    if usual is not None:
+        return replace(usual_load(usual, with_gas, IN_LOADS), reason=USUAL_CYCLE)
+    if gas_of(engine, speed=speed)[0] is None or {"mass", "radius"} & {*engine.relative}:
+        return None
+    return Assumption(
+        "left out", "gas", GAS_OPTION, low=1.0, high=1.0, explained=True, sentence=IN_LOADS,
+        vary=lambda each, _value: each, figures=with_gas,
+    )  # fmt: skip
+
+
+def _why_gasless(engine: Engine, speed: float | None) -> str:
+    """Why loads are without gas, or how they have it; nothing where there can be none."""
+    if engine.gas is not None:
+        return gas_of(engine, speed=speed)[1] or GAS_OPTION
+    known = computable(engine) and not {"mass", "radius"} & {*engine.relative}
+    return USUAL_OPTION if known else ""
