@@ -395,6 +395,7 @@ def bobweights(engine: Engine, *, factor: float) -> Answer:
             ("bobweight", None): max(bobweight(pin, factor) for pin in loads(each))
         },
         unit=lambda _quantity, _engine: unit,
+        given=("cylinder.throw_mass",),
     )
 
 
