@@ -159,6 +159,17 @@ def test_comparing_in_another_unit_is_what_leaves_the_gas_out(tmp_path: Path, ru
     assert "gas (compared in m r ω², without a speed, as an engine beside it has no masses" in out
 
 
+def test_of_two_engines_the_one_without_masses_is_said_to_lack_them(
+    tmp_path: Path, run: Run
+) -> None:
+    words = ("compare", written(tmp_path, GENSET), "triumph-675", "v8-flat-plane", "--json")
+    printed = json.loads(run(*words).out)
+    reasons = {row["engine"]: row["reason"] for row in printed["rests_on"] if row["path"] == "gas"}
+    complete, bare, _without = reasons.values()
+    assert "as an engine beside it has no masses" in complete
+    assert "as its own file lacks masses, sizes or a speed" in bare
+
+
 def test_the_figures_of_a_ships_engine_are_all_its_guide_moments(tmp_path: Path, run: Run) -> None:
     own = rows_of(run, "marine", written(tmp_path, SHIP))["gas.intake_pressure"]["moves"]
     assert (own["quantity"], own["order"], own["unit"]) == ("X moment", 3.0, "N*m")

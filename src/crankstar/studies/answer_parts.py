@@ -10,6 +10,7 @@ from crankstar.analysis.tried_values import Figure, Figures, Tuning
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.gas import Cycle, computable, cycle, cycle_or_reason
 from crankstar.mechanics.operating_points import GasError
 
@@ -19,6 +20,26 @@ TURNING = ("cylinder.rotating_mass", "cylinder.throw_mass", "crankshaft.weight")
 IN_VIBRATION = N_("Not in the forced vibration: {paths}.")
 IN_GUIDES = N_("Without guide-force moments: {paths}.")
 """What gas that is not known is missing in, by what an answer is about."""
+
+IN_OWN_UNIT = N_(
+    "compared in m r ω², without a speed, as its own file lacks masses, sizes or a speed"
+)
+IN_OTHER_UNIT = N_(
+    "compared in m r ω², without a speed, as an engine beside it has no masses, sizes or speed"
+)
+"""Why rolling moments of a file with gas are without it where not all have them in N m."""
+
+
+def in_whose_unit(engine: Engine, speed: float | None) -> str:
+    """Why an engine among others is compared in m r omega^2 at a `speed` (rad/s): it, or another.
+
+    >>> from crankstar.files.catalog import load
+    >>> in_whose_unit(load("triumph-675"), 100.0) == IN_OWN_UNIT
+    True
+    """
+    own = engine.speed if speed is None else speed
+    known = balance(engine, speed=own).units != balance(engine).units
+    return IN_OTHER_UNIT if known else IN_OWN_UNIT
 
 
 def without_speed(engine: Engine) -> Engine:
