@@ -352,7 +352,7 @@ def test_a_pin_split_that_makes_firing_less_even_is_doubted() -> None:
     assert fault.values["without"] == "-".join(["90"] * 8)
 
 
-def test_a_crank_that_fires_in_a_bunch_is_doubted_with_what_fires_evenly(run: Run) -> None:
+def test_a_crank_that_fires_in_a_bunch_is_doubted_with_what_fires_evenly() -> None:
     """By dead centres: cylinder of bank b on pin p fires at b - p, in either turn, 720 deg long."""
     text = V6.replace("[1, 6, 5, 4, 3, 2]", "[1, 2, 3, 4, 5, 6]")
     text = text.replace('"120 deg", "240 deg"', '"240 deg", "120 deg"')

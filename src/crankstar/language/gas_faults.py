@@ -89,8 +89,8 @@ SENTENCES: dict[str, str | Plural] = {
         "split at {without} deg"
     ),
     "doubt.firing-split": N_(
-        "{where}: the engine fires at intervals of {intervals} deg; with throws at {throws} deg and "
-        "a pin_split of {split} deg it fires every {even} deg"
+        "{where}: the engine fires at intervals of {intervals} deg; with throws at {throws} deg "
+        "and a pin_split of {split} deg it fires every {even} deg"
     ),
     "doubt.firing-throws": N_(
         "{where}: the engine fires at intervals of {intervals} deg; with throws at {throws} deg it "
