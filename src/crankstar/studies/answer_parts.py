@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 
-from crankstar.analysis.assumptions import Answer
+from crankstar.analysis.assumptions import Answer, Assumption, Moved
+from crankstar.analysis.changed_values import with_gas_choice
 from crankstar.analysis.tried_values import Figure, Figures, Tuning
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.gas import Cycle, computable, cycle, cycle_or_reason
+from crankstar.mechanics.gas_torque import friction_torque, gas_torque
 from crankstar.mechanics.operating_points import GasError
+from crankstar.studies.assumed_gas import CHOICES
 
 Figured = Callable[[Engine], Figures]
 TURNING = ("cylinder.rotating_mass", "cylinder.throw_mass", "crankshaft.weight")
@@ -166,6 +169,32 @@ def usual_gas(engine: Engine, *, speed: float | None) -> tuple[Cycle | None, str
 def gas_as_in(engine: Engine, changed: Engine) -> Engine:
     """A changed engine, without gas where the file has none: a usual cycle may have been varied."""
     return with_values(changed, gas=None) if engine.gas is None else changed
+
+
+def friction_of_power(engine: Engine, found: Cycle | None) -> list[Assumption]:
+    """The assumed friction of a cycle by the brake torque, where the power is said beside figures.
+
+    No moment depends on it; the other of the two is tried. Nothing without a speed.
+    """
+    if found is None or found.speed is None or "friction" not in found.assumed:
+        return []
+    value, ignition = found.values["friction"], found.values["ignition"]
+    if value not in CHOICES["friction"]:
+        return []
+    other = next(each for each in CHOICES["friction"] if each != value)
+    changed = with_gas_choice("friction", other, ignition=ignition)(engine, 1.0)
+    now, then = (
+        float(gas_torque(each).mean.sum()) - friction_torque(each)
+        for each in (found, cycle(changed, point=found.name, speed=found.speed))
+    )
+    effect = abs(then - now) / max(abs(now), abs(then))
+    moved = Moved("brake torque", None, "N*m", now, then, then, effect)
+    reason = N_("usual for such engines")
+    own = Assumption(
+        "assumed", "gas.friction", reason, value, "", 1.0, 1.0, values=(("other", other),),
+        named=True, moved=moved,
+    )  # fmt: skip
+    return [own]
 
 
 def tuned_on_mounts(orders: Sequence[float], *, between: tuple[float, float]) -> Tuning:

@@ -11,7 +11,7 @@ from crankstar.analysis.assumptions import Answer
 from crankstar.analysis.tried_values import Figures
 from crankstar.engine.engine import Engine
 from crankstar.options.refusals import not_compiled
-from crankstar.studies.answer_parts import narrowed
+from crankstar.studies.answer_parts import friction_of_power, narrowed
 from crankstar.studies.answers import amplitudes
 
 if TYPE_CHECKING:
@@ -48,7 +48,8 @@ def answer(engine: Engine, question: Question) -> Answer:
     whole = _of_members(engine, question)
     if whole.gas is None:
         return whole
-    return narrowed(whole, ["force", "couple", "roll with gas"])
+    own = narrowed(whole, ["force", "couple", "roll with gas"])
+    return replace(own, choices=[*own.choices, *friction_of_power(engine, whole.gas)])
 
 
 def _of_members(engine: Engine, question: Question) -> Answer:
