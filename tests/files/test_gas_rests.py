@@ -159,6 +159,34 @@ def test_comparing_in_another_unit_is_what_leaves_the_gas_out(tmp_path: Path, ru
     assert "gas (compared in m r ω², without a speed, as an engine beside it has no masses" in out
 
 
+def test_of_two_engines_the_one_without_masses_is_said_to_lack_them(
+    tmp_path: Path, run: Run
+) -> None:
+    words = ("compare", written(tmp_path, GENSET), "triumph-675", "v8-flat-plane", "--json")
+    printed = json.loads(run(*words).out)
+    reasons = {row["engine"]: row["reason"] for row in printed["rests_on"] if row["path"] == "gas"}
+    complete, bare, _without = reasons.values()
+    assert "as an engine beside it has no masses" in complete
+    assert "as its own file lacks masses, sizes or a speed" in bare
+
+
+@pytest.mark.parametrize("verb", ["marine", "guide"])
+def test_where_a_power_is_said_its_assumed_friction_is_named(
+    verb: str, tmp_path: Path, run: Run
+) -> None:
+    """P = (imep - fmep) V / (2 pi) w: the brake power of `torque` with the other friction."""
+    file = written(tmp_path, {**SHIP, "gas": {"imep": "20 bar"}})
+    words = (verb, file, *(("--numbers", "6") if verb == "guide" else ()))
+    own = rows_of(run, *words)["gas.friction"]
+    changed = ("--set", f"gas.friction={own['other']}", "--set", "gas.ignition=compression")
+    assert own["moves"]["quantity"] == "brake torque"
+    for key, more in (("now", ()), ("low", changed), ("high", changed)):
+        torque = json.loads(run("torque", file, *more, "--json").out)
+        assert own["moves"][key] == pytest.approx(torque["brake_torque"], rel=1e-9)
+        lost = torque["imep"] - torque["brake_torque"] * 2 * np.pi / (6 * np.pi / 4 * 0.5**2 * 2)
+        assert lost == pytest.approx(torque["imep"] - torque["bmep"], rel=1e-6)
+
+
 def test_the_figures_of_a_ships_engine_are_all_its_guide_moments(tmp_path: Path, run: Run) -> None:
     own = rows_of(run, "marine", written(tmp_path, SHIP))["gas.intake_pressure"]["moves"]
     assert (own["quantity"], own["order"], own["unit"]) == ("X moment", 3.0, "N*m")

@@ -380,6 +380,34 @@ def test_a_pin_split_that_makes_firing_less_even_is_doubted() -> None:
     assert fault.values["without"] == "-".join(["90"] * 8)
 
 
+def test_a_crank_that_fires_in_a_bunch_is_doubted_with_what_fires_evenly() -> None:
+    """By dead centres: cylinder of bank b on pin p fires at b - p, in either turn, 720 deg long."""
+    text = V6.replace("[1, 6, 5, 4, 3, 2]", "[1, 2, 3, 4, 5, 6]")
+    text = text.replace('"120 deg", "240 deg"', '"240 deg", "120 deg"')
+    engine = engine_of(tree_of(text))
+    assert firing(engine).intervals_deg == pytest.approx([60.0] * 5 + [420.0])
+    (fault,) = [each for each in doubts(engine) if each.code.startswith("doubt.firing")]
+    assert fault.values["intervals"] == "60-60-60-60-60-420"
+    pins = [float(angle) for angle in fault.values["throws"].split(", ")]
+    split = float(fault.values["split"])
+    assert (pins, split) == ([0, 120, 240], -30)
+    dead = {}
+    for number in range(1, 7):
+        bank = (number - 1) % 2
+        pin = pins[(number - 1) // 2] + bank * split
+        dead[number] = ((-45, 45)[bank] - pin + 45) % 360
+    assert [dead[number] for number in range(1, 7)] == [120 * k % 360 for k in range(6)]
+    proposed = text.replace('"240 deg", "120 deg"', '"120 deg", "240 deg"')
+    proposed = proposed.replace('"30 deg"', '"-30 deg"')
+    assert firing(engine_of(tree_of(proposed))).intervals_deg == pytest.approx([120.0] * 6)
+
+
+@pytest.mark.parametrize("name", ["v8-cross-plane", "harley-45", "vw-vr6"])
+def test_uneven_engines_that_are_built_are_not_doubted(name: str) -> None:
+    found = doubts(crankstar.load(name))
+    assert not [each for each in found if each.code.startswith("doubt.firing")]
+
+
 V6 = """
 name = "V6"
 firing_order = [1, 6, 5, 4, 3, 2]

@@ -11,7 +11,7 @@ from tests.mounted_engines import MOUNTS, standing
 
 from crankstar.analyses.mounts.figures import on_mounts
 from crankstar.analysis.assumptions import Answer, Assumption
-from crankstar.analysis.changed_values import with_turning_masses
+from crankstar.analysis.changed_masses import with_turning_masses
 from crankstar.analysis.tried_values import Tried, Tuning
 from crankstar.dynamics.mount_analysis import mounts
 from crankstar.dynamics.mounted_block import borne, mounted_block, settled

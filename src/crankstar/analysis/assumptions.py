@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Literal
 
-from crankstar.analysis.changed_values import Vary
+from crankstar.analysis.changed_masses import Vary
 from crankstar.analysis.tried_values import Figure, Figures, Tried, Tuning
 from crankstar.engine.engine import Engine
 from crankstar.language.faults import EngineError
@@ -113,13 +113,13 @@ class Answer:
 
     `figures` gives the maximum of each quantity and order of an engine. `unit` is that of a
     quantity, `least` what each quantity is measured by at least; `given` are the key paths of
-    values that a question has of its own, as a sweep does. `gas` is the cycle that is part of the
-    answer; `without_gas` the one that its rolling moment leaves out; `gasless` is the sentence on
-    what gas is missing in where it is not known, empty where gas does not belong to the answer;
-    `why_gasless` says why it is not in it though the file has some; `without_reaction` is the
-    cycle of an answer that leaves out what a driven machine does to its frame. `choices` are
-    those that the answer makes itself, with figures of their own. `tunings` are the natural
-    frequencies of an answer that resonates.
+    values that a question has of its own, as a sweep does, or that belong to no figure of it. `gas`
+    is the cycle that is part of the answer; `without_gas` the one that its rolling moment leaves
+    out; `gasless` is the sentence on what gas is missing in where it is not known, empty where gas
+    does not belong to the answer; `why_gasless` says why it is not in it though the file has some;
+    `without_reaction` is the cycle of an answer that leaves out what a driven machine does to its
+    frame. `choices` are those that the answer makes itself, with figures of their own. `tunings`
+    are the natural frequencies of an answer that resonates.
     """
 
     figures: Callable[[Engine], Figures]

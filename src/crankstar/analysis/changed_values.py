@@ -6,18 +6,18 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from itertools import combinations, pairwise
-from math import cos, pi, radians
+from math import cos, radians
 from typing import Any
 
-from crankstar.engine.basis import BALANCE_FACTOR
+from crankstar.analysis.changed_masses import Vary, with_pistons_balanced, with_weights_along
 from crankstar.engine.block import Block
-from crankstar.engine.copies import with_values, wrapped
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas, OperatingPoint
 from crankstar.engine.main_bearings import main_bearings
-from crankstar.engine.records import Cylinder, Shaft, Valves, Weight
+from crankstar.engine.records import Cylinder, Shaft, Valves
 from crankstar.engine.torsion import Disc
 from crankstar.mechanics.gas import Cycle
 
@@ -27,81 +27,6 @@ OPPOSITE = -1 + 1e-9
 """Cosine of the angle between crankpins below which they are opposite."""
 INERTIAS = ("inertia_up", "inertia_right", "inertia_z")
 """The moments of inertia of a block, by their keys."""
-Vary = Callable[[Engine, float], Engine]
-"""From an engine and a factor or a value to the changed engine; raises EngineError."""
-
-
-def by_factor(engine: Engine) -> bool:
-    """Whether counterweights of the crankshafts follow from a balance factor of the file."""
-    weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
-    return weighted and BALANCE_FACTOR in engine.provenance
-
-
-def _with_weights_along(before: Engine, after: Engine) -> Engine:
-    """The engine after a change of what turns at its crankpins, balanced if by a factor.
-
-    A `balance_factor` balances all of it: opposite each pin as much unbalance is added, or taken.
-    """
-    if not by_factor(before):
-        return after
-    shafts = [
-        with_values(
-            shaft,
-            weights=(
-                *shaft.weights,
-                *(
-                    Weight(
-                        unbalance=abs(more) * throw.radius,
-                        angle=wrapped(throw.angle + (pi if more > 0 else 0.0)),
-                        z=throw.z,
-                        throw=number,
-                    )
-                    for number, (throw, own) in enumerate(
-                        zip(shaft.throws, old.throws, strict=True), 1
-                    )
-                    if (more := throw.turning_mass - own.turning_mass)
-                ),
-            ),
-        )
-        for old, shaft in zip(before.shafts, after.shafts, strict=True)
-    ]
-    return with_values(after, shafts=tuple(shafts))
-
-
-def with_turning_masses(engine: Engine, ends: float | None, pins: float | None) -> Engine:
-    """The engine with these masses (kg) per cylinder: big ends, and the crank's own pins.
-
-    What is None stays. Counterweights stay, but those of a balance factor go along. The big end of
-    a slave rod is on its knuckle pin.
-    """
-    on: dict[tuple[str, int], list[bool]] = {}
-    for cylinder in engine.cylinders:
-        on.setdefault((cylinder.shaft, cylinder.throw), []).append(cylinder.articulated is None)
-
-    def changes(shaft: str, number: int) -> dict[str, float]:
-        own = on.get((shaft, number), [])
-        out = {} if ends is None else {"rotating_mass": ends * sum(own)}
-        return out if pins is None else {**out, "throw_mass": pins * len(own)}
-
-    if ends is not None and any(cylinder.articulated for cylinder in engine.cylinders):
-        cylinders = [
-            with_values(own, big_end_mass=ends) if own.articulated else own
-            for own in engine.cylinders
-        ]
-        engine = with_values(engine, cylinders=tuple(cylinders))
-    shafts = [
-        with_values(
-            shaft,
-            throws=tuple(
-                with_values(throw, **changes(shaft.name, number))
-                for number, throw in enumerate(shaft.throws, 1)
-            ),
-        )
-        if shaft.throws
-        else shaft
-        for shaft in engine.shafts
-    ]
-    return _with_weights_along(engine, with_values(engine, shafts=tuple(shafts)))
 
 
 def rods_at_one_place(engine: Engine) -> list[tuple[Cylinder, Cylinder]]:
@@ -384,30 +309,7 @@ def _reciprocating(engine: Engine, factor: float) -> Engine:
     What they balance beyond all that turns is a share of what reciprocates, rods included; that of
     the pistons changes along.
     """
-    after = _all("reciprocating_mass")(engine, factor)
-    if not by_factor(engine):
-        return after
-    shafts = []
-    for shaft in engine.shafts:
-        more = []
-        for number, throw in enumerate(shaft.throws, 1):
-            own = [weight for weight in shaft.weights if weight.throw == number]
-            moved = [
-                each
-                for each in engine.cylinders
-                if (each.shaft, each.throw) == (shaft.name, number)
-            ]
-            opposite = -sum(each.unbalance * cos(each.angle - throw.angle) for each in own)
-            turning = throw.turning_mass + sum(each.rotating for each in moved)
-            whole = sum(each.reciprocating for each in moved)
-            pistons = sum(each.reciprocating_mass for each in moved)
-            part = (opposite - turning * throw.radius) * pistons / whole if whole else 0.0
-            share = (factor - 1) * part
-            angle = wrapped(throw.angle + (pi if share > 0 else 0.0))
-            more += [Weight(unbalance=abs(share), angle=angle, z=throw.z, throw=number)]
-        kept = [each for each in more if each.unbalance]
-        shafts.append(with_values(shaft, weights=(*shaft.weights, *kept)) if kept else shaft)
-    return with_values(after, shafts=tuple(shafts))
+    return with_pistons_balanced(engine, _all("reciprocating_mass")(engine, factor))
 
 
 def _of_throws(field: str) -> Vary:
@@ -426,7 +328,7 @@ def _of_throws(field: str) -> Vary:
             else shaft
             for shaft in engine.shafts
         ]
-        return _with_weights_along(engine, with_values(engine, shafts=tuple(shafts)))
+        return with_weights_along(engine, with_values(engine, shafts=tuple(shafts)))
 
     return vary
 

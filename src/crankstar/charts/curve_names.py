@@ -39,7 +39,7 @@ NAMES = {
     "mount_mode_6": N_("sixth mode on the mounts"),
     "mount_roll_mode": N_("mode of roll on the mounts"),
     "mount_roll_share": N_("share of roll in its mode"),
-    "mount_force": N_("force of the mounts on the ground, rms"),
+    "mount_force": N_("net force of the mounts on the ground, rms"),
     "mount_velocity": N_("velocity of the point on the mounts, rms"),
 }
 """By what is watched."""

@@ -78,7 +78,7 @@ def _far(engine: Engine) -> list[str]:
 
 def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
     """Lines on values that hardly any engine has, and on cycles that cannot be."""
-    from crankstar.engine.firing_angles import split_doubts
+    from crankstar.engine.firing_angles import firing_doubts
     from crankstar.files.forms import is_explicit
     from crankstar.files.read import in_file
     from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
@@ -86,7 +86,7 @@ def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
     rods = any(cylinder.rod is not None for cylinder in engine.cylinders)
     if engine.gas is engine.drive is engine.torsion is None and not rods:
         # libraries of cycles stay unread
-        own = [*split_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
+        own = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
         own += [*piston_doubts(engine), *body_doubts(engine)]
     else:
         from crankstar.mechanics.doubts import doubts

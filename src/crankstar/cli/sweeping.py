@@ -53,8 +53,8 @@ def sweep(
             "Also roll, torque, couple.pitch, couple.yaw, force.forward, ...; of gas "
             "torque_with_gas, roll_with_gas, mean_torque, peak_pressure, irregularity; "
             "of torsion torsion_frequency, torsion_stress, torsion_amplitude; on the mounts "
-            "mount_mode_1 to mount_mode_6, mount_roll_mode, mount_roll_share, mount_force, "
-            "mount_velocity.",
+            "mount_mode_1 to mount_mode_6, mount_roll_mode, mount_roll_share, mount_force (net, on "
+            "the ground), mount_velocity.",
         ),
     ] = "force",
     orders: Annotated[str | None, option("--orders", "Default: the sum of all orders.")] = None,

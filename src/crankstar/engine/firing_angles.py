@@ -20,6 +20,8 @@ from crankstar.language.faults import Fault
 
 ANGLE_TOLERANCE = 1.0
 """Degrees by which a firing angle written in a file may miss the dead centre it names."""
+FAR_UNEVEN = 2.0
+"""Greatest interval over the even one from which a firing is doubted where it could be even."""
 
 
 def firing_angles(engine: Assembly) -> list[float]:
@@ -140,6 +142,52 @@ def split_doubts(engine: Assembly) -> list[Fault]:
         "without": _intervals_text(without, engine),
     }
     return [Fault(("layout", "pin_split"), "doubt.pin-split", values)]
+
+
+def firing_doubts(engine: Assembly) -> list[Fault]:
+    """What is hardly right in how an engine fires: a split that does harm, a crank mirrored."""
+    return [*split_doubts(engine), *mirrored_doubts(engine)]
+
+
+def mirrored_doubts(engine: Assembly) -> list[Fault]:
+    """A far uneven firing of banks on a crankshaft that mirrored, or split mirrored, fires evenly.
+
+    Pins at p_k from the first, and those of the second bank s further: tried are p_k with -s, -p_k
+    with s, and -p_k with -s.
+    """
+    own = firing_angles(engine)
+    if not own or engine.firing_angles or len(engine.shafts) != 1 or len(engine.banks) < 2:
+        return []
+    even = engine.cycle_angle / len(own)
+    throws = engine.shafts[0].throws
+    split = len(throws) == len(engine.cylinders)
+    count = len(engine.banks) if split else 1
+    if max(_steps(own, engine)) < FAR_UNEVEN * even or count > 2:
+        return []
+    plain = Assembly.model_validate(
+        {name: getattr(engine, name) for name in Assembly.model_fields}, by_name=True
+    )
+    first, offset = throws[0].angle, throws[count - 1].angle - throws[0].angle
+    for pins, halves in ((1, -1), (-1, 1), (-1, -1)) if split else ((-1, 1),):
+        moved = [
+            with_values(throw, angle=first + pins * (pin.angle - first) + halves * more)
+            for index, throw in enumerate(throws)
+            for pin in [throws[index - index % count]]
+            for more in [throw.angle - pin.angle]
+        ]
+        other = with_values(plain, shafts=(with_values(engine.shafts[0], throws=tuple(moved)),))
+        fired = _evenest(engine.firing_order, dead_centres(other), engine.cycle_angle)
+        if fired is not None and _spread(fired, engine) < SAME_ANGLE:
+            angles = [round(degrees(each.angle - first) % 360, 6) for each in moved[::count]]
+            values = {
+                "intervals": _intervals_text(own, engine),
+                "even": f"{even:.4g}",
+                "throws": ", ".join(f"{angle:g}" for angle in angles),
+                **({"split": f"{degrees(halves * offset):.4g}"} if split else {}),
+            }
+            code = "doubt.firing-split" if split else "doubt.firing-throws"
+            return [Fault(("firing_order",), code, values)]
+    return []
 
 
 def _steps(angles: list[float], engine: Assembly) -> list[float]:

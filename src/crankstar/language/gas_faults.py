@@ -98,6 +98,14 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} makes firing less even: it fires at intervals of {intervals} deg, and without the "
         "split at {without} deg"
     ),
+    "doubt.firing-split": N_(
+        "{where}: the engine fires at intervals of {intervals} deg; with throws at {throws} deg "
+        "and a pin_split of {split} deg it fires every {even} deg"
+    ),
+    "doubt.firing-throws": N_(
+        "{where}: the engine fires at intervals of {intervals} deg; with throws at {throws} deg it "
+        "fires every {even} deg"
+    ),
     "doubt.piston-mass": N_(
         "{where}: {value} kg go up and down, more than a solid bar of steel as thick as the bore "
         "and as long as stroke and rod, {solid} kg; is the unit right?"

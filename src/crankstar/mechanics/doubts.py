@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.firing_angles import split_doubts
+from crankstar.engine.firing_angles import firing_doubts
 from crankstar.engine.gas import LOADS, Ignition
 from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import CrankDimensions, Torsion
@@ -76,7 +76,7 @@ LOWEST_DISC = 0.5
 
 def doubts(engine: Engine) -> tuple[Fault, ...]:
     """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
-    found = [*split_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
+    found = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
     found += [*piston_doubts(engine), *body_doubts(engine)]
     found += [*inertia_doubts(engine), *torsion_doubts(engine)]
     gas = engine.gas

@@ -51,6 +51,8 @@ FACTORS = (0.5, 0.0, 1.0)
 One half for one crankshaft; for two counter-rotating ones 0 where their pistons move in opposition,
 1 where they move together.
 """
+WORTH = 0.01
+"""Share of the greatest force, or couple, of an engine that a balance shaft removes at least."""
 BELOW, BESIDE = 1.25, 0.8
 """Assumed depth of balance shafts below the crankshaft, and spacing of a pair, in crank sweeps."""
 
@@ -144,7 +146,8 @@ def recommended(engine: Engine, *, bare: bool = False, shafts: Wanted = "needed"
 
     Counterweights (`quiet_cranks`) cancel what turns with a crankshaft in order 1 and 2, beside
     those that it has or, with `bare`, instead of them. The rest needs balance shafts, of which
-    those of the lowest remaining order are added, clear of the crank (`clear_places`).
+    those of the lowest remaining order are added, clear of the crank (`clear_places`), and unless
+    `all` are asked for none that would remove hardly anything (`WORTH`).
 
     >>> from crankstar.files.catalog import load
     >>> recommended(load("v8-cross-plane")).description
@@ -158,15 +161,30 @@ def recommended(engine: Engine, *, bare: bool = False, shafts: Wanted = "needed"
         after, factor = quiet_cranks(engine, bare=bare)
         weighted = any(shaft.weights for shaft in after.shafts if shaft.throws)
         weights = "removed" if not weighted else "webs" if factor is not None else "ends"
-    ratios = _ratios_of(after, lowest=shafts == "needed") if needs(after) else []
+    ratios = _ratios_of(after, lowest=False) if needs(after) else []
+    if shafts == "needed":
+        worth = _worth(engine, after)
+        ratios = [each for each in worth if abs(each) == abs(worth[0])]
     if len(after.shafts) + len(ratios) > GREATEST_SHAFTS:
         ratios = []
     if ratios:
         paired = any(-ratio in ratios for ratio in ratios)
         alone = bool(balance_shafts(after)) or any(-ratio not in ratios for ratio in ratios)
         places = clear_places(engine, paired=paired, about_another=alone)
-        after = with_shafts(after, ratios=shafts, places=places)
+        after = with_shafts(after, ratios=ratios, places=places)
     return Fitted(after, weights, factor, tuple(ratios)) if weights or ratios else None
+
+
+def _worth(before: Engine, after: Engine) -> list[Fraction]:
+    """Speed ratios of shafts that remove a share WORTH of what the engine had, or more."""
+    had = needs(before)
+    force = WORTH * max((abs(need.force) for need in had), default=0.0)
+    couple = WORTH * max((abs(need.couple) for need in had), default=0.0)
+    return [
+        need.ratio
+        for need in needs(after)
+        if need.ratio != 1 and (abs(need.force) > force or abs(need.couple) > couple)
+    ]
 
 
 def recommended_like(

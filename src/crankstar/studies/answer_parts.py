@@ -5,13 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 
-from crankstar.analysis.assumptions import Answer
+from crankstar.analysis.assumptions import Answer, Assumption, Moved
+from crankstar.analysis.changed_values import with_gas_choice
 from crankstar.analysis.tried_values import Figure, Figures, Tuning
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.gas import Cycle, computable, cycle, cycle_or_reason
+from crankstar.mechanics.gas_torque import friction_torque, gas_torque
 from crankstar.mechanics.operating_points import GasError
+from crankstar.studies.assumed_gas import CHOICES
 
 Figured = Callable[[Engine], Figures]
 TURNING = ("cylinder.rotating_mass", "cylinder.throw_mass", "crankshaft.weight")
@@ -19,6 +23,26 @@ TURNING = ("cylinder.rotating_mass", "cylinder.throw_mass", "crankshaft.weight")
 IN_VIBRATION = N_("Not in the forced vibration: {paths}.")
 IN_GUIDES = N_("Without guide-force moments: {paths}.")
 """What gas that is not known is missing in, by what an answer is about."""
+
+IN_OWN_UNIT = N_(
+    "compared in m r ω², without a speed, as its own file lacks masses, sizes or a speed"
+)
+IN_OTHER_UNIT = N_(
+    "compared in m r ω², without a speed, as an engine beside it has no masses, sizes or speed"
+)
+"""Why rolling moments of a file with gas are without it where not all have them in N m."""
+
+
+def in_whose_unit(engine: Engine, speed: float | None) -> str:
+    """Why an engine among others is compared in m r omega^2 at a `speed` (rad/s): it, or another.
+
+    >>> from crankstar.files.catalog import load
+    >>> in_whose_unit(load("triumph-675"), 100.0) == IN_OWN_UNIT
+    True
+    """
+    own = engine.speed if speed is None else speed
+    known = balance(engine, speed=own).units != balance(engine).units
+    return IN_OTHER_UNIT if known else IN_OWN_UNIT
 
 
 def without_speed(engine: Engine) -> Engine:
@@ -144,6 +168,32 @@ def usual_gas(engine: Engine, *, speed: float | None) -> tuple[Cycle | None, str
 def gas_as_in(engine: Engine, changed: Engine) -> Engine:
     """A changed engine, without gas where the file has none: a usual cycle may have been varied."""
     return with_values(changed, gas=None) if engine.gas is None else changed
+
+
+def friction_of_power(engine: Engine, found: Cycle | None) -> list[Assumption]:
+    """The assumed friction of a cycle by the brake torque, where the power is said beside figures.
+
+    No moment depends on it; the other of the two is tried. Nothing without a speed.
+    """
+    if found is None or found.speed is None or "friction" not in found.assumed:
+        return []
+    value, ignition = found.values["friction"], found.values["ignition"]
+    if value not in CHOICES["friction"]:
+        return []
+    other = next(each for each in CHOICES["friction"] if each != value)
+    changed = with_gas_choice("friction", other, ignition=ignition)(engine, 1.0)
+    now, then = (
+        float(gas_torque(each).mean.sum()) - friction_torque(each)
+        for each in (found, cycle(changed, point=found.name, speed=found.speed))
+    )
+    effect = abs(then - now) / max(abs(now), abs(then))
+    moved = Moved("brake torque", None, "N*m", now, then, then, effect)
+    reason = N_("usual for such engines")
+    own = Assumption(
+        "assumed", "gas.friction", reason, value, "", 1.0, 1.0, values=(("other", other),),
+        named=True, moved=moved,
+    )  # fmt: skip
+    return [own]
 
 
 def tuned_on_mounts(orders: Sequence[float], *, between: tuple[float, float]) -> Tuning:

@@ -38,6 +38,7 @@ from crankstar.studies.answer_parts import (
     TURNING,
     gas_of,
     in_own_unit,
+    in_whose_unit,
     joined,
     usual_gas,
     without_speed,
@@ -46,10 +47,6 @@ from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.gas_alone import gas_alone, usual_speeds, with_speed
 
 MakeCycle = Callable[[Engine], Cycle | None]
-IN_OTHER_UNIT = N_(
-    "compared in m r ω², without a speed, as an engine beside it has no masses, sizes or speed"
-)
-"""Why rolling moments of a file with gas are without it where those of another have no unit."""
 ONE_SPEED = N_("no speed in one of the files; the ratio of inertia forces is that of any speed")
 IN_ROLL = N_("Not in the rolling moment: {paths}.")
 
@@ -138,7 +135,7 @@ def compared(
     if own_unit:
         inertia = in_own_unit(amplitudes(without_speed(engine), gas=of_file))
         if not of_file and gas_of(engine, speed=speed)[0] is not None:
-            inertia = replace(inertia, why_gasless=IN_OTHER_UNIT)
+            inertia = replace(inertia, why_gasless=in_whose_unit(engine, speed))
     else:
         inertia = amplitudes(engine, speed=speed, gas=of_file)
     answer = joined([inertia, *torque, *_driven(engine, speed)])
@@ -304,6 +301,7 @@ def bobweights(engine: Engine, *, factor: float) -> Answer:
             ("bobweight", None): max(bobweight(pin, factor) for pin in loads(each))
         },
         unit=lambda _quantity, _engine: unit,
+        given=("cylinder.throw_mass",),
     )
 
 

@@ -7,18 +7,19 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from crankstar.analysis.assumptions import Assumption
+from crankstar.analysis.changed_masses import by_factor, with_part, with_turning_masses
 from crankstar.analysis.changed_values import (
-    by_factor,
     pins_at_one_place,
     rods_at_one_place,
     with_pins_apart,
     with_rods_apart,
     with_rods_of,
-    with_turning_masses,
 )
 from crankstar.engine.basis import ROD_SOURCE
+from crankstar.engine.cylinder_parts import ENDS
 from crankstar.engine.engine import Engine
-from crankstar.engine.proportions import Look, Proportion, inferred, look_of, proportion
+from crankstar.engine.proportions import Look, Proportion, dressed, inferred, look_of, proportion
+from crankstar.engine.records import Cylinder
 from crankstar.engine.weighed import EngineType
 from crankstar.language.messages import N_
 from crankstar.remedy.fitting import quiet_cranks
@@ -33,6 +34,38 @@ CROSSHEAD = ((0.3, 0.65, 1.0), (0.3, 0.75, 1.2))
 No masses of such parts are published engine by engine: our judgement, and so is said.
 """
 
+OF_PISTON = {"pin": (0.2, 0.4), "rings": (0.06, 0.12)}
+"""Piston pin and rings over the bare piston.
+
+Together with the locks they are 0.38 to 0.45 of it in the engines of which both were weighed
+(`dressed`). How much of that is which is our judgement.
+"""
+SHELLS = (0.0, 0.12)
+"""Bearing shells over the big end of a rod: none of rolling bearings. Our judgement."""
+PARTS = {
+    "piston": N_("no piston in the file, counted as zero; the range is usual for its bore"),
+    "pin": N_(
+        "no piston pin in the file, counted as zero; the range is a judgement by the mass of the "
+        "piston"
+    ),
+    "rings": N_(
+        "no piston rings in the file, counted as zero; the range is a judgement by the mass of the "
+        "piston"
+    ),
+    "small_end": N_(
+        "no small end of the rod in the file, counted as zero; the range is usual for its big end "
+        "or its piston"
+    ),
+    "big_end": N_(
+        "no big end of the rod in the file, counted as zero; the range is usual for its small end"
+    ),
+    "bearing_shells": N_(
+        "no bearing shells beside the big end in the file, counted as zero; the range is a "
+        "judgement by the mass of the big end"
+    ),
+}
+"""Parts that engines have, where a file weighs others; locks and oil are hardly anything."""
+
 
 def _usual(part: str, kind: EngineType) -> Proportion | None:
     """A coefficient of a type, None where there is none."""
@@ -42,18 +75,80 @@ def _usual(part: str, kind: EngineType) -> Proportion | None:
         return None
 
 
-def masses(engine: Engine, *, fitted: bool = False) -> Iterator[Assumption]:
+def masses(engine: Engine, *, fitted: bool = False, pins: bool = True) -> Iterator[Assumption]:
     """What is missing or assumed of the masses and lengths that forces come from.
 
-    Weights that were `fitted` to the engine as it is balance no crankpins that it lacks.
+    Weights that were `fitted` to the engine as it is balance no crankpins that it lacks. Without
+    `pins` the crank's own mass does not belong to the answer, as it does not to a bobweight.
     """
     look = look_of(engine, engine.gas)
     kind = None if look is None else inferred(look)[0]
     yield from _rods(engine, kind)
-    yield from _turning(engine, kind, look, fitted=fitted)
+    yield from _unweighed(engine, kind)
+    yield from _turning(engine, kind, look, fitted=fitted, own=pins)
     yield from _beside(engine)
     if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
         yield _weights(engine)
+
+
+def _unweighed(engine: Engine, kind: EngineType | None) -> Iterator[Assumption]:
+    """The parts that every engine has and that a file which weighs the others leaves out."""
+    unit = "m" if "mass" in engine.relative else "kg"
+    for name, reason in PARTS.items():
+        own = [each for each in engine.cylinders if _lacks(each, name)]
+        if not own:
+            continue
+        ends = _usual_part(own[0], name, None if unit == "m" else kind or "petrol")
+        yield Assumption(
+            "missing", f"cylinder.parts.{name}", reason, 0.0, unit, *(ends or (None, None)),
+            vary=ends and with_part(name, {each.number for each in own}),
+        )  # fmt: skip
+
+
+def _lacks(cylinder: Cylinder, name: str) -> bool:
+    """Whether a part counts as zero beside others that move as it does.
+
+    A rigid rod has its ends itself; where nothing turns, the record is on the rotating mass.
+    """
+    parts = cylinder.parts
+    if parts is None or getattr(parts, name):
+        return False
+    if name == "bearing_shells":
+        return bool(parts.big_end)
+    if name in ENDS and cylinder.rod is not None:
+        return False
+    return bool(parts.rotating if name == "big_end" else parts.reciprocating)
+
+
+def _usual_part(
+    cylinder: Cylinder, name: str, kind: EngineType | None
+) -> tuple[float, float] | None:
+    """The least and the greatest usual mass of a part beside the others, None where not known.
+
+    In kg, or in the unit of those others: a share c of a rod is its small end, s = b c / (1 - c).
+    """
+    parts = cylinder.parts
+    assert parts is not None  # noqa: S101  # it lacks one of them
+    if name == "bearing_shells":
+        return SHELLS[0] * parts.big_end, SHELLS[1] * parts.big_end
+    if name in OF_PISTON:
+        low, high = OF_PISTON[name]
+        return (low * parts.piston, high * parts.piston) if parts.piston else None
+    if name == "piston":
+        usual = None if kind is None else _usual("piston group", kind)
+        if usual is None or cylinder.bore is None:
+            return None
+        scale = cylinder.bore**3 / dressed()
+        return usual.low * scale, usual.high * scale
+    share = proportion("small end", "petrol")
+    ends = share.low / (1 - share.low), share.high / (1 - share.high)
+    if name == "big_end":
+        return (parts.small_end / ends[1], parts.small_end / ends[0]) if parts.small_end else None
+    if parts.big_end:
+        return ends[0] * parts.big_end, ends[1] * parts.big_end
+    rod = proportion("rod over piston group", "petrol")
+    group = dressed() * parts.piston
+    return (share.low * rod.low * group, share.high * rod.high * group) if group else None
 
 
 def _beside(engine: Engine) -> Iterator[Assumption]:
@@ -92,7 +187,7 @@ def _weights(engine: Engine) -> Assumption:
 
 
 def _turning(
-    engine: Engine, kind: EngineType | None, look: Look | None, *, fitted: bool
+    engine: Engine, kind: EngineType | None, look: Look | None, *, fitted: bool, own: bool
 ) -> Iterator[Assumption]:
     """The big ends and the crankpins that a file leaves out, of one cylinder.
 
@@ -100,14 +195,14 @@ def _turning(
     bore^3; where the file gives no masses or no bore, by its reciprocating mass, over
     m_piston + c m_rod. Crankpins count as missing where the crankshaft has no weights: weights may
     have been cut for bobweights, which leave them nothing. Counterweights stay as the file gives
-    them, but those of a `balance_factor` go along.
+    them, but those of a `balance_factor` go along. The crank's `own` mass where it is asked for.
     """
     throws = [throw for shaft in engine.shafts for throw in shaft.throws]
     rigid = any(cylinder.rod is not None for cylinder in engine.cylinders)
     weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
     no_ends = not rigid and not any(throw.rotating_mass for throw in throws)
     bare = not any(throw.throw_mass for throw in throws)
-    no_pins = bare and (no_ends or fitted or not weighted)
+    no_pins = own and bare and (no_ends or fitted or not weighted)
     if not no_ends and not no_pins:
         return
     unit = "m" if "mass" in engine.relative else "kg"
@@ -116,7 +211,7 @@ def _turning(
     ends, pins = _usual_turning(engine, kind, look)
     if any(cylinder.articulated for cylinder in engine.cylinders):  # a row has one pin
         throws = sum(len(shaft.throws) for shaft in engine.shafts)
-        pins = [own * throws / len(engine.cylinders) for own in pins]
+        pins = [each * throws / len(engine.cylinders) for each in pins]
     if not no_ends:
         yield Assumption(
             "missing", path, reason, 0.0, unit, pins[0], pins[-1],

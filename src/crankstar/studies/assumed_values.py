@@ -112,7 +112,8 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     yield from (_doubt(each) for each in doubts if each.code not in OF_RODS)
     yield from answer.choices
     if "inertia" in answer.uses:
-        yield from masses(engine, fitted="fitted" in answer.uses)
+        pins = "cylinder.throw_mass" not in answer.given
+        yield from masses(engine, fitted="fitted" in answer.uses, pins=pins)
     if answer.without_gas is not None:
         yield without_gas(engine, answer.without_gas)
     elif answer.gas is None and answer.gasless:

@@ -33,7 +33,7 @@ from crankstar.tables.by_order import (
     star_sums,
     turning_vectors,
 )
-from crankstar.tables.conditions import conditions, missing_parts
+from crankstar.tables.conditions import conditions
 from crankstar.tables.headings import heading
 from crankstar.tables.peaks import peak_lines
 from crankstar.tables.summary import summary
@@ -114,7 +114,6 @@ def document(
         summary(shown.engine, shown.best, summed(shown.best)),
         Remarks(("", *heading(shown.engine).lines)),
         *remarks(*conditions(shown.engine, shown.best), kind="note"),
-        *remarks(missing_parts(shown.engine), kind="doubt"),
     )
     body = tables(shown, angles=angles, by=by, vectors=vectors)
     return Document(shown.engine.name, (*heads, *body, *_with_gas(shown)))

@@ -13,7 +13,6 @@ from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.remedy.loads import Load, bobweight, loads
-from crankstar.tables.conditions import missing_parts
 from crankstar.tables.scales import scales
 
 NAMES = {
@@ -46,11 +45,7 @@ def card_document(engine: Engine, *, factor: float) -> Document:
             master=slaves[0].articulated.master,
         )
     own, pins = parts_table(engine), bobweights(engine, factor)
-    lines = (
-        *_remarks(engine, factor),
-        "" if own else _without_parts(engine),
-        missing_parts(engine),
-    )
+    lines = (*_remarks(engine, factor), "" if own else _without_parts(engine))
     return Document(
         engine.name,
         (*own, pins, overbalance(engine, factor), *remarks(*lines, kind="note")),

@@ -117,28 +117,6 @@ def _is_explicit(engine: Engine) -> bool:
     return any(path.startswith(("shaft", "cylinders.throw")) for path in engine.provenance)
 
 
-def missing_parts(engine: Engine) -> str:
-    """A sentence on parts of a cylinder that its file does not weigh; "" where none are missing.
-
-    Locks may be none; the small end belongs to a rod as a rigid body.
-
-    >>> from crankstar.files.catalog import load
-    >>> missing_parts(load("i4", changes={"cylinder.parts.piston": "500 g"}))
-    'The cylinder lacks parts.pin, parts.rings, parts.small_end: these count as 0.'
-    """
-    first = engine.first
-    if first.parts is None or not first.parts.reciprocating:
-        return ""
-    wanted = ("piston", "pin", "rings", *(("small_end",) if first.rod is None else ()))
-    names = [name for name in wanted if not getattr(first.parts, name)]
-    if not names:
-        return ""
-    return _(
-        "The cylinder lacks {parts}: these count as 0.",
-        parts=", ".join(f"parts.{name}" for name in names),
-    )
-
-
 def unverified(engine: Engine) -> list[str]:
     """The key paths of values whose status is unverified or placeholder.
 

@@ -1,4 +1,4 @@
-"""What the newtons of a derivation rest on, as its last step."""
+"""What the newtons of a derivation rest on, as its last step; of it the gravest in the first."""
 
 from __future__ import annotations
 
@@ -39,6 +39,8 @@ def with_record(
     >>> whole = with_record(bare, five, order=Fraction(1), quantity="couple")
     >>> whole.steps[-1].words[0].partition(":")[0]
     'cylinder.rotating_mass'
+    >>> whole.steps[0].words[0].partition(" no ")[0]
+    'What matters most for its numbers: cylinder.rotating_mass:'
     """
     needed = {"mass", "radius", *(["pitch"] if quantity == "couple" else [])}
     turning = engine.speed if speed is None else speed
@@ -51,4 +53,8 @@ def with_record(
     lines = assumption_lines(rests_on(engine, answer))
     if not lines:
         return chapter
-    return replace(chapter, steps=(*chapter.steps, Step(_("What it rests on"), tuple(lines))))
+    first, *others = chapter.steps
+    gravest = _("What matters most for its numbers: {line}", line=lines[0])
+    first = replace(first, words=(gravest, *first.words))
+    last = Step(_("What it rests on"), tuple(lines))
+    return replace(chapter, steps=(first, *others, last))

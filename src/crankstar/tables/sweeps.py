@@ -80,10 +80,15 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
         "The engine file has weights on the crankshaft; those of the balance factor are added to "
         "them."
     )
-    more = (_estimates_note(sweep), added if sweep.adds else "")
     doubts = remarks(*doubt_sentences(sweep, curves), kind="doubt")
+    net = ""
+    if any(curve.what == "mount_force" for curve in curves):
+        net = _(
+            "mount_force: the net force on the ground, rms; that in a single mount may be greater."
+        )
+    more = (net, _estimates_note(sweep), added if sweep.adds else "")
     if curves and all(curve.what in measures() for curve in curves):
-        return (*remarks(_estimates_note(sweep), kind="note"), *doubts)
+        return (*remarks(net, _estimates_note(sweep), kind="note"), *doubts)
     own = (*GAS_WATCHABLE, *measures())
     gas = bool(curves) and all(curve.what in own for curve in curves)
     return (*remarks(counted, "" if gas else speed_note(sweep), *more, kind="note"), *doubts)

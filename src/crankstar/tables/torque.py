@@ -208,7 +208,9 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
     ]
     if cycle.air_fuel_ratio is not None:
         ratio = float(f"{cycle.air_fuel_ratio:.4g}")
-        rows.insert(2, (_("air-fuel ratio"), "air_fuel_ratio", ratio, ""))
+        warm = number(cycle.values["intake_temperature"])
+        name = _("air-fuel ratio (charge of {temperature} K)", temperature=warm)
+        rows.insert(2, (name, "air_fuel_ratio", ratio, ""))
     if cycle.speed is not None:
         rows += [
             (_("friction mean effective pressure"), "friction_pressure", cycle.friction, "Pa"),

@@ -14,7 +14,7 @@ from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import scales
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.options.refusals import not_compiled
-from crankstar.studies.answer_parts import gas_of
+from crankstar.studies.answer_parts import friction_of_power, gas_of
 from crankstar.studies.gas_alone import gas_alone
 
 if TYPE_CHECKING:
@@ -83,6 +83,9 @@ def answer(engine: Engine, question: Question) -> Answer:
 
     guided = [f"{name}{count}" for name in (H_OF, X_OF) for count in numbers]
     found, why = gas_of(engine, point=question.point, speed=question.speed)
+    choices = [*friction_of_power(engine, found)]
+    if found is not None:
+        choices += gas_alone(engine, found, figures, guided)
     turning = operating_state(engine, point=question.point, speed=question.speed).speed
     return Answer(
         figures=figures,
@@ -93,7 +96,7 @@ def answer(engine: Engine, question: Question) -> Answer:
         gas=found,
         least=least,
         why_gasless=why,
-        choices=[] if found is None else [*gas_alone(engine, found, figures, guided)],
+        choices=choices,
     )
 
 

@@ -12,7 +12,7 @@ from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.guide_moments import GuideMoments
 from crankstar.options.refusals import refuse_unused
-from crankstar.studies.answer_parts import IN_GUIDES, usual_gas
+from crankstar.studies.answer_parts import IN_GUIDES, friction_of_power, usual_gas
 from crankstar.studies.assumed_gas import usual_load
 from crankstar.studies.gas_alone import gas_alone
 
@@ -72,7 +72,7 @@ def answer(engine: Engine, question: Question) -> Answer:
         ),
         uses=("inertia", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
-        choices=choices,
+        choices=[*choices, *friction_of_power(engine, whole.cycle)],
     )
 
 
