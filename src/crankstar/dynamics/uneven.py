@@ -273,8 +273,9 @@ def _driven_by(engine: Engine, cycle: Cycle) -> _WithoutFlywheel:
 def friction_apart(cycle: Cycle) -> float:
     """The mean torque of friction that does not go with the load, N m: what the file says of it.
 
-    Known with a brake mean effective pressure, a friction pressure or its correlation. A load in
-    indicated pressure alone leaves it unknown: 0.
+    Known with a brake mean effective pressure, a friction pressure or its correlation; between two
+    operating points with one of them at both. A load in indicated pressure alone leaves it unknown:
+    0.
 
     >>> from crankstar import cycle, load
     >>> five = load("audi-25-tfsi")
@@ -283,8 +284,7 @@ def friction_apart(cycle: Cycle) -> float:
     >>> [round(friction_apart(each), 1) for each in (indicated, brake)]
     [0.0, 22.4]
     """
-    said = "bmep" in cycle.values or "friction" not in cycle.assumed
-    return friction_torque(cycle) if said else 0.0
+    return friction_torque(cycle) if cycle.friction_said else 0.0
 
 
 def load_course(engine: Engine) -> Real | None:
