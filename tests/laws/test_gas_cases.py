@@ -20,7 +20,8 @@ from crankstar.dynamics.uneven import driven, flywheel_for
 from crankstar.engine.block import Block
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.mechanics.gas import Cycle, cycle, events
+from crankstar.mechanics.charge_air import events
+from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, over_cycle
 from crankstar.studies.answers import rests_on, summary, torques
 from crankstar.studies.assumed_values import assumed_values

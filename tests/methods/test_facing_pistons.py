@@ -11,9 +11,11 @@ import pytest
 from crankstar import load, spectra
 from crankstar.engine.volumes import volumes
 from crankstar.files import engine_of
-from crankstar.mechanics.gas import cycle, events, volumes_of
+from crankstar.mechanics.charge_air import events
+from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_pins import gas_pin_loads, head_forces
 from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.mechanics.pressures import volumes_of
 from crankstar.mechanics.side_thrust import greatest_side_thrust, side_thrust
 
 OPPOSED = """

@@ -13,10 +13,10 @@ T_k/(J (k w_m)^2).
 from __future__ import annotations
 
 from dataclasses import dataclass
-
-import numpy as np
+from functools import cached_property
 
 from crankstar.dynamics.uneven import Running, periodic_integral
+from crankstar.mechanics.maxima import extremes
 from crankstar.spectra import Real
 
 
@@ -24,21 +24,28 @@ from crankstar.spectra import Real
 class GeneratorAngle:
     """The angle ahead of even running over a cycle [angle], rad; greatest ahead and behind.
 
-    >>> GeneratorAngle(np.array([0.02, -0.01])).greatest
+    >>> import numpy as np
+    >>> GeneratorAngle(np.array([0.0, 0.02, 0.0, -0.02])).greatest
     0.02
     """
 
     ahead: Real
 
+    @cached_property
+    def ends(self) -> tuple[float, float]:
+        """The most behind (negative) and the most ahead, rad."""
+        found = extremes(self.ahead, 1.0)
+        return found.least, found.greatest
+
     @property
     def greatest(self) -> float:
         """The greatest deviation to either side, rad."""
-        return float(np.abs(self.ahead).max())
+        return max(map(abs, self.ends))
 
     @property
     def range(self) -> float:
         """From the most behind to the most ahead, rad."""
-        return float(np.ptp(self.ahead))
+        return self.ends[1] - self.ends[0]
 
     def electrical(self, pole_pairs: int) -> float:
         """The greatest deviation in electrical angle, rad."""

@@ -35,6 +35,7 @@ from crankstar.mechanics.excitation import part_spectra
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import friction_torque, over_cycle
 from crankstar.mechanics.kinetic import inertia, mean_inertia, samples_over, throw_inertia
+from crankstar.mechanics.maxima import Extremes, extremes
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.roots import root
 from crankstar.spectra import Real
@@ -63,7 +64,8 @@ class Running:
     >>> from crankstar import cycle, load
     >>> five = load("audi-25-tfsi")
     >>> found = driven(five, cycle(five, speed="1000 rpm", imep="9 bar"), flywheel=0.5)
-    >>> bool(np.ptp(found.speed) / found.mean_speed == found.irregularity)
+    >>> slow, _angle, fast, _other = found.extremes
+    >>> bool((fast - slow) / found.mean_speed == found.irregularity)
     True
     """
 
@@ -77,6 +79,11 @@ class Running:
     fluctuation: float
     inertia: float
     flywheel: float
+
+    @property
+    def extremes(self) -> Extremes:
+        """The least and the greatest speed (rad/s), each with its crank angle (rad)."""
+        return extremes(self.speed, float(self.theta[1]) * self.theta.size)
 
 
 def running(
@@ -128,13 +135,14 @@ class _WithoutFlywheel:
         lost = friction_apart(cycle)
         load = lost + (gas.mean() - lost) * shape
         change = periodic_integral(gas + moving - load, theta[1] - theta[0])
+        swing = extremes(change, cycle.volumes.cycle)
         return cls(
             theta=theta,
             speed=speed,
             gas=gas,
             own=inertia(engine, theta),
             mean=mean_inertia(mechanism(engine)) + throw_inertia(engine),
-            fluctuation=float(np.ptp(change)),
+            fluctuation=swing.greatest - swing.least,
             shape=shape,
             exponent=exponent,
             friction=lost,
@@ -149,13 +157,14 @@ class _WithoutFlywheel:
         if float(now.min()) < SLOWEST * speed or float(now.max()) > speed / SLOWEST:
             raise _stopped(speed)
         mean = flywheel + self.mean
+        ends = extremes(now, float(self.theta[1]) * self.theta.size)
         return Running(
             theta=self.theta,
             speed=now,
             gas=self.gas,
             load=load,
             mean_speed=speed,
-            irregularity=float(np.ptp(now)) / speed,
+            irregularity=(ends.greatest - ends.least) / speed,
             linear=self.fluctuation / (mean * speed**2),
             fluctuation=self.fluctuation,
             inertia=mean,
@@ -273,18 +282,18 @@ def _driven_by(engine: Engine, cycle: Cycle) -> _WithoutFlywheel:
 def friction_apart(cycle: Cycle) -> float:
     """The mean torque of friction that does not go with the load, N m: what the file says of it.
 
-    Known with a brake mean effective pressure, a friction pressure or its correlation. A load in
-    indicated pressure alone leaves it unknown: 0.
+    Known with a brake mean effective pressure, a friction pressure or its correlation; between two
+    operating points with one of them at both. A load in indicated pressure alone leaves it unknown:
+    0.
 
     >>> from crankstar import cycle, load
     >>> five = load("audi-25-tfsi")
     >>> indicated = cycle(five, speed="800 rpm", imep="2 bar")
     >>> brake = cycle(five, speed="800 rpm", bmep="2 bar")
     >>> [round(friction_apart(each), 1) for each in (indicated, brake)]
-    [0.0, 22.4]
+    [0.0, 22.1]
     """
-    said = "bmep" in cycle.values or "friction" not in cycle.assumed
-    return friction_torque(cycle) if said else 0.0
+    return friction_torque(cycle) if cycle.friction_said else 0.0
 
 
 def load_course(engine: Engine) -> Real | None:

@@ -48,7 +48,10 @@ class Drive(Record):
     load_torque: tuple[Number, ...] = Field(
         default=(),
         max_length=GREATEST_LOAD,
-        description="how the load goes over the cycle, in any unit: a pump, a press",
+        description=(
+            "how the load goes over the cycle, straight between its values, in any unit: a pump, "
+            "a press"
+        ),
     )
     output: Line | None = Field(
         default=None,

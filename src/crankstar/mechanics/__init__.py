@@ -19,6 +19,7 @@
 | `operating_points` | the values of an operating point, given or assumed |
 | `roots` | where a function is nought |
 | `gas_traces` | when valves act, and the charge that a measured pressure shows |
+| `pressures` | the pressure at one operating point, with the heat that gives its load |
 | `maxima` | where curves on a grid have their maxima and cross their limits |
 | `gas` | the pressure in every chamber over a cycle |
 | `mass_doubts` | the same of masses and bodies, without gas or speed |

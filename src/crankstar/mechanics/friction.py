@@ -9,8 +9,9 @@ an extrapolation.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import pi
-from typing import Literal
+from typing import Any, Literal
 
 Correlation = Literal["spark-ignition", "diesel", "none"]
 
@@ -30,3 +31,16 @@ def friction_pressure(correlation: Correlation, *, speed: float, stroke: float) 
         piston_speed = speed * stroke / pi
         return 1e3 * (75 + 48 * thousands + 0.4 * piston_speed**2)
     return 0.0
+
+
+def friction_of(values: Mapping[str, Any]) -> float:
+    """The friction mean effective pressure of a cycle's values, Pa: as given, or by a correlation.
+
+    >>> turning = {"friction": "none", "speed": 100.0, "stroke": 0.08}
+    >>> friction_of({"friction_pressure": 1.7e5}), friction_of(turning)
+    (170000.0, 0.0)
+    """
+    given = values.get("friction_pressure")
+    if given is not None:
+        return given
+    return friction_pressure(values["friction"], speed=values["speed"], stroke=values["stroke"])

@@ -10,20 +10,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
-from math import inf, pi
+from math import inf
 from typing import Any
 
 import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS
-from crankstar.engine.volumes import Volumes, volumes
+from crankstar.engine.volumes import Volumes
 from crankstar.language.messages import _
-from crankstar.mechanics import heat_release, ideal_cycles, real_gas
-from crankstar.mechanics.charge_air import GREATEST_STEPS, SETTLED, air_fuel_ratio, boosted, events
-from crankstar.mechanics.friction import friction_pressure
-from crankstar.mechanics.gas_traces import charges_of_trace, traced
+from crankstar.mechanics.charge_air import GREATEST_STEPS, SETTLED, air_fuel_ratio
+from crankstar.mechanics.friction import friction_of
+from crankstar.mechanics.gas_traces import charges_of_trace
 from crankstar.mechanics.operating_points import (
     GasError,
     OperatingState,
@@ -31,13 +29,8 @@ from crankstar.mechanics.operating_points import (
     own_speed,
     resolved,
 )
-from crankstar.mechanics.roots import root
+from crankstar.mechanics.pressures import SAMPLES, charged, pressures, volumes_of
 from crankstar.spectra import Real
-
-LEAST_STEP = 1e5
-"""Pa: a heat per swept volume, up from which that of a load is sought."""
-SAMPLES = 3600
-"""Samples of a cycle: a fifth of a degree of a four-stroke one."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +46,8 @@ class Cycle:
     which the chamber fires; mean effective pressures over all chambers; `values` are all that went
     into it, `assumed` the names of those that the file does not give. Chambers that are `off` burn
     nothing; of those that are `weaker` the share is given that they lack. Between two operating
-    points, whose `shares` they are by name, all of it is between theirs.
+    points, whose `shares` they are by name, all of it is between theirs but for a friction by
+    correlation, which is that of the speed.
     """
 
     volumes: Volumes
@@ -74,6 +68,8 @@ class Cycle:
     boosted: bool = False
     """Whether the charge pressure is estimated from the load: see `boosted`."""
     shares: tuple[tuple[str, float], ...] = ()
+    friction_said: bool = False
+    """Whether the file or who asks says what friction takes: itself, its correlation, or a bmep."""
 
     @property
     def bmep(self) -> float:
@@ -100,7 +96,8 @@ def cycle(
     those that are `weaker` lack a share of their combustion, by cylinder: the others burn what they
     would. What does not burn is compressed from the charge pressure of the point, and with a
     measured pressure from the one that the trace has. Between two points the pressure at each
-    angle, and what comes of it, is between theirs, each at its own speed. Raises GasError.
+    angle, and what comes of it, is between theirs, each at its own speed; a friction by correlation
+    is that of the speed, and a load that is asked for comes out. Raises GasError.
 
     >>> from crankstar.files.catalog import load
     >>> found = cycle(load("audi-25-tfsi"), imep=12e5)
@@ -132,9 +129,14 @@ def cycle(
         return replace(one, off=tuple(sorted(silent)))
 
     one = found()
-    if peak_pressure is None or motored:
+    if motored or len(state.shares) == 1:
         return one
-    return _of_peak(one, peak_pressure, found)
+    if peak_pressure is not None:
+        return _of_peak(one, peak_pressure, found)
+    if bmep is not None and one.bmep != bmep:  # the friction at the points is another
+        one = found(bmep=2 * bmep - one.bmep)
+        return replace(one, values={**one.values, "bmep": bmep})
+    return one
 
 
 def _at_point(
@@ -153,12 +155,12 @@ def _at_point(
     places = volumes_of(engine)
     burns = not motored and (engine.gas is None or engine.gas.trace is None)
     try:
-        charged = {}
+        charge = {}
         if burns and "intake_pressure" in assumed:
-            charged = _charged(engine, places, values, assumed)
-            values |= charged
+            charge = charged(engine, places, values, assumed)
+            values |= charge
         charges = charges_of_trace(engine, places, lost, assumed)
-        rows, heat = _pressures(engine, places, values, lost, charges, motored=motored)
+        rows, heat = pressures(engine, places, values, lost, charges, motored=motored)
     except ArithmeticError:
         raise GasError(
             "with these values the pressure has no end or falls to nothing: give more intake "
@@ -166,7 +168,7 @@ def _at_point(
         ) from None
     work = (rows * places.rate[[*places.kind]]).sum(axis=-1) * places.cycle / SAMPLES
     turning = values.get("speed")
-    friction = 0.0 if turning is None else _friction(values)
+    friction = 0.0 if turning is None else friction_of(values)
     return Cycle(
         volumes=places,
         pressure=rows,
@@ -181,15 +183,17 @@ def _at_point(
         motored=motored,
         weaker={key: share for key, share in lost.items() if 0 < share < 1},
         air_fuel_ratio=air_fuel_ratio(engine, places, values, heat) if heat > 0 else None,
-        boosted=bool(charged),
+        boosted=bool(charge),
         shares=((name, 1.0),),
+        friction_said="bmep" in values or "friction" not in assumed,
     )
 
 
 def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
     """The cycle between two operating points: all of it straight from the one to the other.
 
-    Its `values` have a load where both ends have the same one.
+    A friction by correlation is that of the speed; where one point gives its own, it goes from that
+    to the correlation. The `values` have a load where both ends have the same one.
     """
     shares = [share for _name, share in state.shares]
 
@@ -206,11 +210,15 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
     for name in LOADS:
         if first.values.get(name) != last.values.get(name):
             values.pop(name, None)
+    correlated = [own.values["friction"] for own in ends if "friction_pressure" not in own.values]
+    if correlated:
+        values["friction"] = correlated[0]
+    rubs = [friction_of({**own.values, "speed": state.speed}) for own in ends]
     return replace(
         first,
         pressure=rows,
         imep=mean((first.imep, last.imep)),
-        friction=mean((first.friction, last.friction)),
+        friction=mean((rubs[0], rubs[1])),
         peak=float(rows.max()),
         speed=state.speed,
         name="",
@@ -219,6 +227,7 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
         air_fuel_ratio=values["intake_pressure"] / sum(fuel) if sum(fuel) else None,
         boosted=first.boosted or last.boosted,
         shares=state.shares,
+        friction_said=first.friction_said and last.friction_said,
     )
 
 
@@ -240,7 +249,7 @@ def _of_peak(found: Cycle, peak: float, again: Callable[..., Cycle]) -> Cycle:
     """The cycle of a peak pressure (Pa) between two points, whose own peaks are at other angles."""
     asked = peak
     for _step in range(GREATEST_STEPS):
-        if len(found.shares) == 1 or abs(found.peak - peak) <= SETTLED * peak:
+        if abs(found.peak - peak) <= SETTLED * peak:
             break
         asked *= peak / found.peak
         found = again(peak_pressure=asked)
@@ -334,188 +343,3 @@ def computable(engine: Engine) -> bool:
     except GasError:
         return False
     return True
-
-
-@lru_cache(maxsize=64)
-def volumes_of(engine: Engine) -> Volumes:
-    """The chambers of an engine at the samples of a cycle."""
-    return volumes(engine, SAMPLES)
-
-
-Law = Callable[[float], Real]
-"""From a heat per swept volume (Pa) to the pressure, Pa [sample]."""
-
-
-def _pressures(
-    engine: Engine,
-    places: Volumes,
-    values: Mapping[str, Any],
-    lost: Mapping[int, float],
-    charges: Mapping[int, Mapping[str, float]],
-    *,
-    motored: bool,
-) -> tuple[Real, float]:
-    """The pressure [chamber, sample] with the heat (Pa) that gives the load. Raises GasError."""
-    shares = np.array([lost[number] for number in places.numbers])[:, None]
-    kinds = np.array(places.kind)
-    if engine.gas is not None and engine.gas.trace is not None:
-        burning = traced(engine, places)
-        still = burning.copy()
-        for row, charge in charges.items():
-            still[row] = _law(engine, places, places.kind[row], {**values, **charge})(0.0)
-        return (1 - shares) * burning + shares * still, 0.0
-    laws = [_law(engine, places, row, values) for row in range(len(places.swept))]
-    heat = 0.0 if motored else _heat(laws, places, values)
-    burning = np.array([law(heat) for law in laws])[kinds]
-    still = np.array([law(0.0) for law in laws])[kinds] if shares.any() else burning
-    return (1 - shares) * burning + shares * still, heat
-
-
-def _charged(
-    engine: Engine, places: Volumes, values: Mapping[str, Any], assumed: Collection[str]
-) -> dict[str, Any]:
-    """What the load changes in an assumed charge; a peak pressure says itself how much that is."""
-    if "imep" not in values and "bmep" not in values:
-        return {}
-
-    def heat(now: Mapping[str, Any]) -> float:
-        laws = [_law(engine, places, row, now) for row in range(len(places.swept))]
-        return _heat(laws, places, now)
-
-    return boosted(engine, places, values, assumed, load=_target(values), heat=heat)
-
-
-def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -> Law:
-    """The pressure of the chambers of one kind as a function of their heat."""
-    swept, above, rate = float(places.swept[row]), places.above[row], places.rate[row]
-    bottom, step = float(places.bottom[row]), places.cycle / SAMPLES
-    four_stroke = engine.cycle == "four-stroke"
-    ratio, process = values["compression_ratio"], values["process"]
-    if process != "heat-release":
-        ideal = ideal_cycle(values)
-        return lambda heat: ideal_cycles.pressure(
-            ideal, heat, above / swept, bottom=int(bottom / step + 1e-6), four_stroke=four_stroke
-        )
-    release = heat_release.Release(
-        values["combustion_start"],
-        values["combustion_duration"],
-        values["wiebe_a"],
-        values["wiebe_m"],
-    )
-    charge = (values["intake_pressure"], values["exhaust_pressure"])
-    if not values.get("variable_gamma") and values.get("wall_temperature") is None:
-        parts = _curves(engine, row, ratio, release, values["gamma"])
-        still = charge[0] * parts.intake + charge[1] * parts.exhaust
-        return lambda heat: still + heat * swept * parts.heat
-    if values.get("wall_temperature") is not None and "speed" not in values:
-        raise GasError("heat to the walls needs the speed: give speed")
-    grid = heat_release.Grid(above + swept / (ratio - 1), rate, step)
-    happens = events(engine, bottom)
-    own = engine.chambers[places.numbers[places.kind.index(row)]][0]
-    stroke = 2 * engine.throw(own).radius
-    real = real_gas.Charge(
-        *charge,
-        temperature=values["intake_temperature"],
-        bore=own.bore or 0.0,
-        stroke=stroke,
-        piston_speed=values.get("speed", 0.0) * stroke / pi,
-        wall=values.get("wall_temperature"),
-        gamma=None if values.get("variable_gamma") else values["gamma"],
-    )
-    return lambda heat: real_gas.real_pressure(grid, happens, release, real, heat=heat * swept)
-
-
-@lru_cache(maxsize=64)
-def _curves(
-    engine: Engine, row: int, ratio: float, release: heat_release.Release, gamma: float
-) -> heat_release.Curves:
-    """The curves of chambers of one kind, kept: loads of an engine differ in factors alone."""
-    places = volumes_of(engine)
-    above = places.above[row]
-    least = float(places.swept[row]) / (ratio - 1)
-    grid = heat_release.Grid(above + least, places.rate[row], places.cycle / SAMPLES)
-    happens = events(engine, float(places.bottom[row]))
-    return heat_release.curves(grid, happens, release, gamma=gamma)
-
-
-def ideal_cycle(values: Mapping[str, Any]) -> ideal_cycles.Ideal:
-    """The ideal cycle of these values."""
-    cycle = ideal_cycles.Ideal(
-        values["compression_ratio"],
-        values["gamma"],
-        values["intake_pressure"],
-        values["exhaust_pressure"],
-    )
-    if values["process"] == "diesel":
-        return cycle._replace(limit=ideal_cycles.compressed(cycle))
-    if values["process"] == "limited-pressure":
-        least = ideal_cycles.compressed(cycle)
-        if values["peak_pressure"] < least:
-            raise GasError(
-                "peak_pressure is {limit} bar, less than compression alone, {least} bar: give "
-                "more, or a smaller compression_ratio",
-                limit=f"{values['peak_pressure'] / 1e5:.4g}",
-                least=f"{least / 1e5:.4g}",
-            )
-        return cycle._replace(limit=values["peak_pressure"])
-    return cycle
-
-
-def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
-    """The heat per swept volume (Pa) that gives the load. Raises GasError."""
-    kinds = np.bincount(places.kind)
-    swept = float((places.swept * kinds).sum())
-    step = places.cycle / SAMPLES
-
-    def mean(heat: float) -> float:
-        work = [(law(heat) * rate).sum() for law, rate in zip(laws, places.rate, strict=True)]
-        return float(np.dot(work, kinds)) * step / swept
-
-    def peak(heat: float) -> float:
-        return max(float(law(heat).max()) for law in laws)
-
-    wanted, found = _target(values), mean
-    if "imep" not in values and "bmep" not in values:
-        found = peak
-    greatest = inf
-    if values["process"] != "heat-release":
-        greatest = ideal_cycles.greatest_heat(ideal_cycle(values))
-    least = max(wanted, LEAST_STEP)
-    low, high = 0.0, min(4 * least, greatest)
-    if found(low) >= wanted:
-        raise GasError(
-            "the load is {load} bar, and without any combustion it is {least} bar; give more, or "
-            "use --motored",
-            load=f"{wanted / 1e5:.4g}",
-            least=f"{found(low) / 1e5:.4g}",
-        )
-    while found(high) < wanted:
-        if high >= greatest or high > 1e4 * least:
-            raise GasError(
-                "the load is {load} bar, and this cycle reaches {most} bar at most; give less, or "
-                "a greater gas.compression_ratio than {ratio}",
-                load=f"{wanted / 1e5:.4g}",
-                most=f"{found(high) / 1e5:.4g}",
-                ratio=f"{values['compression_ratio']:.8g}",
-            )
-        high = min(2 * high, greatest)
-    return root(lambda heat: found(heat) - wanted, low=low, high=high)
-
-
-def _target(values: Mapping[str, Any]) -> float:
-    """What the load asks of the cycle, Pa."""
-    if "imep" in values:
-        return values["imep"]
-    if "bmep" in values:
-        if "speed" not in values:
-            raise GasError("a brake mean effective pressure needs the speed: give speed")
-        return values["bmep"] + _friction(values)
-    return values["peak_pressure"]
-
-
-def _friction(values: Mapping[str, Any]) -> float:
-    """The friction mean effective pressure, Pa: as given, or by a correlation."""
-    given = values.get("friction_pressure")
-    if given is not None:
-        return given
-    return friction_pressure(values["friction"], speed=values["speed"], stroke=values["stroke"])

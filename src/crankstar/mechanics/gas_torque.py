@@ -35,6 +35,8 @@ from crankstar.spectra import Complex, Real, Spectrum
 
 HIGHEST = 24.0
 """The highest order of gas torque that is kept."""
+ALL = 360.0
+"""The highest order of a peak, which is the sum of all orders."""
 
 
 @dataclass(frozen=True)
@@ -57,8 +59,8 @@ class GasTorque:
         return spectra.total(self.torque)
 
 
-def gas_torque(cycle: Cycle) -> GasTorque:
-    """The gas torque of each chamber over the angle of the reference crankshaft.
+def gas_torque(cycle: Cycle, *, highest: float = HIGHEST) -> GasTorque:
+    """The gas torque of each chamber over the angle of the reference crankshaft, up to an order.
 
     >>> from crankstar.files.catalog import load
     >>> from crankstar.mechanics.gas import cycle
@@ -72,7 +74,7 @@ def gas_torque(cycle: Cycle) -> GasTorque:
     """
     samples = chamber_torque(cycle)
     places = cycle.volumes
-    torque = _by_order(samples, places.fires, places.cycle)
+    torque = _by_order(samples, places.fires, places.cycle, highest=highest)
     return GasTorque(places.numbers, samples.mean(axis=-1), torque)
 
 
@@ -142,9 +144,9 @@ def piston_torque(engine: Engine, cycle: Cycle) -> Spectrum:
     return _by_order(samples, fires, cycle.volumes.cycle)
 
 
-def _by_order(samples: Real, fires: Real, cycle: float) -> Spectrum:
+def _by_order(samples: Real, fires: Real, cycle: float, *, highest: float = HIGHEST) -> Spectrum:
     """The orders of samples over a cycle [row, sample] that begin at the angles `fires`."""
-    numbers = np.arange(1, int(HIGHEST * cycle / (2 * np.pi)) + 1)
+    numbers = np.arange(1, int(highest * cycle / (2 * np.pi)) + 1)
     orders = numbers * (2 * np.pi / cycle)
     amplitude = 2 / samples.shape[-1] * np.fft.rfft(samples, axis=-1)[:, numbers]
     return spectra.real_signal(orders, amplitude * np.exp(-1j * orders * fires[:, None]))

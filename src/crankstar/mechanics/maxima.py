@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -20,7 +20,46 @@ SHARP = 1e-6
 BETWEEN, ROUNDS = 4, 16
 """Parts into which an interval is divided at a time, and how many times at most."""
 
+ALIKE = 1e-6
+"""Share of the range of a curve within which extremes are alike: the first is meant."""
+
 T = TypeVar("T")
+
+
+class Extremes(NamedTuple):
+    """The least and the greatest value of a curve over its period, and where each is first."""
+
+    least: float
+    least_at: float
+    greatest: float
+    greatest_at: float
+
+
+def extremes(samples: Real, period: float) -> Extremes:
+    """Those of a smooth periodic curve between its equal samples, the first at 0: of their spline.
+
+    >>> turn = np.linspace(0, 2 * np.pi, 90, endpoint=False)
+    >>> found = extremes(np.cos(turn - 0.1234), 2 * np.pi)
+    >>> [round(each, 4) for each in found]
+    [-1.0, 3.265, 1.0, 0.1234]
+    """
+    from scipy.interpolate import CubicSpline
+
+    at = np.linspace(0.0, period, samples.size + 1)
+    curve = CubicSpline(at, np.append(samples, samples[0]), bc_type="periodic")
+    flat = curve.derivative().roots(extrapolate=False)
+    places = np.union1d(at[:-1], flat[np.isfinite(flat)] % period)
+    values = curve(places)
+    near = ALIKE * float(np.ptp(values))
+
+    def first(sign: int) -> float:
+        """Where a value begins that is alike the greatest, at the top of its own hill."""
+        high = sign * values >= (sign * values).max() - near
+        start = int(np.argmax(high))
+        end = start + int(np.argmin(np.append(high[start:], False)))
+        return float(places[start + int(np.argmax(sign * values[start:end]))])
+
+    return Extremes(float(values.min()), first(-1), float(values.max()), first(1))
 
 
 def refined(

@@ -7,8 +7,8 @@ One rule for every command and function (`operating_state`):
 * a speed alone, that of the file (of its table [gas], or of the engine) where none is asked for, is
   that of the point of the file that has it. Between two of them the gas is that
   between them, by the speed: the pressure at every crank angle, and with it torque and mean
-  effective pressure, go straight from one to the next. Beyond the first and the last it is that of
-  the nearest;
+  effective pressure, go straight from one to the next; friction by a correlation is that of the
+  speed. Beyond the first and the last it is that of the nearest;
 * without any speed, and where the points of the file do not have two, the point is
   `default_point`.
 

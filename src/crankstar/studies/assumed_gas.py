@@ -280,7 +280,7 @@ def _choice(engine: Engine, own: Cycle, name: str, value: str) -> Assumption:
 def _rubs_with_load(engine: Engine, own: Cycle) -> bool:
     """Whether an assumed friction counts with a load that alternates (`uneven.friction_apart`)."""
     drive = engine.drive or Drive()
-    return "bmep" not in own.values and bool(drive.load_torque or drive.load_exponent)
+    return not own.friction_said and bool(drive.load_torque or drive.load_exponent)
 
 
 def _ends(name: str, value: float, own: Cycle) -> tuple[float, float]:

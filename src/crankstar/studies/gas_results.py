@@ -17,7 +17,7 @@ from crankstar.dynamics.uneven import UnevenError, driven
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import Cycle, cycle
-from crankstar.mechanics.gas_torque import added, gas_roll, gas_torque, roll_with_gas
+from crankstar.mechanics.gas_torque import ALL, HIGHEST, added, gas_roll, gas_torque, roll_with_gas
 from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.variants import SweepError
@@ -46,18 +46,18 @@ def _irregularity(engine: Engine, found: Cycle) -> float:
     return running.irregularity
 
 
-def torque_of(engine: Engine, found: Cycle) -> Spectrum:
+def torque_of(engine: Engine, found: Cycle, *, highest: float = HIGHEST) -> Spectrum:
     """The torque of gas, and of inertia where speed and masses are known, N m."""
-    gas = gas_torque(found).total
+    gas = gas_torque(found, highest=highest).total
     result = balance(engine, speed=found.speed)
     if found.speed is None or result.speed is None:
         return gas
     return added(total(result).torque, gas)
 
 
-def roll_of(engine: Engine, found: Cycle) -> Spectrum:
+def roll_of(engine: Engine, found: Cycle, *, highest: float = HIGHEST) -> Spectrum:
     """The alternating rolling moment on the block, N m."""
-    gas = gas_torque(found).total
+    gas = gas_torque(found, highest=highest).total
     result = balance(engine, speed=found.speed)
     if found.speed is None or result.speed is None:
         return gas_roll(gas, engine.sense)
@@ -69,7 +69,7 @@ _NUMBERS: dict[str, tuple[Callable[[Engine, Cycle], float], str]] = {
     "peak_pressure": (_peak_pressure, "Pa"),
     "irregularity": (_irregularity, ""),
 }
-_SPECTRA: dict[str, Callable[[Engine, Cycle], Spectrum]] = {
+_SPECTRA: dict[str, Callable[..., Spectrum]] = {
     "torque_with_gas": torque_of,
     "roll_with_gas": roll_of,
 }
@@ -81,9 +81,9 @@ def _value(engine: Engine, found: Cycle, what: str, order: float | None) -> floa
     """One of GAS_WATCHABLE for one engine."""
     if what in _NUMBERS:
         return _NUMBERS[what][0](engine, found)
-    spectrum = _SPECTRA[what](engine, found)
     if order is None:
-        return spectra.peak(spectrum).value
+        return spectra.peak(_SPECTRA[what](engine, found, highest=ALL)).value
+    spectrum = _SPECTRA[what](engine, found)
     return float(np.abs(spectra.amplitude(spectra.selected(spectrum, [order])))[0])
 
 

@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from math import degrees, pi
 from typing import NamedTuple
 
-import numpy as np
-
 from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value, for_each, remarks
 from crankstar.dynamics.uneven import Running
 from crankstar.engine.dead_centres import pistons
@@ -21,7 +19,6 @@ from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
 from crankstar.mechanics.gas_torque import GasTorque, friction_torque, gas_torque
-from crankstar.spectra import Real
 from crankstar.tables.conditions import unverified_gas
 from crankstar.tables.gas_words import (
     at_points,
@@ -225,8 +222,7 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
 
 def running_table(running: Running) -> Table:
     """How the speed goes over a cycle."""
-    rpm = running.speed * 30 / pi
-    least, greatest = _first(-rpm), _first(rpm)
+    ends = running.extremes
     irregular = running.irregularity
     return _pairs(
         "running",
@@ -236,27 +232,17 @@ def running_table(running: Running) -> Table:
             (_("fluctuation of energy"), "fluctuation", running.fluctuation, "J"),
             (_("degree of irregularity"), "irregularity", irregular, ""),
             (_("the same, linear estimate"), "linear", running.linear, ""),
-            (_("least speed"), "least_rpm", float(rpm[least]), "rpm"),
-            (
-                _("crank angle of the least speed"),
-                "least_deg",
-                degrees(running.theta[least]),
-                "deg",
-            ),
-            (_("greatest speed"), "greatest_rpm", float(rpm[greatest]), "rpm"),
+            (_("least speed"), "least_rpm", ends.least * 30 / pi, "rpm"),
+            (_("crank angle of the least speed"), "least_deg", degrees(ends.least_at), "deg"),
+            (_("greatest speed"), "greatest_rpm", ends.greatest * 30 / pi, "rpm"),
             (
                 _("crank angle of the greatest speed"),
                 "greatest_deg",
-                degrees(running.theta[greatest]),
+                degrees(ends.greatest_at),
                 "deg",
             ),
         ],
     )
-
-
-def _first(values: Real) -> int:
-    """Where the greatest value is first, cylinders that are alike being alike but for rounding."""
-    return int(np.argmax(values >= values.max() - 1e-9 * np.ptp(values)))
 
 
 def _pairs(key: str, title: str, rows: Sequence[tuple[Value, ...]]) -> Table:

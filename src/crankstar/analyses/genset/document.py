@@ -70,8 +70,8 @@ def _facts(found: GeneratingSet) -> dict[str, Any]:
         "speed_rpm": None if found.speed is None else found.speed * RPM,
         "inertia": None if running is None else running.inertia,
         "irregularity": None if running is None else running.irregularity,
-        "ahead_deg": None if angle is None else degrees(float(angle.ahead.max())),
-        "behind_deg": None if angle is None else degrees(float(angle.ahead.min())),
+        "ahead_deg": None if angle is None else degrees(angle.ends[1]),
+        "behind_deg": None if angle is None else degrees(angle.ends[0]),
         "electrical_deg": electrical,
         "wanted_inertia": found.wanted,
         "shares": list(SHARES),
@@ -88,8 +88,8 @@ def _running_table(found: GeneratingSet, running: Running, angle: GeneratorAngle
         (_("inertia of all that turns and moves, mean"), "inertia", running.inertia, "kg*m^2"),
         (_("degree of irregularity"), "irregularity", uneven, ""),
         (_("one part in"), "one_part_in", 1 / uneven if uneven else None, ""),
-        (_("ahead of even running at most"), "ahead", degrees(float(angle.ahead.max())), "deg"),
-        (_("behind it at most"), "behind", degrees(float(-angle.ahead.min())), "deg"),
+        (_("ahead of even running at most"), "ahead", degrees(angle.ends[1]), "deg"),
+        (_("behind it at most"), "behind", degrees(-angle.ends[0]), "deg"),
     ]
     if found.pole_pairs is not None:
         electrical = degrees(angle.electrical(found.pole_pairs))
