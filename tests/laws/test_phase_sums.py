@@ -87,7 +87,8 @@ def test_the_angle_is_what_the_clock_says() -> None:
     wanted = found.theta - found.theta[0] - found.mean_speed * clock
     wanted -= np.average(wanted, weights=1 / found.speed)
     assert ahead == pytest.approx(wanted, abs=1e-4 * np.abs(wanted).max())
-    assert generator_angle(found).electrical(3) == 3 * np.abs(ahead).max()
+    most = 3 * np.abs(ahead).max()  # between the samples it is a little more
+    assert most <= generator_angle(found).electrical(3) == pytest.approx(most, rel=1e-4)
 
 
 def test_with_a_great_flywheel_each_order_turns_it_by_its_torque() -> None:

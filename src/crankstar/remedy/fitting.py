@@ -52,7 +52,7 @@ One half for one crankshaft; for two counter-rotating ones 0 where their pistons
 1 where they move together.
 """
 WORTH = 0.01
-"""Share of the greatest force, or couple, of an engine that a balance shaft removes at least."""
+"""Share of the greatest force, or couple, left to shafts that a balance shaft removes at least."""
 BELOW, BESIDE = 1.25, 0.8
 """Assumed depth of balance shafts below the crankshaft, and spacing of a pair, in crank sweeps."""
 
@@ -163,7 +163,7 @@ def recommended(engine: Engine, *, bare: bool = False, shafts: Wanted = "needed"
         weights = "removed" if not weighted else "webs" if factor is not None else "ends"
     ratios = _ratios_of(after, lowest=False) if needs(after) else []
     if shafts == "needed":
-        worth = _worth(engine, after)
+        worth = _worth(after)
         ratios = [each for each in worth if abs(each) == abs(worth[0])]
     if len(after.shafts) + len(ratios) > GREATEST_SHAFTS:
         ratios = []
@@ -175,16 +175,12 @@ def recommended(engine: Engine, *, bare: bool = False, shafts: Wanted = "needed"
     return Fitted(after, weights, factor, tuple(ratios)) if weights or ratios else None
 
 
-def _worth(before: Engine, after: Engine) -> list[Fraction]:
-    """Speed ratios of shafts that remove a share WORTH of what the engine had, or more."""
-    had = needs(before)
-    force = WORTH * max((abs(need.force) for need in had), default=0.0)
-    couple = WORTH * max((abs(need.couple) for need in had), default=0.0)
-    return [
-        need.ratio
-        for need in needs(after)
-        if need.ratio != 1 and (abs(need.force) > force or abs(need.couple) > couple)
-    ]
+def _worth(engine: Engine) -> list[Fraction]:
+    """Speed ratios of shafts that remove a share WORTH of what the engine has, or more."""
+    left = [need for need in needs(engine) if need.ratio != 1]
+    force = WORTH * max((abs(need.force) for need in left), default=0.0)
+    couple = WORTH * max((abs(need.couple) for need in left), default=0.0)
+    return [need.ratio for need in left if abs(need.force) > force or abs(need.couple) > couple]
 
 
 def recommended_like(

@@ -185,10 +185,14 @@ def usual_load(own: Cycle, figures: Callable[[Engine], Figures], sentence: str) 
     `sentence` as of an `Assumption`.
     """
     low, high = (end / 1e5 for end in _ends("imep", own.values["imep"], own))
+    fires = own.values["ignition"]
+
+    def vary(engine: Engine, load: float) -> Engine:
+        return with_values(engine, gas=Gas(imep=load * 1e5, ignition=fires))
+
     return Assumption(
         "left out", "gas", N_("no table [gas] in the file"), unit="bar", low=low, high=high,
-        values=(("ignition", own.values["ignition"]),),
-        vary=with_gas_value("imep", 1e5), figures=figures, sentence=sentence,
+        values=(("ignition", fires),), vary=vary, figures=figures, sentence=sentence,
     )  # fmt: skip
 
 
