@@ -507,3 +507,11 @@ def test_a_starved_charge_says_what_enough_of_it_would_change(path: str, run: Ru
     order = doubt["moves"]["order"]
     [roll] = [each["roll"] for each in enough["orders"] if each["order"] == order]
     assert doubt["moves"]["high"] == pytest.approx(abs(complex(*roll)), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("other", "key"), [("fmep", "friction_pressure"), ("boost", "intake_pressure")]
+)
+def test_a_name_that_the_field_has_for_a_key_is_understood(other: str, key: str) -> None:
+    with pytest.raises(EngineFileError, match=f'did you mean "{key}"'):
+        crankstar.load("bmw-m52b28", changes={f"gas.{other}": "1 bar"})

@@ -490,3 +490,26 @@ def test_loads_say_what_the_gas_that_they_leave_out_would_change() -> None:
         ends.append(float(spectra.peaks(parts[rest.moved.quantity]).max()))
     assert rest.moved.low <= min(ends) * (1 + 1e-9)
     assert rest.moved.high >= max(ends) * (1 - 1e-9)
+
+
+def test_a_force_is_told_before_a_roll_that_moves_little_more() -> None:
+    """The rotating mass of a radial engine is in its primary force, which is said first."""
+    row = {"throw": "0 deg", "cylinders": [1, 2, 3, 4, 5, 6, 7]}
+    sizes = {"bore": "140 mm", "stroke": "150 mm", "rod_length": "290 mm"}
+    engine = engine_of(
+        {
+            "name": "seven",
+            "speed": "2100 rpm",
+            "cylinder": {**sizes, "reciprocating_mass": "3.1 kg"},
+            "layout": {"type": "radial", "knuckle_radius": "62 mm", "rows": [row]},
+        }
+    )
+    rest = of(rests_on(engine, amplitudes(engine)), "cylinder.rotating_mass")
+    assert rest.moved is not None
+    assert (rest.moved.quantity, rest.moved.order) == ("force", 1)
+    turning = 2100 * pi / 30
+    assert rest.moved.now == pytest.approx(7 / 2 * 3.1 * 0.075 * turning**2, rel=1e-6)
+    assert rest.high is not None
+    pins = dict(rest.values)["pins"]
+    more = 7 * (rest.high + pins[1]) * 0.075 * turning**2
+    assert rest.moved.high == pytest.approx(rest.moved.now + more, rel=0.03)  # knuckles swing

@@ -307,8 +307,18 @@ def _keys_at(model: type[Record], path: Path) -> list[str]:
     return sorted(by_key(record)) if record else []
 
 
+OTHER_NAMES = {
+    "boost": "intake_pressure",
+    "cr": "compression_ratio",
+    "fmep": "friction_pressure",
+    "manifold_pressure": "intake_pressure",
+}
+"""Keys by names that the field has for them and that do not look like them."""
+
+
 def _near(key: str, keys: list[str]) -> str | None:
-    return next(iter(get_close_matches(key[:60], keys, 1, 0.6)), None)
+    meant = OTHER_NAMES.get(key.lower())
+    return meant if meant in keys else next(iter(get_close_matches(key[:60], keys, 1, 0.6)), None)
 
 
 def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: int) -> Tree:
