@@ -69,3 +69,14 @@ def test_values_between_two_doubtful_ones_are_not_said_to_be_doubtful(run: Run) 
     assert "So it is at 2, 28." in said
     few = ["--over", "gas.compression_ratio=1.5,2,10,28", "--quantity", "peak_pressure"]
     assert "So it is at 1.5 to 2, 28." in " ".join(run("sweep", "honda-b18c", *few).out.split())
+
+
+def test_friction_is_not_doubted_in_what_it_is_not_in(run: Run) -> None:
+    """The file runs faster than its friction was measured; a peak pressure has none of it."""
+    words = ["sweep", "honda-b18c", "--over", "gas.imep=8..9 bar/2", "--quantity"]
+    said = [
+        {each["path"] for each in json.loads(run(*words, name, "--json").out)["rests_on"]}
+        for name in ("peak_pressure", "mean_torque")
+    ]
+    assert all("gas.friction_pressure" not in paths for paths in said)
+    assert "gas.friction_pressure" in run("torque", "honda-b18c").out

@@ -117,4 +117,16 @@ def _answer(engine: Engine, speed: float | None, kind: str, curves: Sequence[Cur
     watched = [name for curve in curves for name in FIGURES[curve.what.partition(".")[0]]]
     orders = [curve.order for curve in curves if curve.order is not None]
     by_order = len(orders) == len(curves) and kind in ("inertia", "roll")
-    return narrowed(whole, [*dict.fromkeys(watched)], orders=orders if by_order else None)
+    return narrowed(
+        whole,
+        [*dict.fromkeys(watched)],
+        orders=orders if by_order else None,
+        given=_frictions(engine) if kind == "gas" else (),
+    )
+
+
+def _frictions(engine: Engine) -> list[str]:
+    """The key paths of the friction of an engine, on which no indicated result depends."""
+    points = () if engine.gas is None else engine.gas.points
+    places = ["gas", *(f"gas.point[{number}]" for number, _point in enumerate(points, 1))]
+    return [f"{place}.friction_pressure" for place in places]
