@@ -21,7 +21,7 @@ __all__ = ["chromium"]
 MOST_PAGES = 15
 MARGIN, A4 = 18, 297
 """mm: the margins above and below, and the height of the paper."""
-LEAST_FILLED = 0.55
+LEAST_FILLED = 0.5
 OFTEN = ("v8-cross-plane", "audi-25-tfsi")
 SELDOM = (
     "napier-deltic",

@@ -20,7 +20,7 @@ from tests.search.asked import every_kind, front
 
 from crankstar.stars import checkpoint, distribution, executors, halves, regions, run
 from crankstar.stars.answer import answer_to, read
-from crankstar.stars.executors import Workers, cluster, processes
+from crankstar.stars.executors import Workers, cluster, of_workers, processes
 from crankstar.stars.faults import SearchError
 from crankstar.stars.run import searched
 from crankstar.stars.work import results_of
@@ -557,6 +557,16 @@ def test_a_cluster_without_workers_is_told(monkeypatch):
         cluster(found.scheduler_address),
     ):
         pass
+
+
+@pytest.mark.parametrize("module", ["distributed.cfexecutor", "crankstar.stars.run"])
+def test_a_result_that_is_lost_as_it_comes_is_a_loss_of_workers(module: str) -> None:
+    """Dask's executor takes it for a traceback and unpacks it; a TypeError of the work is none."""
+    space: dict[str, Any] = {"__name__": module}
+    exec("def received(result):\n    kind, fault, frames = result", space)  # noqa: S102
+    with pytest.raises(TypeError) as caught:
+        space["received"](object())
+    assert of_workers(caught.value) == (module == "distributed.cfexecutor")
 
 
 @pytest.mark.release

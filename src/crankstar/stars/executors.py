@@ -7,6 +7,7 @@ import os
 import signal
 import threading
 import time
+import traceback
 from collections.abc import Iterable, Iterator
 from concurrent.futures import (
     BrokenExecutor,
@@ -244,8 +245,15 @@ async def _answer(address: str) -> None:
 
 
 def of_workers(fault: BaseException) -> bool:
-    """Whether a fault is one of workers or of the way to them, not of the work."""
+    """Whether a fault is one of workers or of the way to them, not of the work.
+
+    Dask's executor raises TypeError where a worker is lost between the end of a part and its
+    answer: it takes the result for a traceback.
+    """
     names = {kind.__name__ for kind in type(fault).__mro__}
+    frames = [frame for frame, _line in traceback.walk_tb(fault.__traceback__)]
+    if isinstance(fault, TypeError) and frames:
+        return frames[-1].f_globals.get("__name__") == "distributed.cfexecutor"
     known = BrokenExecutor, CancelledError, ConnectionError, TimeoutError, EOFError
     return isinstance(fault, known) or bool(
         names & {"KilledWorker", "CommClosedError", "FutureCancelledError", "FutureLost"}
