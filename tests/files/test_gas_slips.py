@@ -515,3 +515,15 @@ def test_a_starved_charge_says_what_enough_of_it_would_change(path: str, run: Ru
 def test_a_name_that_the_field_has_for_a_key_is_understood(other: str, key: str) -> None:
     with pytest.raises(EngineFileError, match=f'did you mean "{key}"'):
         crankstar.load("bmw-m52b28", changes={f"gas.{other}": "1 bar"})
+
+
+def test_a_piston_faster_than_any_is_doubted() -> None:
+    """84 mm of stroke: 33 m/s at 11786 rpm by 2 S n; a speed in Hz for one in rpm is far more."""
+    swift = crankstar.load("bmw-m52b28", changes={"gas": {}, "speed": "12000 rpm"})
+    assert [fault.code for fault in doubts(swift)].count("doubt.piston-speed") == 1
+    stroke = 2 * swift.throw(swift.first).radius
+    [fault] = [each for each in doubts(swift) if each.code == "doubt.piston-speed"]
+    assert fault.values["value"] == pytest.approx(2 * stroke * 12000 / 60, rel=5e-3)
+    slow = f"{0.99 * 32 / stroke * 30} rpm"
+    same = crankstar.load("bmw-m52b28", changes={"gas": {}, "speed": slow})
+    assert "doubt.piston-speed" not in [each.code for each in doubts(same)]

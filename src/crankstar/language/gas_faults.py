@@ -114,6 +114,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} mm, but the next cylinder of its bank is only {pitch} mm away; is the "
         "unit right?"
     ),
+    "doubt.piston-speed": N_(
+        "{where} is {rpm} rpm, with which the mean piston speed is {value} m/s; hardly any engine "
+        "has more than {bound} m/s: is it the speed of the engine, and the stroke right?"
+    ),
     "doubt.stroke": N_(
         "{where} is {value} mm beside a stroke of {stroke} mm; is the unit of one of them wrong?"
     ),

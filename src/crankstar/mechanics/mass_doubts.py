@@ -58,8 +58,12 @@ def piston_doubts(engine: Engine) -> Iterator[Fault]:
             return  # one slip for all
 
 
+FASTEST_PISTON = 32.0
+"""Mean, m/s: racing engines have up to 27."""
+
+
 def size_doubts(engine: Engine) -> Iterator[Fault]:
-    """A bore wider than the next cylinder of its bank is away, and a stroke of another engine's.
+    """A bore wider than the next cylinder of its bank is away, a stroke or speed of no engine.
 
     >>> from crankstar.files.catalog import load
     >>> slip = load("audi-25-tfsi", changes={"cylinder.bore": "8 m"})
@@ -86,6 +90,21 @@ def size_doubts(engine: Engine) -> Iterator[Fault]:
             values = {"value": _mm(bore), "stroke": _mm(stroke)}
             yield Fault(("cylinders", index, "bore"), "doubt.stroke", values, cylinder.number)
             return
+    yield from _speed_doubts(engine)
+
+
+def _speed_doubts(engine: Engine) -> Iterator[Fault]:
+    """A mean piston speed, the stroke times twice the turns in a second, that no engine bears."""
+    if engine.speed is None or "radius" in engine.relative:
+        return
+    mean = max(2 * engine.throw(own).radius for own in engine.cylinders) * engine.speed / pi
+    if mean > FASTEST_PISTON:
+        values = {
+            "rpm": float(f"{engine.speed * 30 / pi:.6g}"),
+            "value": float(f"{mean:.3g}"),
+            "bound": FASTEST_PISTON,
+        }
+        yield Fault(("speed",), "doubt.piston-speed", values)
 
 
 def _mm(length: float) -> float:
