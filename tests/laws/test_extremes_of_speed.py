@@ -7,43 +7,14 @@ from math import degrees, pi
 import numpy as np
 import pytest
 from scipy.integrate import cumulative_simpson
+from tests.traced_single import BORE, MASS, RADIUS, ROD, SPEED, pressure, single
 
 from crankstar.dynamics.generator_angle import generator_angle
 from crankstar.dynamics.uneven import driven
-from crankstar.engine.engine import Engine
-from crankstar.files import engine_of
 from crankstar.mechanics.gas import cycle
 from crankstar.spectra import Real
 
-BORE, RADIUS, ROD, MASS, SPEED, WHEEL = 0.09, 0.044, 0.149, 0.43, 2400 * pi / 30, 0.31
-
-
-def pressure(theta: Real) -> Real:
-    return 1 + 60 * np.exp(40 * (np.cos((theta - 0.25) / 2) - 1))
-
-
-def single() -> Engine:
-    angle = np.arange(0.0, 720.0, 0.75)
-    trace = {
-        "angle": [f"{each} deg" for each in angle],
-        "pressure": [f"{each:.12f} bar" for each in pressure(np.radians(angle))],
-    }
-    return engine_of(
-        {
-            "name": "single",
-            "speed": "2400 rpm",
-            "cylinder": {
-                "bore": f"{BORE} m",
-                "stroke": f"{2 * RADIUS} m",
-                "rod_length": f"{ROD} m",
-                "reciprocating_mass": f"{MASS} kg",
-                "rotating_mass": "0 kg",
-            },
-            "layout": {"type": "inline", "throws": ["0 deg"]},
-            "gas": {"trace": trace},
-            "drive": {"inertia": f"{WHEEL} kg*m^2"},
-        }
-    )
+WHEEL = 0.31
 
 
 def fine(theta: Real) -> Real:
@@ -68,7 +39,7 @@ def fine(theta: Real) -> Real:
 
 
 def test_the_extremes_of_the_speed_are_those_of_a_fine_integration() -> None:
-    engine = single()
+    engine = single(drive={"inertia": f"{WHEEL} kg*m^2"})
     theta = np.linspace(0.0, 4 * pi, 144_001)
     right = fine(theta)
     found = driven(engine, cycle(engine))

@@ -6,45 +6,14 @@ from math import pi
 
 import numpy as np
 import pytest
+from tests.traced_single import BORE, MASS, RADIUS, ROD, SPEED, pressure, single
 
 import crankstar
 from crankstar import spectra
 from crankstar.dynamics.bearings import bearing_loads
-from crankstar.engine.engine import Engine
-from crankstar.files import engine_of
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.side_thrust import greatest_side_thrust, pressure_at
 from crankstar.spectra import Real
-
-BORE, RADIUS, ROD, MASS, SPEED = 0.09, 0.044, 0.149, 0.43, 2400 * pi / 30
-
-
-def pressure(theta: Real) -> Real:
-    """A peak of 61 bar at 14.3 degrees, which no sample meets; bar."""
-    return 1 + 60 * np.exp(40 * (np.cos((theta - 0.25) / 2) - 1))
-
-
-def single() -> Engine:
-    angle = np.arange(0.0, 720.0, 0.75)
-    trace = {
-        "angle": [f"{each} deg" for each in angle],
-        "pressure": [f"{each:.12f} bar" for each in pressure(np.radians(angle))],
-    }
-    return engine_of(
-        {
-            "name": "single",
-            "speed": "2400 rpm",
-            "cylinder": {
-                "bore": f"{BORE} m",
-                "stroke": f"{2 * RADIUS} m",
-                "rod_length": f"{ROD} m",
-                "reciprocating_mass": f"{MASS} kg",
-                "rotating_mass": "0 kg",
-            },
-            "layout": {"type": "inline", "throws": ["0 deg"]},
-            "gas": {"trace": trace},
-        }
-    )
 
 
 def forces(theta: Real) -> tuple[Real, Real]:
