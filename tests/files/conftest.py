@@ -15,8 +15,9 @@ from tests.commands import Ran, Run, replaced
 from crankstar import cli
 
 WRITTEN = re.compile(
-    r"^(Wrote |Replaced |Estimated\b|None of orders? |Not in the(?:se)? |--[a-z]+ changes nothing "
-    r"|The file gives no |Shapes are |At [a-z_.]+ = |Записан файл ).*\n|^.* rests on:\n(?:.+\n)*",
+    r"^(Wrote |Replaced |Estimated\b|None of orders? |No [a-z_, ]+ at |Not in the(?:se)? "
+    r"|--[a-z]+ changes nothing |The file gives no |Shapes are |At [a-z_.]+ = |Записан файл ).*\n"
+    r"|^.* rests on:\n(?:.+\n)*",
     re.MULTILINE,
 )
 """Lines on standard error of a success: a file written, what is estimated, not there, doubtful.

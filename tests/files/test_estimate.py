@@ -478,3 +478,20 @@ def test_ranges_that_reach_no_engine_are_named(
         words = " ".join((ended.out + ended.err).split())
         assert said in words
         assert ("too short to turn with crank radius" in words) == bool(said)
+
+
+@pytest.mark.parametrize(("bore", "outside"), [("40 mm", True), ("86 mm", False), ("250 mm", True)])
+def test_an_engine_beyond_those_that_were_weighed_is_told(
+    bore: str, outside: bool, run: Run, tmp_path: Path
+) -> None:
+    """Bores of the engines with weighed parts: 69.85 to 150 mm."""
+    own = {"name": "one", "layout": {"type": "inline", "throws": [0]}}
+    own["cylinder"] = {"bore": bore, "stroke": bore, "rod_ratio": 3.6}
+    (tmp_path / "one.json").write_text(json.dumps(own), encoding="utf-8")
+    said = "the masses are estimated from engines with bores of 69.85 to 150 mm"
+    shown = run("estimate", "one.json")
+    assert (said in " ".join(shown.out.split())) == outside
+    weighed = [e.bore for e in ENGINES if e.bore and (e.piston or e.piston_group or e.rod)]
+    assert (min(weighed), max(weighed)) == (0.06985, 0.15)
+    whole = " ".join(run("analyze", "one.json", "--estimate").out.split())
+    assert (said in whole) == outside

@@ -527,3 +527,30 @@ def test_a_piston_faster_than_any_is_doubted() -> None:
     slow = f"{0.99 * 32 / stroke * 30} rpm"
     same = crankstar.load("bmw-m52b28", changes={"gas": {}, "speed": slow})
     assert "doubt.piston-speed" not in [each.code for each in doubts(same)]
+
+
+def test_a_mean_pressure_of_next_to_nothing_is_doubted() -> None:
+    """A number of bar without its unit is a number of pascal in Python."""
+    for key in ("imep", "bmep"):
+        own = crankstar.load("honda-b18c", changes={"gas": {key: "5 Pa"}})
+        assert [fault.code for fault in doubts(own)].count("doubt.small-load") == 1
+    told = crankstar.torque("honda-b18c", imep=5).to_dict()["rests_on"]
+    assert any("next to nothing" in each["reason"] for each in told)
+    idle = crankstar.load("honda-b18c", changes={"gas": {"imep": "1 bar"}})
+    assert "doubt.small-load" not in [fault.code for fault in doubts(idle)]
+
+
+def test_set_names_the_csv_file_of_a_trace_as_a_file_does(run: Run, tmp_path: Path) -> None:
+    """The same numbers as of the file that names it; the measurement cannot be written over."""
+    place = with_csv(tmp_path, "angle,p [bar]")
+    given = json.loads(run("torque", place, "--json").out)
+    file = tmp_path / "p.csv"
+    told = json.loads(run("torque", place, "--set", f"gas.trace={file}", "--json").out)
+    assert told["mean_torque"] == given["mean_torque"]
+    lost = run("torque", place, "--set", "gas.trace=no.csv")
+    assert lost.code == 2
+    assert "no.csv" in lost.err
+    before = file.read_bytes()
+    over = run("torque", place, "--set", f"gas.trace={file}", "--csv", "-o", str(file))
+    assert over.code == 2
+    assert file.read_bytes() == before

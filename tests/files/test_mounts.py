@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import pi
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ import pytest
 from tests.commands import Run
 from tests.texts import SHORT, spoilt
 
+from crankstar import mounts
 from crankstar.files import EngineFileError, engine_of, toml, tree_of, tree_text
 from crankstar.files.catalog import load
 from crankstar.mechanics.doubts import doubts
@@ -241,6 +243,17 @@ def test_a_body_that_hardly_can_be_is_a_doubt(tables: dict[str, Any], found: lis
     engine = engine_of(spoilt(SHORT, **own))
     assert [fault.code for fault in body_doubts(engine)] == found
     assert [each for each in doubts(engine) if each.code.startswith("doubt.piston")] == []
+
+
+def test_a_doubtful_mass_of_the_block_is_tried_at_that_of_cars() -> None:
+    """40 to 130 kg per litre, by hand from bore and stroke."""
+    own = engine_of(spoilt(SHORT, block=BLOCK | {"mass": "38 kg"}, mounts=THREE))
+    [doubt] = [each for each in mounts(own).to_dict()["rests_on"] if each["path"] == "block.mass"]
+    volume = sum(
+        pi / 4 * (each.bore or 0.0) ** 2 * 2 * own.throw(each).radius for each in own.cylinders
+    )
+    assert (doubt["low"], doubt["high"]) == pytest.approx((40e3 * volume, 130e3 * volume), rel=5e-3)
+    assert doubt["moves"]["low"] < doubt["moves"]["high"]
 
 
 @pytest.mark.release

@@ -53,6 +53,7 @@ def test_a_peak_of_torque_with_gas_is_that_of_the_curve() -> None:
     whole = sum(np.roll(gas + inertia, 900 * fires) for fires in range(4))
     assert isinstance(whole, np.ndarray)
     for what in ("torque_with_gas", "roll_with_gas"):
-        found, unit = gas_values(lambda: [(engine, engine.speed)], what, order=None, shape=(1,))
+        cases = [(engine, engine.speed)]
+        found, unit, _gaps = gas_values(lambda cases=cases: cases, what, order=None, shape=(1,))
         assert unit == "N*m"
         assert found[0] == pytest.approx(greatest(whole - whole.mean()), rel=2e-6)

@@ -319,8 +319,8 @@ def test_paths_of_both_forms_can_be_varied_together() -> None:
     [
         (["balance_factor=0..1"] * 2, "balance_factor is varied twice"),
         (["layout.throws[2]=0..9 deg", "layout.throws[ 2 ]=0..9 deg"], "is not a"),
-        (["balance_factor=0..1"] * 3, "--over is given 3 times; one or two"),
-        ([], "--over is given 0 times"),
+        (["balance_factor=0..1"] * 3, "3 values are to be varied; one or two"),
+        ([], "0 values are to be varied"),
         (["balance_factor=0..1", "layout.bor=0..1 mm"], "is not a field of the engine"),
         (["balance_factor=0..1", "layout.throws[2]=0..9 kg"], "a mass; an angle is needed"),
         (["balance_factor=0..1 mm", "layout.throws[2]=0..9 deg"], "is a plain number"),

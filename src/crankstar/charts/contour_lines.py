@@ -70,6 +70,8 @@ def levels(*, low: float, high: float) -> list[float]:
 def level_lines(x: Real, y: Real, z: Real, level: float) -> list[list[Point]]:
     """The lines on which z [x, y], straight between its points, has this value.
 
+    None beside a point without a value (nan).
+
     >>> lines = level_lines(np.arange(2.0), np.arange(2.0), np.array([[0, 0], [1, 1]]), 0.25)
     >>> [[(float(a), float(b)) for a, b in line] for line in lines]
     [[(0.25, 0.0), (0.25, 1.0)]]
@@ -77,7 +79,9 @@ def level_lines(x: Real, y: Real, z: Real, level: float) -> list[list[Point]]:
     above = z >= level
     cases = above[:-1, :-1] + 2 * above[1:, :-1] + 4 * above[1:, 1:] + 8 * above[:-1, 1:]
     joined: dict[Edge, list[Edge]] = {}
-    for i, j in zip(*np.nonzero((cases > 0) & (cases < 15)), strict=True):
+    known = np.isfinite(z)
+    whole = known[:-1, :-1] & known[1:, :-1] & known[1:, 1:] & known[:-1, 1:]
+    for i, j in zip(*np.nonzero((cases > 0) & (cases < 15) & whole), strict=True):
         case, (row, column) = int(cases[i, j]), (int(i), int(j))
         middle = float(z[i : i + 2, j : j + 2].mean()) >= level
         edges = ((0, row, column), (1, row + 1, column), (0, row, column + 1), (1, row, column))
@@ -120,7 +124,7 @@ def labelled_contours(
     """
     scale = (size[0] / float(x[-1] - x[0]), size[1] / float(y[-1] - y[0]))
     boxes, out = [*taken], []
-    for level in levels(low=float(z.min()), high=float(z.max())):
+    for level in levels(low=float(np.nanmin(z)), high=float(np.nanmax(z))):
         pieces: list[list[Point]] = []
         labels: list[Point] = []
         text = number(level)

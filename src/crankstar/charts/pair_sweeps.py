@@ -81,7 +81,7 @@ def _words(pairs: Sequence[tuple[Curve, BestPair | None]], sweep: Sweep) -> list
     for curve, optimum in pairs:
         if optimum is None:
             continue
-        top = float(curve.values.max())
+        top = curve.top
         least = optimum.result if optimum.result > FINENESS * top else 0.0
         places = [
             f"{number(value)}{f' {axis.unit}' if axis.unit else ''}"
@@ -110,7 +110,7 @@ def _words_of(optimum: BestPair) -> str:
 
 def _panel(sweep: Sweep, curve: Curve, optimum: BestPair | None) -> Panel:
     """The colours and the contours of a curve, and the ring at its best pair."""
-    said = shown(curve.unit, float(curve.values.max()))
+    said = shown(curve.unit, curve.top)
     ascending = [np.unique(axis.values, return_index=True) for axis in sweep.axes]
     (x, rows), (y, columns) = ascending
     z = curve.values[np.ix_(rows, columns)] * said.factor
@@ -159,6 +159,7 @@ def _colours(
         }
         for i in range(CELLS[0])
         for j in range(CELLS[1])
+        if np.isfinite(values[i, j])
     ]
     name = f"{curve_name(curve)} [{unit_text(unit)}]"
     legend = {
@@ -172,7 +173,7 @@ def _colours(
         "gradientThickness": 10,
         "tickCount": 5,
     }
-    low, high = float(z.min()), float(z.max())
+    low, high = float(np.nanmin(z)), float(np.nanmax(z))
     flat = high - low <= 1e-9 * max(abs(low), abs(high))
     ends = [low - 0.5 * abs(low), high + 0.5 * abs(high) or 1.0] if flat else [low, high]
     scale = {"domain": ends, "range": [PALE, DEEP], "nice": False}
@@ -222,7 +223,7 @@ def _contour_layers(
 
 def _front_panel(curves: Sequence[Curve], front: Sequence[Unbeaten]) -> Panel:
     """Two results of all pairs of values, and those of the pairs that none beats."""
-    saids = [shown(curve.unit, float(curve.values.max())) for curve in curves[:2]]
+    saids = [shown(curve.unit, curve.top) for curve in curves[:2]]
     results = [
         curve.values.ravel() * said.factor for curve, said in zip(curves, saids, strict=True)
     ]
@@ -242,6 +243,7 @@ def _front_panel(curves: Sequence[Curve], front: Sequence[Unbeaten]) -> Panel:
     others = [
         {"x": float(a), "y": float(b)}
         for a, b in zip(results[0][::step], results[1][::step], strict=True)
+        if np.isfinite(a) and np.isfinite(b)
     ]
     best = [
         {
@@ -270,6 +272,6 @@ def _front_panel(curves: Sequence[Curve], front: Sequence[Unbeaten]) -> Panel:
 
 def _reach(values: Real) -> tuple[float, float]:
     """A little more than from the least to the greatest."""
-    low, high = float(values.min()), float(values.max())
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
     room = 0.05 * (high - low) or 0.05 * abs(high) or 1.0
     return max(low - room, 0.0) if low >= 0 else low - room, high + room

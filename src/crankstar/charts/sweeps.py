@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import cycle, islice
+from math import isnan
 from typing import Any
 
 from crankstar.charts.canvas import curve_height, panel_width
@@ -70,7 +71,7 @@ def swept(
     panels: list[Panel] = []
     for unit in units:
         own = [place for place, curve in enumerate(curves) if curve.unit == unit]
-        said = shown(unit, max(float(curves[place].values.max()) for place in own))
+        said = shown(unit, max(curves[place].top for place in own))
         areas = [
             row
             for place in own
@@ -94,7 +95,7 @@ def _words(pairs: Sequence[tuple[Curve, Best | None]], sweep: Sweep) -> list[str
     for curve, optimum in pairs:
         if optimum is None:
             continue
-        top = float(curve.values.max())
+        top = curve.top
         least = optimum.result if optimum.result > ROUNDED * top else 0.0
         text = quantity_text(least, curve.unit, beside=top)
         result = {"quantity": curve_name(curve), "result": together(text)}
@@ -143,6 +144,7 @@ def _area(values: Real, curve: Curve, band: Band | None, factor: float) -> list[
     return [
         {"x": x, "y": low * factor, "y2": high * factor, "what": curve_name(curve)}
         for x, low, high in sorted(rows)
+        if not isnan(low)
     ]
 
 
@@ -157,7 +159,7 @@ def _panel(
     colours = {"domain": names, "range": [*islice(cycle(PALETTE), len(names))]}
     legend = _legend(names) if len(names) > 1 else None
     x = value_axis(sweep.axes[0], "x", room=panel_width(), foot=foot)
-    tops = [float(curve.values.max()) for curve, _ in pairs]
+    tops = [curve.top for curve, _ in pairs]
     reach = max(*tops, *(row["y2"] for row in areas), 0.0)
     ticks = {"tickCount": 4} if reach > 0 else {"values": [0]}
     unit = unit_text(pairs[0][0].unit)
@@ -199,4 +201,6 @@ def _rows(values: Real, curve: Curve) -> list[dict[str, Any]]:
     step = max(1, values.size // MOST_POINTS)
     pairs = sorted(zip(values.tolist(), curve.values.tolist(), strict=True))
     kept = [*pairs[::step], pairs[-1]] if step > 1 else pairs
-    return [{"x": x, "y": y, "what": curve_name(curve)} for x, y in kept]
+    return [  # a line has a gap where there is no number
+        {"x": x, "y": None if isnan(y) else y, "what": curve_name(curve)} for x, y in kept
+    ]

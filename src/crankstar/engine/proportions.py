@@ -123,6 +123,17 @@ SHARED = ("small end", "rod over piston group")
 
 
 @cache
+def weighed_bores() -> tuple[float, float]:
+    """The least and the greatest bore of the engines whose pistons or rods were weighed, m.
+
+    >>> weighed_bores()
+    (0.06985, 0.15)
+    """
+    bores = [e.bore for e in ENGINES if e.bore and (e.piston or e.piston_group or e.rod)]
+    return min(bores), max(bores)
+
+
+@cache
 def proportion(part: str, kind: EngineType, *, without: str = "") -> Proportion:
     """The coefficient of a part in engines of a type. Raises KeyError for a mass of a crosshead.
 

@@ -34,7 +34,7 @@ _SAME = {
 """Units as headings write them."""
 _PLAIN = frozenset({"min", "max", "in", "out", "no", "nr", "ca", "cad", "atdc", "a", "b", "p"})
 """Words of headings that are units, too, or read like some."""
-PLACE = ("gas", "trace")
+TRACE = ("gas", "trace")
 Tree = dict[str, Any]
 
 
@@ -43,12 +43,16 @@ def with_trace(tree: Tree, folder: Path, name: str) -> Tree:
     gas = tree.get("gas")
     if not isinstance(gas, dict) or not isinstance(gas.get("trace"), str):
         return tree
-    table = trace_of(_text(folder, gas["trace"], name), name=name, file=gas["trace"])
-    return {**tree, "gas": {**gas, "trace": table}}
+    return {**tree, "gas": {**gas, "trace": read_trace(gas["trace"], folder, name)}}
+
+
+def read_trace(file: str, folder: Path, name: str) -> Tree:
+    """The table `trace` of a CSV file in a folder. Raises EngineFileError."""
+    return trace_of(_text(folder, file, name), name=name, file=file)
 
 
 def _refused(name: str, code: str, **values: Any) -> EngineFileError:
-    return EngineFileError(name, [Fault(PLACE, f"trace.{code}", values)])
+    return EngineFileError(name, [Fault(TRACE, f"trace.{code}", values)])
 
 
 def _text(folder: Path, file: str, name: str) -> str:

@@ -69,6 +69,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where}: the indicated mean effective pressure is {value} bar; hardly any engine has more "
         "than {bound} bar"
     ),
+    "doubt.small-load": N_(
+        "{where} is {value} Pa, next to nothing; engines idle at 1 bar and more: is it a number of "
+        "bar? A number without a unit is in pascal"
+    ),
     "doubt.charge": N_(
         "{where} is {intake} bar, with which {load} bar of indicated mean effective pressure has "
         "the air-fuel ratio {value}; below {bound} the fuel cannot burn: give the pressure of the "
@@ -117,6 +121,10 @@ SENTENCES: dict[str, str | Plural] = {
     "doubt.piston-speed": N_(
         "{where} is {rpm} rpm, with which the mean piston speed is {value} m/s; hardly any engine "
         "has more than {bound} m/s: is it the speed of the engine, and the stroke right?"
+    ),
+    "doubt.estimate-scale": N_(
+        "{where} is {value} mm; the masses are estimated from engines with bores of {low} to "
+        "{high} mm, and their ranges hold for those only: weigh the parts if you can"
     ),
     "doubt.stroke": N_(
         "{where} is {value} mm beside a stroke of {stroke} mm; is the unit of one of them wrong?"

@@ -30,7 +30,13 @@ from crankstar.language.faults import Fault
 from crankstar.mechanics.charge_air import CHARGED, STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
-from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
+from crankstar.mechanics.mass_doubts import (
+    body_doubts,
+    piston_doubts,
+    rod_doubts,
+    scale_doubts,
+    size_doubts,
+)
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError, own_speed
 
@@ -38,6 +44,9 @@ Path = tuple[str | int, ...]
 GREATEST_SPARK_RATIO = 16.0
 LEAST_DIESEL_RATIO = 10.0
 """Compression ratios beyond which spark ignition knocks, and a Diesel does not fire."""
+LEAST_LOAD = 5e3
+"""Pa: a mean effective pressure of less is no load, and may be a number of bar."""
+MEAN_PRESSURES = ("imep", "bmep")
 RATIOS = (3.0, 25.0)
 """Compression ratios of engines: of the first with electric ignition, of small Diesel engines."""
 LONGER = 1.05
@@ -77,7 +86,7 @@ LOWEST_DISC = 0.5
 def doubts(engine: Engine) -> tuple[Fault, ...]:
     """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
     found = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
-    found += [*piston_doubts(engine), *body_doubts(engine)]
+    found += [*piston_doubts(engine), *scale_doubts(engine), *body_doubts(engine)]
     found += [*inertia_doubts(engine), *torsion_doubts(engine)]
     gas = engine.gas
     if gas is not None:
@@ -105,7 +114,7 @@ def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> 
     found: list[Fault] = []
     if "inertia" in uses:
         found += [*size_doubts(engine), *rod_doubts(engine)]
-        found += [*piston_doubts(engine), *inertia_doubts(engine)]
+        found += [*piston_doubts(engine), *scale_doubts(engine), *inertia_doubts(engine)]
     if "torsion" in uses:
         found += torsion_doubts(engine)
     if "mounts" in uses:
@@ -171,6 +180,10 @@ def value_doubts(
     gamma = given.get("gamma")
     if gamma is not None and not GAMMAS[0] <= gamma <= GAMMAS[1]:
         yield Fault((*path, "gamma"), "doubt.gamma", {"value": gamma})
+    for key in MEAN_PRESSURES:
+        load = given.get(key)
+        if load is not None and 0 < load < LEAST_LOAD:
+            yield Fault((*path, key), "doubt.small-load", {"value": load})
     if measured:
         return
     scavenged = values["intake_pressure"] > values["exhaust_pressure"]

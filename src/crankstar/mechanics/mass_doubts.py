@@ -13,7 +13,7 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.mount_checks import carried_mass
-from crankstar.engine.proportions import STEEL
+from crankstar.engine.proportions import STEEL, weighed_bores
 from crankstar.language.faults import Fault
 from crankstar.mechanics.balance import default_reference
 
@@ -30,6 +30,10 @@ Aircraft engines have 20 to 30 kg per litre (a flat four of 5.9 l 117 kg), racin
 and more, a motorcycle with all of its frame 300, an old single for a pump 450. Our judgement, from
 weights that makers publish.
 """
+OF_CARS = (40.0, 130.0)
+"""The same of engines of cars, in kg per litre."""
+OUTSIDE = 1.25
+"""Factor by which a bore may lie beyond those of the engines whose parts were weighed."""
 LEAST_SHARE = 0.01
 """Of a body's mass, as if at the farthest of its mounts: the frame that reaches there has more."""
 
@@ -56,6 +60,35 @@ def piston_doubts(engine: Engine) -> Iterator[Fault]:
             path = ("cylinders", index, "reciprocating_mass")
             yield Fault(path, "doubt.piston-mass", values, cylinder.number)
             return  # one slip for all
+
+
+def scale_doubts(engine: Engine) -> Iterator[Fault]:
+    """Estimated masses of an engine that is smaller or larger than any that was weighed for them.
+
+    A mass is estimated as a share of the cube of the bore, which need not hold so far away.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.files.estimate import estimated
+    >>> tree = {"name": "moped", "layout": {"type": "inline", "throws": [0]}}
+    >>> tree["cylinder"] = {"bore": "40 mm", "stroke": "39 mm"}
+    >>> [fault.code for fault in scale_doubts(load(estimated(tree).tree))]
+    ['doubt.estimate-scale']
+    """
+    if "radius" in engine.relative:
+        return
+    estimates = [p for p, o in engine.provenance.items() if o.status == "estimated"]
+    if not any(path.endswith("mass") and path.startswith("cylinder") for path in estimates):
+        return
+    low, high = weighed_bores()
+    for index, cylinder in enumerate(engine.cylinders):
+        bore = cylinder.bore
+        if bore is not None and not low / OUTSIDE <= bore <= high * OUTSIDE:
+            values = {"value": _mm(bore), "low": _mm(low), "high": _mm(high)}
+            alike = {each.bore for each in engine.cylinders} == {bore}
+            table = ("cylinder",) if alike else ("cylinders", index)
+            number = None if alike else cylinder.number
+            yield Fault((*table, "bore"), "doubt.estimate-scale", values, number)
+            return  # one for all
 
 
 FASTEST_PISTON = 32.0
@@ -179,6 +212,8 @@ def _weight(engine: Engine, mass: float) -> Iterator[Fault]:
             "share": float(f"{1e-3 * mass / volume:.3g}"),
             "low": LIGHTEST * 1e-3,
             "high": HEAVIEST * 1e-3,
+            "car_low": OF_CARS[0],
+            "car_high": OF_CARS[1],
         }
         yield Fault(("block", "mass"), "doubt.block-mass", values)
 

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from fractions import Fraction
 from math import degrees as rad2deg
-from pathlib import PurePath
+from pathlib import Path, PurePath
 from typing import Any, Literal, cast, get_args
 
 from crankstar.engine.engine import Engine
@@ -16,6 +16,7 @@ from crankstar.engine.quantities import ANGLE, LEAST, LENGTH, POSITION, SPEED, Q
 from crankstar.files import STANDARD_INPUT, changed, keys_of, units
 from crankstar.files.catalog import tree_of
 from crankstar.files.changes import path_and_value
+from crankstar.files.traces import TRACE, read_trace
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.numbers import number as number_text
@@ -77,6 +78,8 @@ def named(engine: str) -> str:
 def settings(texts: Sequence[str] | None) -> dict[str, Any]:
     """The values of --set by key path: TOML if they can be read so, else text.
 
+    A trace is read from the CSV file of that name, as in an engine file, but beside the reader.
+
     >>> settings(["layout.bore_pitch=100 mm", "cylinder.rod_ratio=3.5"])
     {'layout.bore_pitch': '100 mm', 'cylinder.rod_ratio': 3.5}
     """
@@ -86,6 +89,8 @@ def settings(texts: Sequence[str] | None) -> dict[str, Any]:
         if keys_of(path) in map(keys_of, found):
             raise refusal("--set", text, "{path} is set before; give it once", path=seen(path))
         found[path] = value
+        if tuple(keys_of(path)) == TRACE and isinstance(value, str):
+            found[path] = read_trace(value, Path(), "--set gas.trace")
     return found
 
 

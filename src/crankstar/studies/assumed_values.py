@@ -158,6 +158,12 @@ def _doubt(fault: Fault) -> Assumption:
         assert not isinstance(point, str)  # noqa: S101  # it numbers the operating points
         vary = with_gas_value("intake_pressure", 1e5, point=point)
         return Assumption("doubtful", path, fault.sentence, value, "bar", meant, meant, vary=vary)
+    if fault.code == "doubt.block-mass":
+        low, high = (fault.values["litres"] * fault.values[f"car_{end}"] for end in ("low", "high"))
+        own = fault.values["value"]
+        return Assumption(
+            "doubtful", path, fault.sentence, own, "kg", low, high, vary=with_block_mass
+        )
     if fault.code != "doubt.rod-ratio" or fault.cylinder is not None:
         return Assumption("doubtful", path, fault.sentence)
     value, meant = fault.values["value"], fault.values["meant"]

@@ -55,13 +55,14 @@ def best_pair(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> BestPair
     (0.5, True, False)
     """
     sign = -1.0 if greatest else 1.0
-    cells = _apart(sweep, sign * curve.values)
-    even = ALIKE * float(np.abs(cells).max())
+    cells = _apart(sweep, _signed(curve, sign))
+    top = float(np.nanmax(np.abs(curve.values)))
+    even = ALIKE * top
     row, column = _innermost(cells <= cells.min() + even)
     place = [float(sweep.axes[0].values[row]), float(sweep.axes[1].values[column])]
     least = float(cells[row, column])
     also = int(np.count_nonzero(cells <= least + even)) - 1
-    flat = float(np.ptp(cells)) <= even
+    flat = float(np.ptp(cells[np.isfinite(cells)])) <= even
     if not flat and (greatest or least > even):
         try:
             found, refined = _refined(sweep, curve, _starts(sweep, cells), sign)
@@ -74,7 +75,7 @@ def best_pair(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> BestPair
         for axis, value in zip(sweep.axes, place, strict=True)
     ]
     ridge = not flat and any(
-        _as_good_along(sweep, curve, which, sign, least + LEVEL * float(np.abs(cells).max()))
+        _as_good_along(sweep, curve, which, sign, least + LEVEL * top)
         for which in (0, 1)
     )
     ends = edges[0], edges[1]
@@ -86,7 +87,7 @@ def _as_good_along(sweep: Sweep, curve: Curve, which: int, sign: float, enough: 
     own, other = sweep.axes[which], np.sort(sweep.axes[1 - which].values)
     order = np.argsort(sweep.axes[1 - which].values)
     for index in np.unique(np.linspace(0, own.values.size - 1, TRIED + 2).astype(int))[1:-1]:
-        line = np.take(sign * curve.values, index, axis=which)[order]
+        line = np.take(_signed(curve, sign), index, axis=which)[order]
         at = int(np.argmin(line))
         low, high = other[max(at - 1, 0)], other[min(at + 1, other.size - 1)]
         least = float(line[at])
@@ -94,13 +95,18 @@ def _as_good_along(sweep: Sweep, curve: Curve, which: int, sign: float, enough: 
             closer = np.linspace(low, high, CLOSER)
             boxes = [own.values[index : index + 1], closer]
             again = sweep.again(*(boxes if which == 0 else boxes[::-1]))
-            line = sign * watched(again, curve.what, order=curve.order).values.ravel()
+            line = _signed(watched(again, curve.what, order=curve.order), sign).ravel()
             at = int(np.argmin(line))
             low, high = closer[max(at - 1, 0)], closer[min(at + 1, CLOSER - 1)]
             least = min(least, float(line[at]))
         if least > enough:
             return False
     return True
+
+
+def _signed(curve: Curve, sign: float) -> Real:
+    """The results, of which the least is the best; none is worse than any."""
+    return np.where(np.isnan(curve.values), np.inf, sign * curve.values)
 
 
 def _innermost(good: np.ndarray) -> tuple[int, int]:
@@ -153,7 +159,7 @@ def _refined(
         for axis in sweep.axes
     ]
     tops = np.array([np.inf if high is None else high for _low, high in bounds])
-    whole = float(np.abs(curve.values).max())
+    whole = float(np.nanmax(np.abs(curve.values)))
     for _round in range(ROUNDS):
         step = NEAR * spans * np.where(place + NEAR * spans > tops, -1, 1)
         simplex = np.array(place) + np.array([[0, 0], [step[0], 0], [0, step[1]]])
@@ -189,9 +195,12 @@ def _at_end(axis: Axis, value: float) -> float:
 
 
 def _single(sweep: Sweep, curve: Curve, place: Sequence[float], sign: float) -> float:
-    """The result of one pair."""
+    """The result of one pair, worse than any where it has none."""
     again = sweep.again(*(np.array([float(value)]) for value in place))
-    return sign * float(watched(again, curve.what, order=curve.order).values[0, 0])
+    try:
+        return sign * float(watched(again, curve.what, order=curve.order).values[0, 0])
+    except SweepError:
+        return np.inf
 
 
 def _closer(
@@ -206,7 +215,7 @@ def _closer(
             _box(axis, value, step)
             for axis, value, step in zip(sweep.axes, place, reach, strict=True)
         ]
-        cells = sign * watched(sweep.again(*boxes), curve.what, order=curve.order).values
+        cells = _signed(watched(sweep.again(*boxes), curve.what, order=curve.order), sign)
         at = [int(index) for index in np.unravel_index(np.argmin(cells), cells.shape)]
         if cells[at[0], at[1]] < least - ALIKE * abs(least):
             least = float(cells[at[0], at[1]])
@@ -260,14 +269,18 @@ def front(
     [(1.0, 1), (0.5, 1), (0.0, 1)]
     """
     sign = -1.0 if greatest else 1.0
-    results = [_apart(sweep, sign * curve.values) for curve in (first, second)]
+    results = [_apart(sweep, _signed(curve, sign)) for curve in (first, second)]
+    missing = ~np.logical_and(*map(np.isfinite, results))
+    results = [np.where(missing, np.inf, each) for each in results]
     shape = results[0].shape
-    even = [ALIKE * max(float(np.abs(each).max()), 1e-300) for each in results]
+    even = [
+        ALIKE * max(float(np.nanmax(np.abs(curve.values))), 1e-300) for curve in (first, second)
+    ]
     x, y = (np.round(each.ravel() / least) for each, least in zip(results, even, strict=True))
     out: list[Unbeaten] = []
     best = np.inf
     for flat in np.lexsort((y, x)):
-        if y[flat] >= best - 0.5:
+        if y[flat] >= best - 0.5 or np.isinf(y[flat]):
             continue
         best = y[flat]
         row, column = np.unravel_index(flat, shape)

@@ -39,7 +39,7 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
     """The value at which the curve is least (or `greatest`), also between values of the sweep.
 
     Every place where the curve may come lowest, a smooth hollow or the tip of a V, is swept again
-    more and more closely.
+    more and more closely. Values without a result are none.
 
     >>> from crankstar.studies.sweep import swept
     >>> sweep = swept("single", over="balance_factor", values=np.linspace(0, 1, 8))
@@ -48,14 +48,15 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
     (0.5, 0.5, False)
     """
     sign = -1.0 if greatest else 1.0
-    x, where = np.unique(sweep.values, return_index=True)
-    y = sign * curve.values[where]
+    known = np.flatnonzero(np.isfinite(curve.values))
+    x, where = np.unique(sweep.values[known], return_index=True)
+    y = sign * curve.values[known][where]
     even = ALIKE * float(np.abs(y).max())
     low, span = float(x[0]), float(x[-1] - x[0])
     if float(np.ptp(y)) <= even:
         return Best(
-            float(sweep.values[0]),
-            float(curve.values[0]),
+            float(sweep.values[known[0]]),
+            float(curve.values[known[0]]),
             at_edge=False,
             flat=True,
             stretch=(float(x[0]), float(x[-1])),
@@ -167,6 +168,7 @@ def _tips(
     while max(high - low for low, high in brackets) > FINENESS * span:
         closer = np.concatenate([np.linspace(low, high, CLOSER + 1) for low, high in brackets])
         again = sign * watched(sweep.again(closer), curve.what, order=curve.order).values
+        again = np.where(np.isnan(again), np.inf, again)
         for place in range(len(brackets)):
             own = slice(place * (CLOSER + 1), (place + 1) * (CLOSER + 1))
             here, results = closer[own], again[own]

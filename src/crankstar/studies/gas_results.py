@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from math import prod
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,6 +27,13 @@ MOST_CASES = 2000
 """Engines of one sweep: some ten seconds."""
 Case = tuple[Engine, float | None]
 """An engine and the speed at which it turns, rad/s."""
+
+
+class Gap(NamedTuple):
+    """A value of a sweep that has no result: its place among all, and why."""
+
+    place: int
+    reason: str
 
 
 def _mean_torque(engine: Engine, found: Cycle) -> float:  # noqa: ARG001 - all are made alike
@@ -88,9 +96,13 @@ def _value(engine: Engine, found: Cycle, what: str, order: float | None) -> floa
 
 
 def gas_values(
-    cases: Callable[[], Sequence[Case]], what: str, *, order: float | None, shape: tuple[int, ...]
-) -> tuple[Real, str]:
-    """One of GAS_WATCHABLE for every case, and its unit. Raises SweepError."""
+    cases: Callable[[], Sequence[Case | SweepError]],
+    what: str,
+    *,
+    order: float | None,
+    shape: tuple[int, ...],
+) -> tuple[Real, str, tuple[Gap, ...]]:
+    """One of GAS_WATCHABLE for every case, its unit, and what has none. Raises SweepError."""
     if order is not None and what in _NUMBERS:
         raise SweepError("{what} has no orders; leave --orders out", what=what)
 
@@ -98,17 +110,21 @@ def gas_values(
         return _value(engine, cycle(engine, speed=speed), what, order)
 
     unit = _NUMBERS[what][1] if what in _NUMBERS else "N*m"
-    return one_by_one(cases, value, what, shape=shape), unit
+    values, gaps = one_by_one(cases, value, what, shape=shape)
+    return values, unit, gaps
 
 
 def one_by_one(
-    cases: Callable[[], Sequence[Case]],
+    cases: Callable[[], Sequence[Case | SweepError]],
     value: Callable[[Engine, float | None], float],
     what: str,
     *,
     shape: tuple[int, ...],
-) -> Real:
-    """The value of every case, engine by engine. Raises SweepError, which names the case."""
+) -> tuple[Real, tuple[Gap, ...]]:
+    """The value of every case, engine by engine, nan where there is none, and why there is none.
+
+    Raises SweepError where no case has a value.
+    """
     if prod(shape) > MOST_CASES:
         raise SweepError(
             "{count} values are too many for {what}, which is computed engine by engine; give at "
@@ -117,15 +133,17 @@ def one_by_one(
             what=what,
             most=MOST_CASES,
         )
-    out: list[float] = []
-    for place, (engine, speed) in enumerate(cases(), 1):
+    out = np.full(prod(shape), np.nan)
+    gaps: list[Gap] = []
+    for place, case in enumerate(cases()):
         try:
-            out.append(value(engine, speed))
+            if isinstance(case, SweepError):
+                raise case  # one way for all that has no result
+            out[place] = value(*case)
         except (GasError, MountError, SweepError, TorsionError, UnevenError) as error:
-            raise SweepError(
-                "value {place} of {count}: {reason}",
-                place=place,
-                count=prod(shape),
-                reason=str(error),
-            ) from None
-    return np.array(out).reshape(shape)
+            gaps.append(Gap(place, str(error)))
+    if len(gaps) == out.size:
+        raise SweepError(
+            "value {place} of {count}: {reason}", place=1, count=out.size, reason=gaps[0].reason
+        )
+    return out.reshape(shape), tuple(gaps)

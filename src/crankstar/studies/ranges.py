@@ -51,12 +51,13 @@ def over_requests(texts: Sequence[str]) -> tuple[Over, ...]:
     >>> [len(over.values) for over in over_requests(["balance_factor=0..1", "cylinder.z=0..1"])]
     [51, 51]
     """
-    if not 1 <= len(texts) <= MOST_AXES:
-        raise SweepError(
-            "--over is given {count} times; one or two values can be varied at once",
-            count=len(texts),
-        )
+    _check_axes(len(texts))
     return tuple(over_request(text, usual=USUAL_OF[len(texts)]) for text in texts)
+
+
+def _check_axes(count: int) -> None:
+    if not 1 <= count <= MOST_AXES:
+        raise SweepError("{count} values are to be varied; one or two can be at once", count=count)
 
 
 def requested(
@@ -67,29 +68,29 @@ def requested(
     >>> requested({"cylinder.stroke": ["80 mm", "90 mm"], "balance_factor": "0..1/3"})[0]
     ('cylinder.stroke', (80.0, 90.0), 'mm')
     """
+    asked: Any = [over] if isinstance(over, str) else over
+    _check_axes(len(asked))
+    usual = USUAL_OF[len(asked)]
     if not isinstance(over, Mapping):
-        texts = over_requests([over] if isinstance(over, str) else [*over])
+        texts = [over_request(text, usual=usual, option="over") for text in asked]
         return [(each.path, each.values, each.unit) for each in texts]
-    if not 1 <= len(over) <= MOST_AXES:
-        raise SweepError(
-            "{count} values are to be varied; one or two can be at once", count=len(over)
-        )
     out: list[tuple[str, Sequence[float], str | None]] = []
     for path, values in over.items():
         listed = values if isinstance(values, str) else [*values]
         if isinstance(listed, str) or any(isinstance(each, str) for each in listed):
             text = listed if isinstance(listed, str) else ", ".join(map(str, listed))
-            each = over_request(f"{path}={text}", usual=USUAL_OF[len(over)])
+            each = over_request(f"{path}={text}", usual=usual, option="over")
             out.append((each.path, each.values, each.unit))
         else:
             out.append((str(path), [float(each) for each in listed], None))
     return out
 
 
-def over_request(text: str, *, usual: int = USUAL_POINTS) -> Over:
+def over_request(text: str, *, usual: int = USUAL_POINTS, option: str = "--over") -> Over:
     """What a text such as "layout.banks[1].bearing=0..90 deg" asks to be swept. Raises SweepError.
 
-    A range has `usual` values unless their number or the step between them is given.
+    A range has `usual` values unless their number or the step between them is given; `option` is
+    what mistakes name.
 
     >>> over_request("balance_factor=0..1/5")
     Over(path='balance_factor', values=(0.0, 0.25, 0.5, 0.75, 1.0), unit='')
@@ -99,7 +100,7 @@ def over_request(text: str, *, usual: int = USUAL_POINTS) -> Over:
     Over(path='speed', values=(600.0, 800.0, 1000.0, 1200.0), unit='rpm')
     """
     path, equals, wanted = path_and_value(text)
-    asked = f"--over {one_line(text, longest=100)}"
+    asked = f"{option} {one_line(text, longest=100)}"
     if not equals or not path or not wanted.strip():
         raise SweepError(
             "{asked}: give a field of the engine file and its values, {example}",

@@ -104,21 +104,27 @@ class Study:
             groups = closed(groups, tuple(own.size for own in values), closing)
         return groups
 
-    def cases(self, values: Sequence[Real]) -> list[tuple[Engine, float | None]]:
+    def cases(self, values: Sequence[Real]) -> list[tuple[Engine, float | None] | SweepError]:
         """Every engine as its file would have it, firing order included, and its speed (rad/s).
 
-        Raises SweepError where one cannot fire in the order of the file.
+        A SweepError in place of one that cannot fire in the order of the file.
         """
         grids = np.meshgrid(*values, indexing="ij")
         slow = [n for n in range(len(self.over)) if n != self._fast]
         order = engine_of(self.source.tree, name=self.source.name).firing_order
-        known: dict[tuple[float, ...], Engine] = {}
-        out: list[tuple[Engine, float | None]] = []
+        known: dict[tuple[float, ...], Engine | SweepError] = {}
+        out: list[tuple[Engine, float | None] | SweepError] = []
         for cell in zip(*(grid.ravel().tolist() for grid in grids), strict=True):
             numbers = tuple(cell[n] for n in slow)
             if numbers not in known:
-                known[numbers] = _firing(self.subject.make(*numbers), order)
+                try:
+                    known[numbers] = _firing(self.subject.make(*numbers), order)
+                except SweepError as error:
+                    known[numbers] = error
             engine, at = known[numbers], self.speed
+            if isinstance(engine, SweepError):
+                out.append(engine)
+                continue
             if self._fast is not None:
                 speed = np.array([cell[self._fast]])
                 at = float(rad_per_s(speed, self.units_of[self._fast])[0])
@@ -253,7 +259,7 @@ def check_apart(paths: Sequence[str], changes: Mapping[str, Any]) -> None:
     keys = [keys_of(path.strip()) for path in paths]
     if len(keys) > 1 and keys[0] == keys[1]:
         raise SweepError(
-            "{path} is varied twice; name another number for the second --over",
+            "{path} is varied twice; name another number for the second",
             path=one_line(paths[0], longest=80),
         )
     for path in changes:

@@ -35,7 +35,7 @@ from crankstar.mechanics.balance import Units
 from crankstar.mechanics.excitation import Reference, Totals, rolling_moment
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.fields import Source, ends_of, source_of
-from crankstar.studies.gas_results import GAS_WATCHABLE, Case, gas_values, one_by_one
+from crankstar.studies.gas_results import GAS_WATCHABLE, Case, Gap, gas_values, one_by_one
 from crankstar.studies.ranges import requested
 from crankstar.studies.study import Study, check_apart, study
 from crankstar.studies.sums import GREATEST_ORDER, Group, joined
@@ -97,7 +97,7 @@ class Sweep:
     orders: tuple[float, ...] | None
     again: Callable[..., Sweep] = field(repr=False, compare=False)
     ends: Callable[[], tuple[Sweep, ...]] = field(repr=False, compare=False)
-    cases: Callable[[], Sequence[Case]] = field(repr=False, compare=False)
+    cases: Callable[[], Sequence[Case | SweepError]] = field(repr=False, compare=False)
     case: Callable[[Sequence[int]], Case] = field(repr=False, compare=False)
     adds: bool = False
     watch: tuple[tuple[str, float | None], ...] = ()
@@ -232,7 +232,7 @@ class Sweep:
 class Curve(NamedTuple):
     """A result (of one order, or None: of all) at every value of a sweep, its unit and name.
 
-    `values` have the shape of the sweep.
+    `values` have the shape of the sweep, nan where there is no result, which `gaps` tell.
     """
 
     what: str
@@ -240,6 +240,12 @@ class Curve(NamedTuple):
     values: Real
     unit: str
     label: str
+    gaps: tuple[Gap, ...] = ()
+
+    @property
+    def top(self) -> float:
+        """The greatest value."""
+        return float(np.nanmax(self.values))
 
 
 def sweep(
@@ -350,6 +356,8 @@ def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool
 
     def one(places: Sequence[int]) -> Case:
         [found] = plan.cases([own[[place]] for own, place in zip(values, places, strict=True)])
+        if isinstance(found, SweepError):
+            raise found
         return found
 
     return Sweep(
@@ -409,11 +417,12 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
         )
     label = what if order is None else f"{what} of order {order:g}"
     if what in GAS_WATCHABLE:
-        values, unit = gas_values(sweep.cases, what, order=order, shape=sweep.shape)
-        return Curve(what, order, values, unit, label)
+        values, unit, gaps = gas_values(sweep.cases, what, order=order, shape=sweep.shape)
+        return Curve(what, order, values, unit, label, gaps)
     if what in measures():
         unit = measures()[what][1].unit
-        return Curve(what, order, _measured(sweep, what, order), unit, label)
+        values, gaps = _measured(sweep, what, order)
+        return Curve(what, order, values, unit, label, gaps)
     peaks = np.zeros(int(np.prod(sweep.shape)))
     for group in sweep.groups:
         spectrum = spectrum_of(group.sums, what)
@@ -426,8 +435,8 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
     return Curve(what, order, peaks.reshape(sweep.shape), unit, label)
 
 
-def _measured(sweep: Sweep, what: str, order: float | None) -> Real:
-    """A measure of every variant, of all orders or one. Raises SweepError."""
+def _measured(sweep: Sweep, what: str, order: float | None) -> tuple[Real, tuple[Gap, ...]]:
+    """A measure of every variant, of all orders or one; what has none. Raises SweepError."""
     record, measure = measures()[what]
     if order is not None and not measure.orders:
         raise SweepError("{what} has no orders; leave --orders out", what=what)

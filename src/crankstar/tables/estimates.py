@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 from crankstar.analysis.document import Column, Document, Remarks, Table, remarks
 from crankstar.engine.engine import Engine
-from crankstar.files import units
+from crankstar.files import engine_of, units
 from crankstar.language.messages import N_, _, passage
+from crankstar.mechanics.mass_doubts import scale_doubts
 from crankstar.tables.ranges import estimated_paths, listed
 
 if TYPE_CHECKING:
@@ -79,6 +80,8 @@ def estimate_document(estimate: Estimate, *, name: str) -> Document:
     kind = _("Type of engine: {kind} ({reason}); --type names another.", **words)
     none = "" if rows else _("The file leaves nothing out that could be estimated.")
     lines = Remarks(tuple(filter(None, (kind, none))), kind="note")
+    completed = engine_of(estimate.tree, name=name)
+    outside = remarks(*(f"{one.sentence}." for one in scale_doubts(completed)), kind="doubt")
     table = Table(_("Estimated values"), columns, rows, key="filled")
     facts = {"engine": name, "type": estimate.kind, "inferred": estimate.reason != ""}
-    return Document(name, (lines, table), facts)
+    return Document(name, (*outside, lines, table), facts)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isnan
 
 import numpy as np
 
@@ -59,7 +60,8 @@ def _over_both(sweep: Sweep, curve: Curve) -> Table:
     heads = [
         Column(f"{number(value)}{unit}", curve.unit) for value in across.values[columns].tolist()
     ]
-    cells = cleared(curve)[np.ix_(rows, columns)].tolist()
+    shown = cleared(curve)[np.ix_(rows, columns)].tolist()
+    cells = [[None if isnan(cell) else cell for cell in row] for row in shown]
     body = [(value, *row) for value, row in zip(down.values[rows].tolist(), cells, strict=True)]
     names = {"quantity": curve.label, "down": down.path, "across": across.path}
     title = _("{quantity}: {down} down, {across} across", **names)
@@ -79,7 +81,7 @@ def _over_both(sweep: Sweep, curve: Curve) -> Table:
 
 def best_sentence(sweep: Sweep, curve: Curve, found: BestPair, *, greatest: bool = False) -> str:
     """The best pair of values, how many others are as good, and whether it is an end of a range."""
-    top = float(curve.values.max())
+    top = curve.top
     clear = found.result if found.result > FOUND * top else 0.0
     values = {
         "curve": curve.label,
@@ -124,7 +126,7 @@ def _front_table(
 ) -> Table:
     """The pairs of values that no other one beats in both results."""
     heads = (*axis_columns(sweep), *(Column(curve.label, curve.unit) for curve in curves))
-    tops = [FOUND * float(curve.values.max()) for curve in curves]
+    tops = [FOUND * curve.top for curve in curves]
     rows = [
         (*pair.values, *(r if r > top else 0.0 for r, top in zip(pair.results, tops, strict=True)))
         for pair in (front[place] for place in evenly(len(front), LISTED))

@@ -7,6 +7,7 @@ At each value of the swept number a result has the range that an analysis of tha
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isnan
 from typing import NamedTuple
 
 import numpy as np
@@ -73,10 +74,10 @@ def _band(
 ) -> Band | None:
     others = np.array([watched(end, curve.what, order=curve.order).values for end in ends])
     rows = np.column_stack([curve.values, others.T])
-    top = float(rows.max())
+    top = float(np.nanmax(rows))
     low = _bounds([sweep, *ends], curve)
     cells = tuple(
-        real_range(row, top, bound=each) for row, each in zip(rows.tolist(), low, strict=True)
+        _cell(row, top, bound=each) for row, each in zip(rows.tolist(), low, strict=True)
     )
     if not any(isinstance(cell, Ranged) for cell in cells):
         return None
@@ -86,10 +87,20 @@ def _band(
     (low,) = _bounds(at_there, curve)
     sizes = [best.result, *(float(each.values[0]) for each in results)]
     at_best = real_range(sizes, top, bound=low)
-    places = sweep.values[(np.argmax if greatest else np.argmin)(rows, axis=0)].tolist()
+    places = sweep.values[(np.nanargmax if greatest else np.nanargmin)(rows, axis=0)].tolist()
     lone = not (best.flat or best.also or best.stretch or sweep.axes[0].closed)
     apart = lone and max(places) > min(places)
     return Band(cells, at_best, (min(places), max(places)) if apart else None)
+
+
+def _cell(row: Sequence[float], top: float, *, bound: float) -> float | Ranged:
+    """A result with its range; where an end has none, that of the others."""
+    known = [value for value in row if not isnan(value)]
+    if isnan(row[0]) or len(known) == 1:
+        return row[0]
+    if len(known) < len(row):
+        return Ranged(row[0], min(known), max(known))
+    return real_range(row, top, bound=bound)
 
 
 def _bounds(sweeps: Sequence[Sweep], curve: Curve) -> list[float]:

@@ -6,6 +6,7 @@ One table for readers, and two for machines: a row for each value, or a row for 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isnan
 
 import numpy as np
 
@@ -91,12 +92,43 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
         return (*remarks(net, _estimates_note(sweep), kind="note"), *doubts)
     own = (*GAS_WATCHABLE, *measures())
     gas = bool(curves) and all(curve.what in own for curve in curves)
+    if gas:  # in N m, bar or none; the record says what is not in them
+        counted = counted if sweep.units.force == "N" else ""
     return (*remarks(counted, "" if gas else speed_note(sweep), *more, kind="note"), *doubts)
 
 
 def doubt_sentences(sweep: Sweep, curves: Sequence[Curve]) -> list[str]:
     """What is hardly right at some of the values, or at all of them."""
-    return [_doubt(sweep, one) for one in doubted(sweep, curves)]
+    alike: dict[tuple[int, ...], list[Curve]] = {}
+    for curve in curves:
+        if curve.gaps:
+            alike.setdefault(tuple(gap.place for gap in curve.gaps), []).append(curve)
+    gaps = [_gaps(sweep, own) for own in alike.values()]
+    return [*gaps, *(_doubt(sweep, one) for one in doubted(sweep, curves))]
+
+
+def _gaps(sweep: Sweep, curves: Sequence[Curve]) -> str:
+    """At which values, or pairs of them, there are no results, and why."""
+    gaps = curves[0].gaps
+    ends = [np.unravel_index(gap.place, sweep.shape) for gap in (gaps[0], gaps[-1])]
+    first, last = (
+        ", ".join(
+            f"{axis.path} = {number(float(axis.values[at]))} {axis.unit}".strip()
+            for axis, at in zip(sweep.axes, end, strict=True)
+        )
+        for end in ends
+    )
+    words = {"curves": ", ".join(curve.label for curve in curves), "first": first}
+    if len(gaps) == 1:
+        return _("No {curves} at {first}: {reason}.", **words, reason=gaps[0].reason)
+    return _(
+        "No {curves} at {count} of {whole} values, from {first} to {last}. At {first}: {reason}.",
+        **words,
+        last=last,
+        count=len(gaps),
+        whole=curves[0].values.size,
+        reason=gaps[0].reason,
+    )
 
 
 def _doubt(sweep: Sweep, one: Doubted) -> str:
@@ -235,7 +267,8 @@ def _curve_columns(curves: Sequence[Curve], bands: Sequence[Band | None]) -> lis
 
 def _results(curve: Curve, band: Band | None) -> list[Value]:
     """The results of a curve, with their ranges."""
-    return [*(curve.values.ravel().tolist() if band is None else band.cells)]
+    cells = curve.values.ravel().tolist() if band is None else band.cells
+    return [None if isinstance(cell, float) and isnan(cell) else cell for cell in cells]
 
 
 def axis_columns(sweep: Sweep) -> list[Column]:
@@ -310,7 +343,7 @@ def _table(
 
 def cleared(curve: Curve) -> Real:
     """The results, those that are rounding errors zero."""
-    return np.where(curve.values > NEGLIGIBLE * float(curve.values.max()), curve.values, 0.0)
+    return np.where(curve.values <= NEGLIGIBLE * curve.top, 0.0, curve.values)
 
 
 def evenly(count: int, most: int = ROWS) -> list[int]:
@@ -331,7 +364,7 @@ def best_sentence(
 ) -> str:
     """The best value, where else it is as good, and whether it is an end of the range."""
     unit = f" {sweep.unit}" if sweep.unit else ""
-    top = float(curve.values.max())
+    top = curve.top
     values = {
         "curve": curve.label,
         "result": quantity_text(
@@ -375,8 +408,7 @@ def best_sentence(
 
 
 def _bars(curve: Curve) -> str:
-    values = curve.values
-    top = float(values.max())
+    values, top = curve.values, curve.top
     if top <= 0:
         return _("zero")
     count = min(COLUMNS, values.size)
@@ -384,4 +416,6 @@ def _bars(curve: Curve) -> str:
         float(values[round(place * (values.size - 1) / max(count - 1, 1))])
         for place in range(count)
     ]
-    return "".join(BARS[min(7, int(8 * value / top))] for value in chosen)
+    return "".join(
+        " " if isnan(value) else BARS[min(7, int(8 * value / top))] for value in chosen
+    )
