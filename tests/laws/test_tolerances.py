@@ -118,6 +118,7 @@ SHARED = [
     ("v8-cross-plane", "layout.banks[2].bearing", "rad", 1e-5),
     ("v8-cross-plane", "layout.throws[2]", "rad", 1e-5),
     ("v8-cross-plane", "layout.bank_offset", "", 1e-4),
+    ("v8-cross-plane", "cylinder.offset", "", 1e-4),
     ("v6-60-six-throws", "layout.throws[3]", "rad", 1e-5),
     ("parts", "cylinder.parts.small_end", "kg", 1e-3),
     ("parts", "cylinder.parts.big_end", "kg", 1e-3),
@@ -139,6 +140,7 @@ GIVEN = {
         "cylinder.rod": {"inertia": "0.0025 kg*m^2"},
     },
     "radial-9": {"layout.slave_rod_length": 3.2},
+    "v8-cross-plane": {"cylinder.offset": 0.05, "layout.banks[1].offset": -0.03},
 }
 """What the engine of a case has besides; "parts" is a four whose parts were weighed."""
 

@@ -54,7 +54,7 @@ def balance(
     from crankstar.tables.ranges import ranged, resting
 
     own, found, _turning = together(
-        partial(request.own_factor, engine, settings, otherwise=0.5),
+        partial(request.own_factor, engine, settings),
         partial(read_engine, engine, settings, estimate=estimate),
         partial(request.speed, speed),
     )

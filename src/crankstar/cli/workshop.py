@@ -41,11 +41,11 @@ AnyEngine = Annotated[str | None, Parameter(help=ENGINE)]
 Factor = Annotated[str | None, option("--factor")]
 
 
-def _factor(name: str, settings: list[str] | None, text: str | None) -> float:
-    """The balance factor that is asked for, else that of the file, else one half."""
+def _factor(name: str, settings: list[str] | None, text: str | None) -> float | None:
+    """The balance factor that is asked for, else that of the file, else None."""
     if text is not None:
         return remedies.factor(text)
-    return request.own_factor(name, settings, otherwise=0.5)
+    return request.own_factor(name, settings)
 
 
 def bobweight(
@@ -70,11 +70,13 @@ def bobweight(
         partial(read_engine, engine, settings, estimate=estimate),
     )
     loaded = found.engine
+    half = share is None
+    own = remedies.HALF if share is None else share
 
     def card(each: Engine) -> Document:
-        return card_document(each, factor=share)
+        return card_document(each, factor=own)
 
-    rests = resting_on(form, loaded, partial(bobweights, loaded, factor=share))
+    rests = resting_on(form, loaded, partial(bobweights, loaded, factor=own, assumed=half))
     give(ranged(card, found.spread, loaded, rests=rests), output, form=form)
 
 

@@ -59,7 +59,7 @@ def faults(gas: Gas | None, *, cycle: Cycle, chambers: Collection[int]) -> Itera
 
 
 _OF_COMBUSTION = ("combustion_start", "combustion_duration", "wiebe_a", "wiebe_m")
-_OF_RELEASE = (*_OF_COMBUSTION, "variable_gamma", "intake_temperature", "wall_temperature")
+_OF_RELEASE = (*_OF_COMBUSTION, "variable_gamma", "wall_temperature")
 """Keys of a heat release, which an ideal cycle does not have."""
 
 
@@ -78,9 +78,6 @@ def _idle_faults(load: Load, gas: Gas, path: Path) -> Iterator[Fault]:
         return
     if isinstance(load, Gas) and load.gamma is not None and load.variable_gamma:
         yield Fault((*path, "gamma"), "gas.gamma-twice")
-    warm = gas.variable_gamma or gas.wall_temperature is not None
-    if "intake_temperature" in given and not warm:
-        yield Fault((*path, "intake_temperature"), "gas.temperature-unused")
 
 
 def _friction_faults(gas: Gas) -> Iterator[Fault]:

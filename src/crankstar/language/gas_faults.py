@@ -36,10 +36,6 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is given and so is variable_gamma, by which gamma follows the temperature: leave "
         "one out"
     ),
-    "gas.temperature-unused": N_(
-        "{where} has no effect without variable_gamma = true or a wall_temperature; give one of "
-        "these, or leave it out"
-    ),
     "gas.friction-twice": N_("{where} is given and so is gas.friction_pressure: leave one out"),
     "doubt.spark-ratio": N_(
         "{where} is {value}; spark ignition knocks above {bound}: for a Diesel give "

@@ -83,6 +83,10 @@ LOWEST_DISC = 0.5
 """Hz: a car that shuffles on its drive shafts has 1 to 2."""
 
 
+FIRED = {"inertia", "gas", "valves"}
+"""Uses of an engine that depend on when its cylinders fire: its throws are made for that."""
+
+
 def doubts(engine: Engine) -> tuple[Fault, ...]:
     """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
     found = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
@@ -112,6 +116,8 @@ def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> 
     ['doubt.ratio']
     """
     found: list[Fault] = []
+    if FIRED & {*uses}:
+        found += firing_doubts(engine)
     if "inertia" in uses:
         found += [*size_doubts(engine), *rod_doubts(engine)]
         found += [*piston_doubts(engine), *scale_doubts(engine), *inertia_doubts(engine)]

@@ -80,10 +80,10 @@ def balanced(
     options: BalanceOptions,
     *,
     speed: str | None = None,
-    own_factor: float = 0.5,
+    own_factor: float | None = None,
     like: Job | None = None,
 ) -> Job:
-    """The engine before and after; `own_factor` is the balance factor of its file.
+    """The engine before and after; `own_factor` is the balance factor of its file, if any.
 
     With `like` it is the remedy of that job, sized for the masses of this engine. Weights that are
     sized for estimated masses say so. Raises RequestError and RemedyError.
@@ -99,7 +99,7 @@ def _balanced(
     options: BalanceOptions,
     *,
     speed: str | None,
-    own_factor: float,
+    own_factor: float | None,
     like: Job | None,
 ) -> Job:
     for name, parts in PARTS.items():
@@ -142,12 +142,14 @@ def fits_weights(options: BalanceOptions) -> bool:
     return asked or options.bare or not (options.shafts is not None or options.box)
 
 
-def _with_weights(job: Job, options: BalanceOptions, own_factor: float) -> Job:
+def _with_weights(job: Job, options: BalanceOptions, own_factor: float | None) -> Job:
     """The job with counterweights of a balance factor, or with those that minimise an aim."""
     engine = job.before
     places = remedies.weights("pins" if options.weights is None else options.weights, engine)
     if options.minimise is None:
-        factor = own_factor if options.factor is None else remedies.factor(options.factor)
+        factor = remedies.HALF if own_factor is None else own_factor
+        if options.factor is not None:
+            factor = remedies.factor(options.factor)
         after = fitting.by_factor(engine, factor=factor, weights=places, bare=options.bare)
         return job._replace(after=after, factor=factor)
     request.refuse_unused({"--factor": options.factor}, beside="--minimise")

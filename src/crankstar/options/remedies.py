@@ -30,6 +30,9 @@ from crankstar.remedy.counterweights import GREATEST_FACTOR, LEAST_FACTOR
 from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted
 from crankstar.studies.ranges import dotted
 
+HALF = 0.5
+"""The balance factor where neither the file nor an option gives one."""
+
 
 def weights(text: str, engine: Engine) -> list[Plane] | Places:
     """The place of counterweights: pins, all webs, end webs, or planes of every crankshaft."""

@@ -135,13 +135,13 @@ def _setting(text: str) -> tuple[str, Any]:
         return path, value
 
 
-def own_factor(name: str, texts: Sequence[str] | None, *, otherwise: float) -> float:
-    """The balance factor that an engine file gives, with what --set changes."""
+def own_factor(name: str, texts: Sequence[str] | None) -> float | None:
+    """The balance factor that an engine file gives, with what --set changes; None without one."""
     if name in ("-", STANDARD_INPUT):
-        return otherwise  # which has been read already
+        return None  # it has been read already
     shown, tree = tree_of(name)
     factor = changed(tree, settings(texts), name=shown).get("balance_factor")
-    return float(factor) if isinstance(factor, int | float) else otherwise
+    return float(factor) if isinstance(factor, int | float) else None
 
 
 def speed(text: str | None) -> float | None:

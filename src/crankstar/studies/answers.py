@@ -25,6 +25,7 @@ from crankstar import spectra
 from crankstar.analysis.assumptions import Answer, Assumption, moved
 from crankstar.analysis.registry import analyses
 from crankstar.analysis.tried_values import Figure, Figures
+from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance
@@ -291,17 +292,20 @@ def _evenness(
     return out
 
 
-def bobweights(engine: Engine, *, factor: float) -> Answer:
-    """The heaviest bobweight of the crank pins, at a balance factor."""
+def bobweights(engine: Engine, *, factor: float, assumed: bool = False) -> Answer:
+    """The heaviest bobweight of the crank pins, at a balance factor, which may be `assumed`."""
     from crankstar.remedy.loads import bobweight, loads
 
     unit = "m" if "mass" in engine.relative else "kg"
+    reason = N_("half of what reciprocates, neither in the file nor given with --factor")
+    half = Assumption("assumed", BALANCE_FACTOR, reason, factor, explained=True)
     return Answer(
         figures=lambda each: {
             ("bobweight", None): max(bobweight(pin, factor) for pin in loads(each))
         },
         unit=lambda _quantity, _engine: unit,
         given=("cylinder.throw_mass",),
+        choices=[half] if assumed else [],
     )
 
 

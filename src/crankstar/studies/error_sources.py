@@ -133,7 +133,11 @@ def _of_cylinders(tree: Tree, own: Tolerance, engine: Engine, machine: Mechanism
 
 
 def _overridden(tree: Tree, number: int, keys: Sequence[str | int]) -> bool:
-    """Whether a cylinder has a value of its own at these keys."""
+    """Whether a cylinder, or its bank, has a value of its own at these keys."""
+    layout = tree.get("layout", {})
+    banks = [b for own in (layout, *layout.get("cranks", ())) for b in own.get("banks", ())]
+    if [*keys] == ["offset"] and any(number in b["cylinders"] and "offset" in b for b in banks):
+        return True
     for other in tree.get("cylinders") or ():
         if other.get("number") == number:
             place: Any = other

@@ -16,7 +16,7 @@ from crankstar.language.messages import _
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.operating_points import GasError
 from crankstar.studies.gas_results import torque_of
-from crankstar.tables.gas_words import cycle_state, state_facts, state_words
+from crankstar.tables.gas_words import cycle_state, cycle_words, state_facts
 
 NOTED = 0.01
 """Share of the greatest amplitude of any engine from which an order is shown."""
@@ -91,7 +91,7 @@ def gas_comparison(
         for order, own in found
     ]
     notes = [
-        _("{engine}: {state}", engine=name, state=state_words(engine, cycle_state(own)))
+        _("{engine}: {state}", engine=name, state=cycle_words(engine, own))
         for engine, name, own in zip(engines, names, cycles, strict=True)
     ]
     title = _("Torque of gas and inertia")

@@ -68,6 +68,15 @@ def state_words(engine: Engine, state: OperatingState) -> str:
     return _("At {rpm} rpm, with the load of the point {point}.", rpm=rpm, point=point)
 
 
+def cycle_words(engine: Engine, cycle: Cycle) -> str:
+    """The operating point and speed of a cycle; that it is a usual one where the file has none."""
+    if engine.gas is None and cycle.speed is not None:
+        return _(
+            "At {rpm} rpm, with a usual cycle: the file has no gas.", rpm=rpm_text(cycle.speed)
+        )
+    return state_words(engine, cycle_state(cycle))
+
+
 def cycle_state(cycle: Cycle) -> OperatingState:
     """The speed and points of a cycle."""
     return OperatingState(cycle.speed, cycle.shares)

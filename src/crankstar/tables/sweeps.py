@@ -87,6 +87,11 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
         net = _(
             "mount_force: the net force on the ground, rms; that in a single mount may be greater."
         )
+    if any(curve.what.endswith("_with_gas") and curve.order is None for curve in curves):
+        without = _(
+            "torque_with_gas, roll_with_gas: the greatest deviation from the mean over a cycle."
+        )
+        net = passage((net, without))
     more = (net, _estimates_note(sweep), added if sweep.adds else "")
     if curves and all(curve.what in measures() for curve in curves):
         return (*remarks(net, _estimates_note(sweep), kind="note"), *doubts)
@@ -416,6 +421,4 @@ def _bars(curve: Curve) -> str:
         float(values[round(place * (values.size - 1) / max(count - 1, 1))])
         for place in range(count)
     ]
-    return "".join(
-        " " if isnan(value) else BARS[min(7, int(8 * value / top))] for value in chosen
-    )
+    return "".join(" " if isnan(value) else BARS[min(7, int(8 * value / top))] for value in chosen)

@@ -204,10 +204,9 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
         (_("mean gas torque"), "mean_torque", mean, "N*m"),
     ]
     if cycle.air_fuel_ratio is not None:
-        ratio = float(f"{cycle.air_fuel_ratio:.4g}")
         warm = number(cycle.values["intake_temperature"])
         name = _("air-fuel ratio (charge of {temperature} K)", temperature=warm)
-        rows.insert(2, (name, "air_fuel_ratio", ratio, ""))
+        rows.insert(2, (name, "air_fuel_ratio", cycle.air_fuel_ratio, ""))
     if cycle.speed is not None:
         rows += [
             (_("friction mean effective pressure"), "friction_pressure", cycle.friction, "Pa"),

@@ -170,7 +170,11 @@ def gas_sentences(cycle: Cycle) -> tuple[str, ...]:
 
 
 def peaks(engine: Engine, loads: BearingLoads, *, gas: bool = False) -> Table:
-    """The greatest load of each main bearing over a turn, where it points, and the mean."""
+    """The greatest load of each main bearing over a turn, where it points, and the mean vector.
+
+    The length of the mean of the vector, which is that of order 0; the mean of its length, by which
+    a bearing wears, is the mean load of the table of wear.
+    """
     along = scales(engine).along
     columns = (
         Column(_("shaft"), kind="text", key="shaft", label=True, wraps=True),
@@ -178,7 +182,7 @@ def peaks(engine: Engine, loads: BearingLoads, *, gas: bool = False) -> Table:
         Column("z", along.unit, key="z"),
         Column(_("place"), kind="text", key="place", optional=1),
         *_peak_columns(loads.unit),
-        Column(_("mean"), loads.unit, key="mean"),
+        Column(_("mean vector"), loads.unit, key="mean_vector"),
     )
     steady = _steady(loads.load).tolist()
     tops = _peak_cells(loads.load)

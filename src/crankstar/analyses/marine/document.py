@@ -25,7 +25,7 @@ from crankstar.mechanics.external_moments import (
     unbalance_class,
 )
 from crankstar.mechanics.guide_moments import GuideMoments
-from crankstar.tables.gas_words import cycle_state, state_facts, state_words
+from crankstar.tables.gas_words import cycle_state, cycle_words, state_facts
 from crankstar.tables.headings import heading
 
 RPM = 30 / pi
@@ -290,7 +290,7 @@ def _notes(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[s
     if found.orders is None:
         lines += _shares(found.guide)
     if found.cycle is not None:
-        lines.append(state_words(found.engine, cycle_state(found.cycle)))
+        lines.append(cycle_words(found.engine, found.cycle))
     lines.append(_("Axial vibration, and what the propeller does, are left out."))
     return lines
 

@@ -220,7 +220,7 @@ def _force_table(own: MountResponse) -> Table:
     rows = tuple(
         (
             own.block.mounts[index].name,
-            tuple(float(f"{value:.5g}") for value in along[index]),
+            tuple(along[index].tolist()),
             float(each_rms[0, index]),
             float(each_peak[0, index]),
             through[index],
@@ -239,6 +239,12 @@ def _notes(engine: Engine, found: MountAnalysis) -> tuple[Remarks, ...]:
     if found.over is None and found.at is None:
         lines.append(_("Without a speed nothing shakes it: give --speeds, or speed in the file."))
         return remarks(*lines, kind="note")
+    lines.append(
+        _(
+            "Transmissibility: the force in a mount, rms, over that of the same shaking so slow "
+            "that nothing has inertia, with the stiffness at rest and without damping."
+        )
+    )
     if found.state is not None:
         lines.append(state_words(engine, found.state))
     if found.over is not None and not found.over.excitation.without_gas:

@@ -34,10 +34,10 @@ from crankstar.spectra import Complex, Real
 from crankstar.tables.gas_words import (
     burning_words,
     cycle_state,
+    cycle_words,
     range_facts,
     range_words,
     state_facts,
-    state_words,
     weaker_facts,
 )
 from crankstar.tables.headings import heading
@@ -365,7 +365,7 @@ def _notes(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
         lines += cycle_notes(source, found.cycle)
         lines.append(range_words(source, found.point))
         if found.at is not None:
-            lines.append(state_words(source, cycle_state(found.cycle)))
+            lines.append(cycle_words(source, found.cycle))
     if found.range_assumed:
         lines.append(_("The range of speeds is taken about the one that is known; see --speeds."))
     lines.append(
