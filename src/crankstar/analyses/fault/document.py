@@ -21,7 +21,7 @@ from crankstar.analysis.document import (
 )
 from crankstar.dynamics.whirl import body
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number
 from crankstar.spectra import Real
 from crankstar.studies.single_faults import Shaken, fault_facts, fault_text
@@ -85,10 +85,19 @@ def _notes(before: Shaken, point: Sequence[float] | None) -> list[str]:
             "Force and couple are the greatest of the turning vector, about the centre of mass; "
             "roll and torque are without gas."
         ),
-        _("The point moves as the block on its mounts does.")
-        if before.mounted
-        else _("The point moves as the free block does: the file has no mounts."),
+        _motion_of(before, point),
     ]
+
+
+def _motion_of(before: Shaken, point: Sequence[float] | None) -> str:
+    """As what body the point moves; of a free one no moment moves the centre of mass."""
+    if before.mounted:
+        return _("The point moves as the block on its mounts does.")
+    free = _("The point moves as the free block does: the file has no mounts.")
+    if point is not None:
+        return free
+    still = _("A roll or couple turns it about this point, which it does not move; see --at.")
+    return passage((free, still))
 
 
 def _position(before: Shaken, point: Sequence[float] | None) -> Sequence[float]:
