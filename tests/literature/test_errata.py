@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 import tomllib
 from dataclasses import replace
 from fractions import Fraction
 from math import cos, degrees, pi, radians
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 from xml.etree import ElementTree
 
@@ -17,6 +15,7 @@ import numpy as np
 import pytest
 from tests import newton
 from tests.claims import CLAIMS
+from tests.scripts import script
 
 import crankstar
 from crankstar import charts, cli, spectra
@@ -425,15 +424,6 @@ def test_questions_without_an_answer_are_refused() -> None:
         curves(SERIES[0])
     with pytest.raises(ErrataError, match="not a series"):
         series_errors(JUDGED[0])
-
-
-def script(name: str) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(f"docs_{name}", ROOT / "docs" / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 @pytest.fixture(scope="module")

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from runpy import run_path
-
 from tests.rules import test_docs as docs
+from tests.scripts import script
 
 from crankstar.engine.weighed import ENGINES
 
-PAGE = run_path(str(Path(docs.DOCS) / "estimate_page.py"))
+PAGE = vars(script("estimate_page"))
 
 
 def test_every_engine_has_a_source_in_the_bibliography() -> None:

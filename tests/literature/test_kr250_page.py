@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
-import sys
 from math import pi
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 from tests.claims import CLAIMS
+from tests.scripts import script
 
 DOCS = Path(__file__).parents[2] / "docs"
 KR250 = CLAIMS["kr250"]
@@ -20,16 +18,6 @@ NAMES = {
     ("contra", 0): "kr250-racer-simultaneous",
     ("same", 180): "kr250-production",
 }
-
-
-def script(name: str) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(f"docs_{name}", DOCS / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[f"docs_{name}"] = module
-    spec.loader.exec_module(module)
-    return module
 
 
 page = script("kr250_page")

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
 from math import pi
-from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from tests.scripts import script
 
 from crankstar import load, spectra, total
 from crankstar.dynamics.torsion_analysis import torsion
@@ -19,18 +16,6 @@ from crankstar.engine.copies import with_values
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import over_cycle
-
-
-def script(name: str) -> ModuleType:
-    place = Path(__file__).parents[2] / "docs" / f"{name}.py"
-    spec = importlib.util.spec_from_file_location(f"docs_{name}", place)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[f"docs_{name}"] = module
-    spec.loader.exec_module(module)
-    return module
-
 
 page = script("left_out_page")
 FIVE = load(page.FIVE)

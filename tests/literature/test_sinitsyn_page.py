@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
-import sys
 from functools import lru_cache
 from html import unescape
 from itertools import permutations
 from math import degrees, radians
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 from tests.claims import CLAIMS
+from tests.scripts import script
 
 import crankstar
 from crankstar import spectra
@@ -27,16 +25,6 @@ ROOT = Path(__file__).parents[2]
 MARKED = re.compile(r"^<!-- sinitsyn: ([\w-]+) -->$", re.MULTILINE)
 VECTOR = re.compile(r"([\d.]+) at (−?[\d.]+)°")
 FINE = 1e-12
-
-
-def script(name: str) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(f"docs_{name}", ROOT / "docs" / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
 
 
 PAGE = script("sinitsyn_page")

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import ast
 import doctest
-import importlib.util
 import io
 import json
 import os
@@ -19,13 +18,13 @@ from contextlib import redirect_stderr, redirect_stdout, suppress
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from types import ModuleType
 from typing import get_args
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 from markdown import Markdown
+from tests.scripts import script
 
 import crankstar
 from crankstar import cli
@@ -46,16 +45,6 @@ from crankstar.mechanics.balance import Grouping
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 FRAME = ROOT / "src" / "crankstar" / "report" / "frame.svg"
-
-
-def script(name: str) -> ModuleType:
-    """One of the scripts of the documents, which are no package."""
-    spec = importlib.util.spec_from_file_location(f"docs_{name}", DOCS / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 screens, hooks, doctests = script("screens"), script("hooks"), script("doctests")
@@ -113,7 +102,7 @@ def printed(command: str, folder: Path) -> str:
     ids=lambda page: page.name,
 )
 def test_every_screen_is_what_the_command_prints(page: Path) -> None:
-    """If this fails: is the program or the page wrong? `python docs/screens.py` updates pages."""
+    """If this fails: is the program or the page wrong? `docs/build/screens.py` updates pages."""
     written = page.read_text(encoding="utf-8")
     assert screens.alike(screens.up_to_date(written, printed)) == screens.alike(written)
 
@@ -274,7 +263,7 @@ def test_a_bare_number_nobody_can_have_meant_is_refused(bare: float) -> None:
 @pytest.mark.many(first=3)
 @EVERY_PAGE
 def test_what_the_program_makes_is_in_the_text_as_it_is_now(page: Path) -> None:
-    """If this fails: `python docs/tables.py` updates pages."""
+    """If this fails: `python docs/build/tables.py` updates pages."""
     if page.is_relative_to(DOCS):
         written = page.read_text(encoding="utf-8")
         place = page.relative_to(DOCS).as_posix()

@@ -29,6 +29,7 @@ from crankstar.files.forms import by_key, quantity_of, record_in, short_form
 from crankstar.files.units import text
 
 HERE = Path(__file__).parent
+DOCS = HERE.parent
 
 
 def _layout(kind: str) -> type[Record]:
@@ -117,7 +118,7 @@ MARK = re.compile(
     r"(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
     re.MULTILINE | re.DOTALL,
 )
-"""A marker, with what `docs/tables.py` has put between it and its end for readers of the text."""
+"""A marker, with what `tables` has put between it and its end for readers of the text."""
 GALLERY = "<!-- here: the gallery -->"
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
 
@@ -279,7 +280,7 @@ def _default(info: FieldInfo) -> str:
 
 def figure(path: str) -> str:
     """A drawing put into the page itself, so that it takes the colours of the page."""
-    drawing = (HERE / path).read_text(encoding="utf-8")
+    drawing = (DOCS / path).read_text(encoding="utf-8")
     return f'<figure markdown="0">\n{drawing[drawing.index("<svg") :].strip()}\n</figure>'
 
 
@@ -424,7 +425,7 @@ def _file(word: str, folder: Path) -> str:
     if not word.endswith(".toml"):
         return word
     title = re.compile(rf'^```toml title="{re.escape(word)}"\n(.*?)^```$', re.MULTILINE | re.DOTALL)
-    pages = (page.read_text(encoding="utf-8") for page in sorted(HERE.rglob("*.md")))
+    pages = (page.read_text(encoding="utf-8") for page in sorted(DOCS.rglob("*.md")))
     [content] = [text for page in pages for text in title.findall(page)]
     place = folder / word
     place.write_text(content, encoding="utf-8")
@@ -434,7 +435,7 @@ def _file(word: str, folder: Path) -> str:
 def sources(path: str) -> str:
     """A bibliography as a list, each entry with an anchor of its key."""
     lines: list[str] = []
-    for key, fields in entries((HERE / path).read_text(encoding="utf-8")).items():
+    for key, fields in entries((DOCS / path).read_text(encoding="utf-8")).items():
         parts = [fields["author"].replace(" and ", ", "), f"*{escape(fields['title'])}*"]
         parts += [
             escape(fields[name]) for name in ("publisher", "howpublished", "note") if name in fields

@@ -2,8 +2,8 @@
 
 In a block of kind `console` a line `$ command` is what is typed, and the lines under it are what
 appears. The engine files and lists of the page that have a title (```toml title="mine.toml") lie
-in the directory where the commands run. `python docs/screens.py` brings all pages up to date, what
-`tables.py` makes for them included; a test compares them.
+in the directory where the commands run. `python docs/build/screens.py` brings all pages up to date,
+what `tables.py` makes for them included; a test compares them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from collections.abc import Callable
 from pathlib import Path
 from runpy import run_path
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 WIDTH = "80"
 """Columns of a screen, which must fit the column of its page."""
 CONSOLE = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)

@@ -1,4 +1,4 @@
-"""The pictures of the README; `.venv/bin/python docs/pictures.py` draws them again.
+"""The pictures of the README; `.venv/bin/python docs/build/pictures.py` draws them again.
 
 Two engines as `crankstar page` writes them, in a Chromium without a window, one light and one dark.
 """
@@ -10,13 +10,13 @@ import tempfile
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-sys.path.insert(0, str(Path(__file__).parents[1]))
+sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from playwright.sync_api import ViewportSize, expect
 from tests.web.browsing import chromium
 from tests.web.engine_page import opened, written
 
-PICTURES = Path(__file__).parent / "pictures"
+PICTURES = Path(__file__).parents[1] / "pictures"
 GREATEST = 220_000
 """Bytes of a picture: they are in git."""
 

@@ -2,8 +2,8 @@
 
 Between a marker such as `<!-- errata: taylor1985 -->` and `<!-- end -->` stands what the built page
 shows there, so that the Markdown can be read as it is. Figures are drawn when the pages are built;
-the text names them. `.venv/bin/python docs/tables.py` brings all pages up to date; a test compares
-them.
+the text names them. `.venv/bin/python docs/build/tables.py` brings all pages up to date; a test
+compares them.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from runpy import run_path
 from typing import Any
 
 HERE = Path(__file__).parent
+DOCS = HERE.parent
 HOOKS: dict[str, Any] = run_path(str(HERE / "hooks.py"))
 FIGURE = re.compile(r"<figure[^>]*>.*?</figure>", re.DOTALL)
 MATHEMATICS = re.compile(r'<math alttext="([^"]*)".*?</math>', re.DOTALL)
@@ -31,9 +32,9 @@ def block(kind: str, argument: str, place: str) -> str:
     """A marker, what stands for it in the text, and its end."""
     head = f"<!-- {kind}: {argument}".rstrip() + " -->"
     if kind == "figure":
-        drawing = (HERE / argument).read_text(encoding="utf-8")
+        drawing = (DOCS / argument).read_text(encoding="utf-8")
         title = re.search(r"<title[^>]*>(.*?)</title>", drawing, re.DOTALL)
-        path = os.path.relpath(HERE / argument, (HERE / place).parent)
+        path = os.path.relpath(DOCS / argument, (DOCS / place).parent)
         shown = f"![{' '.join(title[1].split()) if title else 'Figure'}]({path})"
     else:
         shown = readable(HOOKS["made"](kind, argument))
@@ -60,13 +61,13 @@ def named(figure: str) -> str:
 
 def main() -> None:
     """Bring every page up to date, and say which have changed."""
-    sys.path.insert(0, str(HERE.parent / "src"))
-    for page in sorted(HERE.rglob("*.md")):
+    sys.path.insert(0, str(DOCS.parent / "src"))
+    for page in sorted(DOCS.rglob("*.md")):
         before = page.read_text(encoding="utf-8")
-        after = up_to_date(before, page.relative_to(HERE).as_posix())
+        after = up_to_date(before, page.relative_to(DOCS).as_posix())
         if after != before:
             page.write_text(after, encoding="utf-8")
-            print(f"changed: {page.relative_to(HERE)}")
+            print(f"changed: {page.relative_to(DOCS)}")
 
 
 if __name__ == "__main__":
