@@ -89,7 +89,7 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
         )
     if any(curve.what.endswith("_with_gas") and curve.order is None for curve in curves):
         without = _(
-            "torque_with_gas, roll_with_gas: the greatest deviation from the mean over a cycle."
+            "torque_with_gas, roll_with_gas: the maximum deviation from the mean over a cycle."
         )
         net = passage((net, without))
     more = (net, _estimates_note(sweep), added if sweep.adds else "")
