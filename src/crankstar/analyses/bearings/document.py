@@ -22,6 +22,7 @@ from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import greatest, highest, length, tops
 from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_pins import HIGHEST
 from crankstar.options import values
 from crankstar.spectra import Spectrum
 from crankstar.tables.conditions import unit_sentence, unit_sizes
@@ -166,6 +167,7 @@ def gas_sentences(cycle: Cycle) -> tuple[str, ...]:
         ]
     if cycle.off:
         lines.append(_("Without combustion: cylinders {numbers}.", numbers=numbers_text(cycle.off)))
+    lines.append(_("Orders of the gas up to {highest} are in it.", highest=number(HIGHEST)))
     return tuple(lines)
 
 
