@@ -156,3 +156,33 @@ def test_its_signature_is_what_may_be_asked() -> None:
         call("cadillac-ld8", "6000 rpm")
     with pytest.raises(ValueError, match=r"^holzer 50: there are 4 modes"):
         crankstar.torsion("cadillac-ld8", holzer=50)
+
+
+def test_the_pressures_of_the_array_make_its_torque() -> None:
+    """Mean torque of a chamber: the work of its pressure over the volume, over the cycle angle."""
+    found = crankstar.torque("audi-25-tfsi")
+    torque, pressure = found.to_xarray(), found.to_xarray("pressure").pressure
+    assert torque.torque.dims == ("chamber", "order")
+    assert pressure.dims == ("chamber", "theta_deg")
+    assert float(pressure.max()) == pytest.approx(found.to_dict()["peak_pressure"], rel=1e-12)
+    assert float(torque["mean"].sum()) == pytest.approx(found.to_dict()["mean_torque"], rel=1e-12)
+    whole = np.abs(torque.torque.sum("chamber").sel(order=2.5).item())
+    [row] = [row for row in found.to_dict()["orders"] if row["order"] == 2.5]
+    assert whole == pytest.approx(abs(complex(*row["gas"])), rel=1e-9)
+
+
+def test_the_loads_of_the_array_are_as_great_as_the_table_says() -> None:
+    """Every degree misses a maximum by less than 1 % of it; orders add up to the same load."""
+    found = crankstar.bearings("audi-25-tfsi", gas=True, speed="3000 rpm")
+    for part in ("bearings", "pins", "guides"):
+        data = found.to_xarray(part)
+        assert data.vertical.dims[1] == "theta_deg"
+        assert data.theta_deg.size == 720
+        most = np.hypot(data.vertical, data.horizontal).max("theta_deg").values
+        listed = [row["peak"]["value"] for row in found.to_dict()[part]]
+        assert most == pytest.approx(listed, rel=1e-2)
+        assert (most <= np.array(listed) * (1 + 1e-9)).all()
+    orders = found.orders.to_xarray()
+    turning = np.exp(1j * orders.order * math.radians(33.0))
+    there = (orders.vertical * turning).sum("order").values.real
+    assert there == pytest.approx(found.to_xarray().vertical.sel(theta_deg=33.0).values, rel=1e-9)

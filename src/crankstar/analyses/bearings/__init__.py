@@ -6,6 +6,7 @@
 | `wear_table` | where journals and pins are pressed most and least |
 | `film_table` | specific pressures of main bearings and crank pins, and their least oil film |
 | `answer` | what answers it, and what that rests on |
+| `grids` | its arrays over part, order and crank angle |
 | `document` | all of it as tables and sentences |
 | `charts/` | what is plotted of it |
 """
@@ -28,6 +29,7 @@ RECORD = Analysis(
     compute=Later("crankstar.analyses.bearings.answer:compute"),
     answer=Later("crankstar.analyses.bearings.answer:answer"),
     document=Later("crankstar.analyses.bearings.document:document"),
+    grids=Later("crankstar.analyses.bearings.grids:grids"),
     charts=(
         Chart(
             "bearing-loads",

@@ -4,6 +4,7 @@
 |---|---|
 | `question` | what is asked |
 | `answer` | what answers it, and what that rests on |
+| `grids` | its arrays over chamber, order and crank angle |
 """
 
 from __future__ import annotations
@@ -25,5 +26,6 @@ RECORD = Analysis(
     compute=Later("crankstar.analyses.torque.answer:compute"),
     answer=Later("crankstar.analyses.torque.answer:answer"),
     document=Later("crankstar.analyses.torque.answer:document"),
+    grids=Later("crankstar.analyses.torque.grids:grids"),
     estimates=True,
 )
