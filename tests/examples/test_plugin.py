@@ -1,4 +1,4 @@
-"""The package in examples/plugin, built and installed, adds a command, a section, a function."""
+"""The package in examples/plugin, built and installed, adds all that a package can."""
 
 from __future__ import annotations
 
@@ -69,3 +69,48 @@ def test_it_is_a_function_of_python(installed: dict[str, str]) -> None:
     mean, *columns = run(installed, "-c", code).stdout.split()
     assert float(mean) == pytest.approx(2 * STROKE * 100)
     assert columns == ["speed_rpm", "mean_speed_m_per_s", "acceleration_m_per_s2"]
+
+
+HELIX = """name = "helix"
+cycle = "two-stroke"
+[layout]
+type = "helix"
+cylinders = 5
+step = "72 deg"
+[cylinder]
+rod_ratio = 4
+"""
+
+
+def test_its_layout_is_one_of_engine_files(installed: dict[str, str], tmp_path: Path) -> None:
+    """Five throws 72 deg apart: no force of order 1; a mistake in it is told like any other."""
+    place = tmp_path / "helix.toml"
+    throws = ", ".join(f'"{72 * number} deg"' for number in range(5))
+    own = f'type = "inline"\nthrows = [{throws}]\n'
+    in_line = HELIX.replace('type = "helix"\ncylinders = 5\nstep = "72 deg"\n', own)
+    answers = []
+    for text in (HELIX, in_line):
+        place.write_text(text, encoding="utf-8")
+        answers.append(run(installed, "-m", "crankstar", "analyze", str(place), "--json"))
+    assert answers[0].returncode == 0, answers[0].stderr
+    assert json.loads(answers[0].stdout) == json.loads(answers[1].stdout)
+    place.write_text(HELIX.replace("step", "stp"), encoding="utf-8")
+    refused = run(installed, "-m", "crankstar", "check", str(place))
+    assert refused.returncode == 2
+    assert 'did you mean "step"' in refused.stderr + refused.stdout
+
+
+def test_its_export_is_named_by_to(installed: dict[str, str], tmp_path: Path) -> None:
+    place = tmp_path / "places.csv"
+    made = run(
+        installed,
+        *("-m", "crankstar", "export", "audi-25-tfsi", "--to", "places", "-o", str(place)),
+    )
+    assert made.returncode == 0, made.stderr
+    heads, *rows = place.read_text(encoding="utf-8").splitlines()
+    assert heads.startswith("cylinder,")
+    assert len(rows) == 5
+    assert float(rows[0].split(",")[-1]) == pytest.approx(ROD / (STROKE / 2), rel=1e-5)
+    refused = run(installed, *("-m", "crankstar", "export", "i4", "--to", "nothing", "-o", "x.csv"))
+    assert refused.returncode == 2
+    assert "exudyn, opentorsion, ross, places" in " ".join(refused.stderr.split())

@@ -45,10 +45,22 @@ def export(
     ] = None,
 ) -> None:
     """Write an engine for another tool: a script (.py: EXUDYN, openTorsion, ROSS) or solids."""
+    from crankstar.exports import added
+
+    if to is not None and to not in ("exudyn", *PROGRAMS):
+        program = request.choice("--to", to, ("exudyn", *PROGRAMS, *added.names()))
+        request.refuse_unused(
+            {"--theta": theta, "--speed": speed, "--reference": reference}, beside=f"--to {program}"
+        )
+        loaded = read_engine(engine, settings, estimate=estimate).engine
+        content = added.export_of(program)(loaded)
+        write_bytes(content.encode() if isinstance(content, str) else content, output)
+        _tell_estimated(loaded)
+        return
     form = form_of(output, ("py", "glb", "stl"))
     other = {"--theta": theta} if form == "py" else {"--speed": speed, "--reference": reference}
     request.refuse_unused(other | ({} if form == "py" else {"--to": to}), beside=f"-o .{form}")
-    program = "exudyn" if to is None else request.choice("--to", to, ("exudyn", *PROGRAMS))
+    program = "exudyn" if to is None else to
     if program in PROGRAMS:
         options = {"--speed": speed, "--reference": reference}
         request.refuse_unused(options, beside=f"--to {program}")

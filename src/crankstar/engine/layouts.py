@@ -9,11 +9,12 @@ from the front, whichever way the engine turns.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 from math import cos, pi, sin
 from types import MappingProxyType
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from pydantic import Field
 
@@ -35,6 +36,9 @@ from crankstar.engine.quantities import Angle, Ordinal, Pitch, Size, SpeedRatio
 from crankstar.engine.records import GREATEST_CYLINDERS, Articulation, Record
 from crankstar.language.faults import EngineError, Fault
 from crankstar.spectra import ROUNDING
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoints
 
 
 class Row(Record):
@@ -334,7 +338,42 @@ def _refused(
     return EngineError([Fault(("layout", *path), f"layout.{code}", values)])
 
 
-LAYOUTS: dict[str, Callable[..., Engine]] = {
-    function.__name__: function for function in (inline, vee, boxer, tandem, opposed, radial)
-}
+class Layouts(Mapping[str, Callable[..., Engine]]):
+    """Layouts by name: those of this module, then those that other packages add.
+
+    Another package adds one by an entry point of the group `crankstar.layouts`, whose name is that
+    of `layout.type`; these are looked for only where a name is none of this module.
+    """
+
+    _own: ClassVar[dict[str, Callable[..., Engine]]] = {
+        function.__name__: function for function in (inline, vee, boxer, tandem, opposed, radial)
+    }
+
+    def __getitem__(self, name: str) -> Callable[..., Engine]:
+        """The layout of a name. Raises KeyError."""
+        return self._own[name] if name in self._own else _added()[name].load()
+
+    def __contains__(self, name: object) -> bool:
+        """Whether there is a layout of that name, without loading it."""
+        return name in self._own or name in _added().names
+
+    def __iter__(self) -> Iterator[str]:
+        """The names, those of this module first."""
+        yield from self._own
+        yield from sorted(_added().names)
+
+    def __len__(self) -> int:
+        """How many there are."""
+        return len(self._own) + len(_added())
+
+
+@cache
+def _added() -> EntryPoints:
+    """The entry points of other packages, which are slow to find."""
+    from importlib.metadata import entry_points
+
+    return entry_points(group="crankstar.layouts")
+
+
+LAYOUTS = Layouts()
 """The layouts of short engine files, by the name that `layout.type` gives them."""
