@@ -16,7 +16,7 @@ from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.studies.sweep import sweep, watched
 from crankstar.tables.resting_derivations import with_record
-from crankstar.tables.sweeps import notes
+from crankstar.tables.sweep_notes import notes
 from crankstar.tables.torque import work_table
 
 

@@ -34,7 +34,7 @@ from crankstar.tables.assumptions import (
     leading_lines,
 )
 from crankstar.tables.field_names import field_name
-from crankstar.tables.sweeps import doubt_sentences
+from crankstar.tables.sweep_notes import doubt_sentences
 
 if TYPE_CHECKING:
     from crankstar.studies.sweep import Curve, Sweep

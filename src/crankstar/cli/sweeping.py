@@ -201,7 +201,7 @@ class _Made:
 
     def doubts(self) -> list[str]:
         """What is hardly right at some of the values."""
-        from crankstar.tables.sweeps import doubt_sentences
+        from crankstar.tables.sweep_notes import doubt_sentences
 
         return doubt_sentences(self.sweep, self.curves)
 

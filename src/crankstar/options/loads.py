@@ -125,7 +125,8 @@ LOADS = {
     ),
     "--to": Option(
         "text",
-        "Program for which a .py is written: exudyn (the default), opentorsion or ross.",
+        "Program for which a .py is written: exudyn (the default), opentorsion or ross; or an "
+        "export of another package.",
         ("--for", "--program"),
     ),
     "--point": Option(

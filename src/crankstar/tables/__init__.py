@@ -37,6 +37,7 @@
 | `uneven_angles` | uneven angles of a star |
 | `field_names` | the values of an engine file in words |
 | `sweep_ranges` | the ranges of a sweep of an estimated engine |
+| `sweep_notes` | what is said below a sweep |
 | `sweeps` | a sweep and its best value |
 | `pair_sweeps` | a sweep of two numbers, its best pairs and its front |
 | `scatter` | the scatter of an engine built to its tolerances |

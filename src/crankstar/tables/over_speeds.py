@@ -40,7 +40,8 @@ from crankstar.tables.conditions import (
     missing_sentence,
     unverified_sentence,
 )
-from crankstar.tables.sweeps import facts, speed_note
+from crankstar.tables.sweep_notes import speed_note
+from crankstar.tables.sweeps import facts
 
 
 class Component(NamedTuple):

@@ -13,18 +13,9 @@ from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.studies.best_pair import BestPair, Unbeaten
 from crankstar.studies.sweep import Curve, Sweep
+from crankstar.tables.sweep_notes import doubt_sentences, notes
 from crankstar.tables.sweep_ranges import estimate_remarks
-from crankstar.tables.sweeps import (
-    FOUND,
-    KINDS,
-    axis_columns,
-    cleared,
-    doubt_sentences,
-    evenly,
-    every_value,
-    facts,
-    notes,
-)
+from crankstar.tables.sweeps import FOUND, KINDS, axis_columns, cleared, evenly, every_value, facts
 
 ACROSS = 7
 """Values of the second number in a table for readers."""

@@ -19,21 +19,16 @@ from crankstar.analysis.document import (
     Remarks,
     Table,
     Value,
-    remarks,
 )
-from crankstar.analysis.registry import measures
 from crankstar.language.messages import _, passage
 from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.language.shown_units import quantity_text
-from crankstar.mechanics.balance import balance
 from crankstar.mechanics.labelled import AXIAL, VECTORS
 from crankstar.spectra import Real
 from crankstar.studies.best_value import Best
-from crankstar.studies.gas_results import GAS_WATCHABLE
-from crankstar.studies.sweep import Axis, Curve, Sweep
-from crankstar.studies.sweep_doubts import Doubted, doubted
+from crankstar.studies.sweep import Curve, Sweep
 from crankstar.tables import ranges
-from crankstar.tables.conditions import missing_sentence, unit_sentence
+from crankstar.tables.sweep_notes import doubt_sentences, notes
 from crankstar.tables.sweep_ranges import Band, estimate_remarks, ranged_text
 
 FOUND = 1e-7
@@ -68,128 +63,6 @@ def sweep_document(
     lines = Remarks((*bars, *bests), _("Curves"))
     head = estimate_remarks(sweep, ranged)
     return Document(sweep.engine.name, (*head, table, lines, *notes(sweep, curves)))
-
-
-def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
-    """The speed of the forces, or what the file lacks for newtons; what a varied speed does."""
-    engine = sweep.engine
-    if sweep.highest_speed is None:
-        counted = unit_sentence(engine, balance(engine, speed=sweep.speed, orders=[1]))
-    else:
-        counted = missing_sentence(engine)
-    added = _(
-        "The engine file has weights on the crankshaft; those of the balance factor are added to "
-        "them."
-    )
-    doubts = remarks(*doubt_sentences(sweep, curves), kind="doubt")
-    net = ""
-    if any(curve.what == "mount_force" for curve in curves):
-        net = _(
-            "mount_force: the net force on the ground, rms; that in a single mount may be greater."
-        )
-    if any(curve.what.endswith("_with_gas") and curve.order is None for curve in curves):
-        without = _(
-            "torque_with_gas, roll_with_gas: the maximum deviation from the mean over a cycle."
-        )
-        net = passage((net, without))
-    more = (net, _estimates_note(sweep), added if sweep.adds else "")
-    if curves and all(curve.what in measures() for curve in curves):
-        return (*remarks(net, _estimates_note(sweep), kind="note"), *doubts)
-    own = (*GAS_WATCHABLE, *measures())
-    gas = bool(curves) and all(curve.what in own for curve in curves)
-    if gas:  # in N m, bar or none; the record says what is not in them
-        counted = counted if sweep.units.force == "N" else ""
-    return (*remarks(counted, "" if gas else speed_note(sweep), *more, kind="note"), *doubts)
-
-
-def doubt_sentences(sweep: Sweep, curves: Sequence[Curve]) -> list[str]:
-    """What is hardly right at some of the values, or at all of them."""
-    alike: dict[tuple[int, ...], list[Curve]] = {}
-    for curve in curves:
-        if curve.gaps:
-            alike.setdefault(tuple(gap.place for gap in curve.gaps), []).append(curve)
-    gaps = [_gaps(sweep, own) for own in alike.values()]
-    return [*gaps, *(_doubt(sweep, one) for one in doubted(sweep, curves))]
-
-
-def _gaps(sweep: Sweep, curves: Sequence[Curve]) -> str:
-    """At which values, or pairs of them, there are no results, and why."""
-    gaps = curves[0].gaps
-    ends = [np.unravel_index(gap.place, sweep.shape) for gap in (gaps[0], gaps[-1])]
-    first, last = (
-        ", ".join(
-            f"{axis.path} = {number(float(axis.values[at]))} {axis.unit}".strip()
-            for axis, at in zip(sweep.axes, end, strict=True)
-        )
-        for end in ends
-    )
-    words = {"curves": ", ".join(curve.label for curve in curves), "first": first}
-    if len(gaps) == 1:
-        return _("No {curves} at {first}: {reason}.", **words, reason=gaps[0].reason)
-    return _(
-        "No {curves} at {count} of {whole} values, from {first} to {last}. At {first}: {reason}.",
-        **words,
-        last=last,
-        count=len(gaps),
-        whole=curves[0].values.size,
-        reason=gaps[0].reason,
-    )
-
-
-def _doubt(sweep: Sweep, one: Doubted) -> str:
-    """One doubt: at all values, at those of a range, or at some."""
-
-    def value(axis: Axis, place: int) -> str:
-        return f"{number(float(axis.values[place]))} {axis.unit}".strip()
-
-    if one.everywhere:
-        return one.fault.sentence
-    words = {
-        "at": ", ".join(
-            f"{axis.path} = {value(axis, place)}"
-            for axis, place in zip(sweep.axes, one.at, strict=True)
-        ),
-        "doubt": one.fault.sentence,
-    }
-    if len(sweep.axes) == 1 and len(one.places) > 1:
-        (axis,) = sweep.axes
-        ends = [[value(axis, place) for place in run] for run in one.runs]
-        if len(ends) > 1:
-            words["values"] = ", ".join(
-                low if low == high else _("{low} to {high}", low=low, high=high)
-                for low, high in ends
-            )
-            return _("At {at}: {doubt}. So it is at {values}.", **words)
-        [[low, high]] = ends
-        return _("At {at}: {doubt}. So it is from {low} to {high}.", **words, low=low, high=high)
-    if len(one.places) > 1:
-        return _("At {at}, as at others: {doubt}.", **words)
-    return _("At {at}: {doubt}.", **words)
-
-
-def _estimates_note(sweep: Sweep) -> str:
-    """That estimated masses do not follow a bore, stroke or rod that is varied."""
-    sizes = [axis.path for axis in sweep.axes if axis.path.rpartition(".")[2] in SIZES]
-    if not sizes or not ranges.estimated_paths(sweep.engine):
-        return ""
-    return _(
-        "The estimated values are those of the engine file; they do not change with {paths}.",
-        paths=", ".join(sizes),
-    )
-
-
-def speed_note(sweep: Sweep) -> str:
-    """How inertia grows with the speed, where that is varied, and what a unit of it means."""
-    if sweep.highest_speed is None:
-        return ""
-    law = _(
-        "Inertia forces grow with the square of the speed: twice the speed, four times as much."
-    )
-    if sweep.units.force == "N":
-        return law
-    rpm = number(sweep.highest_speed * 30 / np.pi)
-    unit = _("ω0 is the highest speed, {rpm} rpm.", rpm=rpm)
-    return f"{law} {unit}"
 
 
 def answer(
@@ -228,8 +101,6 @@ def answer(
     )
 
 
-SIZES = {"bore", "stroke", "rod_length"}
-"""Dimensions of a cylinder from which masses are estimated."""
 KINDS: dict[str, Kind] = {"curve": "text", "unit": "unit"}
 
 
