@@ -75,8 +75,7 @@ def best_pair(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> BestPair
         for axis, value in zip(sweep.axes, place, strict=True)
     ]
     ridge = not flat and any(
-        _as_good_along(sweep, curve, which, sign, least + LEVEL * top)
-        for which in (0, 1)
+        _as_good_along(sweep, curve, which, sign, least + LEVEL * top) for which in (0, 1)
     )
     ends = edges[0], edges[1]
     return BestPair((place[0], place[1]), sign * least, ends, flat, 0 if flat else also, ridge)

@@ -76,9 +76,7 @@ def _band(
     rows = np.column_stack([curve.values, others.T])
     top = float(np.nanmax(rows))
     low = _bounds([sweep, *ends], curve)
-    cells = tuple(
-        _cell(row, top, bound=each) for row, each in zip(rows.tolist(), low, strict=True)
-    )
+    cells = tuple(_cell(row, top, bound=each) for row, each in zip(rows.tolist(), low, strict=True))
     if not any(isinstance(cell, Ranged) for cell in cells):
         return None
     there = np.array([best.value])  # between those of the sweep

@@ -416,6 +416,4 @@ def _bars(curve: Curve) -> str:
         float(values[round(place * (values.size - 1) / max(count - 1, 1))])
         for place in range(count)
     ]
-    return "".join(
-        " " if isnan(value) else BARS[min(7, int(8 * value / top))] for value in chosen
-    )
+    return "".join(" " if isnan(value) else BARS[min(7, int(8 * value / top))] for value in chosen)
