@@ -22,7 +22,7 @@ from math import pi
 import numpy as np
 
 from crankstar import spectra
-from crankstar.analysis.assumptions import Answer, Assumption, moved
+from crankstar.analysis.assumptions import Answer, Assumption, Uses, moved
 from crankstar.analysis.registry import analyses
 from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.engine import Engine
@@ -262,6 +262,7 @@ def torques(
         return {**rolls, **plain}
 
     units = {"peak pressure": "bar", "irregularity": "", "flywheel": "kg*m^2"}
+    turning: Uses = "running" if irregularity is None else "sized"
     return Answer(
         figures=figures,
         unit=lambda quantity, each: (
@@ -269,7 +270,7 @@ def torques(
             if quantity in ("force", "couple")
             else units.get(quantity, "N*m")
         ),
-        uses=("inertia", "gas", *(("running",) if running and flywheel is None else ())),
+        uses=("inertia", "gas", *((turning,) if running and flywheel is None else ())),
         gas=found,
         without_reaction=None if sums else found,
         choices=[] if found is None else [*gas_alone(engine, found, figures)],
