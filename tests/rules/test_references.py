@@ -12,7 +12,7 @@ from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, catalog, engine_of, explicit
 from crankstar.files.forms import is_explicit
 from crankstar.mechanics.balance import balance, total
-from crankstar.tables.conditions import pitch_key
+from crankstar.mechanics.lacking import pitch_key
 
 ADDED = {"pitch": "100 mm", "radius": "80 mm", "mass": "500 g"}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from crankstar.charts.canvas import abreast, half_width
-from crankstar.charts.drawing import ChartError, Panel, figure, heading, named, speed_lines, stacked
+from crankstar.charts.drawing import ChartError, Panel, figure, heading, named, stacked
 from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import folded
@@ -13,6 +13,7 @@ from crankstar.charts.resting import Rests
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import unit_text
+from crankstar.tables.compared_speeds import speed_head
 
 
 def compared(
@@ -52,8 +53,16 @@ def compared(
             _("Engines whose m, r, a or speed differ cannot be compared by the lengths drawn.")
         )
     rows = [columns[i : i + 2] for i in range(0, len(columns), 2)]
-    lines = [*speed_lines(engines, speed), *lines]
+    names = [named(engine) for engine in engines]
+    lines = [*filter(None, [head_of(engines, names, speed)]), *lines]
     return figure(rows, title=title, subtitle=lines, theta=theta, turns=turns, rests=rests)
+
+
+def head_of(engines: Sequence[Engine], names: Sequence[str], speed: float | None) -> str:
+    """At which speed (rad/s) the forces of engines are and why; empty without it, or masses."""
+    if speed is None or any({"mass", "radius"} & {*engine.relative} for engine in engines):
+        return ""
+    return speed_head(engines, names, [speed] * len(engines))
 
 
 def same_unit(units: Iterable[str]) -> str:

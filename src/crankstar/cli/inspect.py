@@ -29,7 +29,7 @@ from crankstar.cli.options import (
     together,
     write_tree,
 )
-from crankstar.cli.output import display, working
+from crankstar.cli.output import complain, display, working
 from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
@@ -187,6 +187,7 @@ def compare(
     from crankstar.studies.answers import compared, rests_on
     from crankstar.tables import comparison as tables
     from crankstar.tables.analysis import analysis
+    from crankstar.tables.compared_speeds import speed_head
     from crankstar.tables.ranges import ranged_side_by_side
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -232,6 +233,9 @@ def compare(
         with working(_("Trying what is assumed ...")):
             rests = [rests_on(one, answer(one)) for one in engines]
         document = tables.resting(document, rests, own)
+    elif "at_speed" in document.facts:
+        speeds = [each.speed if turning is None else turning for each in engines]
+        complain(speed_head(engines, own, speeds))
     give(tables.with_shares(document, engines), output, form=form)
 
 

@@ -45,6 +45,7 @@ from crankstar.mechanics.balance import scales
 from crankstar.mechanics.excitation import columns_of, rotors
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_pins import gas_pin_loads, with_gas
+from crankstar.mechanics.lacking import lacking_keys
 from crankstar.mechanics.mechanism import Mechanism, mechanism
 from crankstar.mechanics.pin_loads import PinLoads, pin_loads
 from crankstar.spectra import Complex, Real, Spectrum
@@ -269,10 +270,11 @@ def all_pin_loads(
     inertia = pin_loads(machine)
     if cycle is None:
         return inertia
-    if speed is None or scales(engine, speed)[1].force != "N":
+    lacking = lacking_keys(engine, speed)
+    if speed is None or lacking:
         raise BearingError(
-            "bearing loads with gas need speed and masses: give speed and "
-            "cylinder.reciprocating_mass"
+            "bearing loads with gas need more than the file has: give {keys}",
+            keys=", ".join(lacking),
         )
     return with_gas(inertia, gas_pin_loads(engine, cycle), speed=speed)
 

@@ -3,6 +3,7 @@
 | module, bottom to top | one line |
 |---|---|
 | `mechanism` | an engine, or a batch of engines, as arrays of numbers |
+| `lacking` | what a file lacks for newtons and uneven running, key by key |
 | `harmonics` | the motion of unit masses at pistons, rods and big ends, as harmonics |
 | `excitation` | the laws: force, couple, moment and torque of every part at 1 rad/s; roll |
 | `pin_loads` | what each piston pushes sideways on its cylinder, and each rod on its crank pin |

@@ -34,7 +34,7 @@ MOST_EXPLAINED = 4
 HIGH_ORDER = 1e-3
 """Share of the greatest order from which an order above the usual ones is shown as well."""
 ROUNDED_ARM = 1e-12
-"""Lever arm (m or bore pitches) that is rounding error: no couple of a force."""
+"""Lever arm (m, bore pitches or crank radii) that is rounding error: no moment of a force."""
 
 
 class Sums(NamedTuple):
@@ -57,17 +57,15 @@ def summed(result: Balance) -> Sums:
     0.0
     """
     sums = total(result)
-    force = pushed(result.force)
-    turning = pushed(result.axis_moment) + pushed(result.torque)
-    arm = ROUNDED_ARM / NEGLIGIBLE * force
-    axis_moment = _cleared(sums.axis_moment, pushed(result.axis_moment))
-    torque = _cleared(sums.torque, pushed(result.torque))
+    force, couple, axis, twist = (weighed(result, name) for name in sums._fields)
+    axis_moment = _cleared(sums.axis_moment, axis)
+    torque = _cleared(sums.torque, twist)
     # the block rolls only if a moment about the axis or a torque remains
     none = not (sizes(axis_moment).any() or sizes(torque).any())
     return Sums(
         force=_cleared(sums.force, force),
-        couple=_cleared(sums.couple, np.maximum(pushed(result.couple), arm)),
-        roll=_cleared(rolling_moment(sums), turning, none=none),
+        couple=_cleared(sums.couple, couple),
+        roll=_cleared(rolling_moment(sums), axis + twist, none=none),
         axis_moment=axis_moment,
         torque=torque,
     )
@@ -102,9 +100,27 @@ def pushed(parts: Spectrum) -> Real:
     return sizes(parts).sum(axis=0)
 
 
-def remains(whole: Spectrum, parts: Spectrum) -> bool:
-    """Whether anything of a quantity remains beside what its parts push."""
-    return _is_there(whole, pushed(parts))
+def weighed(result: Balance, name: str) -> Real:
+    """What a sum is zero beside, by order: what its parts push, without regard to direction.
+
+    Of a moment at least what the forces have on an arm that is rounding error, as where all of them
+    go through the crank axis.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.balance import balance
+    >>> result = balance(load("i4"))
+    >>> bool(weighed(result, "axis_moment").max() > 0), remains(summed(result).axis_moment)
+    (True, False)
+    """
+    own = pushed(getattr(result, name))
+    if name == "force":
+        return own
+    return np.maximum(own, ROUNDED_ARM / NEGLIGIBLE * pushed(result.force))
+
+
+def remains(whole: Spectrum) -> bool:
+    """Whether anything of a sum of `summed` remains."""
+    return bool(sizes(whole).any())
 
 
 def _is_there(whole: Spectrum, beside: Real) -> bool:
@@ -129,9 +145,18 @@ def ranked(spectrum: Spectrum, orders: Sequence[float]) -> tuple[list[float], li
 
 def orders_pushed(result: Balance) -> tuple[float, ...]:
     """The usual orders excited by any part, even if the sum is zero; at least order 1."""
-    parts = (result.force, result.couple, result.axis_moment)
-    greatest = [sizes(spectrum).max(axis=0, initial=0.0) for spectrum in parts]
-    there = np.any([row > NEGLIGIBLE * row.max(initial=0.0) for row in greatest], axis=0)
+    arm = ROUNDED_ARM * float(pushed(result.force).max(initial=0.0))
+    greatest = {
+        name: sizes(getattr(result, name)).max(axis=0, initial=0.0)
+        for name in ("force", "couple", "axis_moment")
+    }
+    there = np.any(
+        [
+            row > max(NEGLIGIBLE * row.max(initial=0.0), 0.0 if name == "force" else arm)
+            for name, row in greatest.items()
+        ],
+        axis=0,
+    )
     return tuple(result.force.orders[there & (result.force.orders <= USUAL_ORDERS)].tolist()) or (
         1.0,
     )

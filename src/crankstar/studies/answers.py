@@ -22,12 +22,13 @@ from math import pi
 import numpy as np
 
 from crankstar import spectra
-from crankstar.analysis.assumptions import Answer, Assumption, moved
+from crankstar.analysis.assumptions import Answer, Assumption, Uses, moved
 from crankstar.analysis.registry import analyses
 from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import N_, MessageError
+from crankstar.language.messages import N_, MessageError, _
+from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
@@ -146,9 +147,16 @@ def compared(
 
     if not speed_assumed or speed is None or speed == engine.speed:
         return answer
-    rpm = float(f"{speed * 30 / pi:.12g}")
+    rpm, of_file = (float(f"{each * 30 / pi:.12g}") for each in (speed, engine.speed or 0.0))
     chosen = Assumption("assumed", "speed", ONE_SPEED, rpm, "rpm")
-    if engine.speed is None and not own_unit and (usual := usual_speeds(engine)):
+    usual = usual_speeds(engine)
+    if engine.speed is not None:
+        reason = _(
+            "{own} rpm in the file, all are at {rpm} rpm", own=number(of_file), rpm=number(rpm)
+        )
+        chosen = replace(chosen, status="left out", reason=reason)
+        usual = of_file, of_file
+    if usual is not None and not own_unit:
         low, high = usual
         chosen = replace(chosen, low=low, high=high, vary=with_speed, figures=at_its_own)
     return replace(answer, choices=[*answer.choices, chosen])
@@ -263,6 +271,7 @@ def torques(
         return {**rolls, **plain}
 
     units = {"peak pressure": "bar", "irregularity": "", "flywheel": "kg*m^2"}
+    turning: Uses = "running" if irregularity is None else "sized"
     return Answer(
         figures=figures,
         unit=lambda quantity, each: (
@@ -270,7 +279,7 @@ def torques(
             if quantity in ("force", "couple")
             else units.get(quantity, "N*m")
         ),
-        uses=("inertia", "gas", *(("running",) if running and flywheel is None else ())),
+        uses=("inertia", "gas", *((turning,) if running and flywheel is None else ())),
         gas=found,
         without_reaction=None if sums else found,
         choices=[] if found is None else [*gas_alone(engine, found, figures)],

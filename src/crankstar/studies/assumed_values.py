@@ -50,6 +50,13 @@ DOUBTFUL = ("unverified", "placeholder")
 """Statuses of values of a file that nobody has read in a source."""
 OF_RODS = ("doubt.rod-without-inertia", "doubt.rod-inertia")
 """Doubts on moments of inertia of rods."""
+FLYWHEELS = {
+    "running": Assumption("left out", "drive.inertia", N_("no flywheel in the file")),
+    "sized": Assumption(
+        "missing", "drive.inertia", N_("no flywheel beside the one that is sized"), explained=True
+    ),
+}
+"""What is said where a file has none, by what an answer is made of."""
 OF_GAS = ("gas", "drive", "valves")
 """Tables of a file that no inertia depends on."""
 TIMING = frozenset({"valves"})
@@ -126,8 +133,8 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
         yield from without_reaction(engine, answer.without_reaction)
     if "gas" in answer.uses and answer.gas is not None:
         yield from gas_values(engine, answer.gas)
-    if "running" in answer.uses and (engine.drive is None or engine.drive.inertia is None):
-        yield Assumption("left out", "drive.inertia", N_("no flywheel in the file"))
+    if engine.drive is None or engine.drive.inertia is None:
+        yield from (each for use, each in FLYWHEELS.items() if use in answer.uses)
     if "bearings" in answer.uses:
         yield from _bearings(engine)
     if "torsion" in answer.uses:

@@ -19,6 +19,7 @@ from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import ALL, HIGHEST, added, gas_roll, gas_torque, roll_with_gas
+from crankstar.mechanics.lacking import lacking_keys
 from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.variants import SweepError
@@ -48,8 +49,8 @@ def _irregularity(engine: Engine, found: Cycle) -> float:
     running = driven(engine, found)
     if running is None:
         raise SweepError(
-            "the degree of irregularity needs speed, masses and flywheel: give speed, "
-            "cylinder.reciprocating_mass and drive.inertia"
+            "the degree of irregularity needs more than the file has: give {keys}",
+            keys=", ".join(lacking_keys(engine, found.speed, flywheel=True)),
         )
     return running.irregularity
 

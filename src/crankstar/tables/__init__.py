@@ -63,6 +63,7 @@
 | `verdict_ranges` | the verdict on an estimated engine |
 | `summary` | how an engine shakes, in ten lines |
 | `analysis` | force, couple and moments by order, as `analyze` shows them |
+| `compared_speeds` | at which speed each of several engines is computed, and why |
 | `gas_comparison` | the gas torque of several engines |
 | `comparison` | several engines side by side |
 | `errata` | errors in the sources |

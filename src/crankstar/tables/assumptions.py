@@ -452,13 +452,24 @@ def assumption_remarks(
 def side_by_side(
     found: Sequence[Sequence[Assumption]], names: Sequence[str]
 ) -> tuple[tuple[Remarks, ...], tuple[Remarks, ...]]:
-    """What matters most of each engine, for the first screen, and for the end the rest of it."""
+    """What matters most of each engine, for the first screen, and for the end the rest of it.
+
+    On the first screen are the largest effect of all and a speed that is not that of the file, too.
+    """
     first, rest = [], []
     most = PAIRED if len(names) <= 2 else 1
+    largest = max((each.effect for own in found for each in own), default=0.0)
     for own, name in zip(found, names, strict=True):
-        lines = assumption_lines(own)
+        told = _told(own)
         count = most + any(each.status == "not modelled" for each in own)
-        leading, others = lines[:count], lines[count:]
+        leads = [
+            place < count or any(each.path == "speed" or each.effect == largest > 0 for each in of)
+            for place, (_line, of) in enumerate(told)
+        ]
+        leading, others = (
+            [line for (line, _of), lead in zip(told, leads, strict=True) if lead is wanted]
+            for wanted in (True, False)
+        )
         if leading:
             head = _("{name} rests on:", name=name)
             first.append(Remarks((head, *leading), kind="doubt"))

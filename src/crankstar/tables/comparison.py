@@ -9,7 +9,7 @@ from math import pi
 from typing import Any, NamedTuple
 
 from crankstar.analysis.assumptions import Assumption
-from crankstar.analysis.document import ROW_UNIT, Column, Document, Ranged, Table, Value
+from crankstar.analysis.document import ROW_UNIT, Column, Document, Ranged, Table, Value, remarks
 from crankstar.analysis.registry import analyses
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any, plain
@@ -23,6 +23,7 @@ from crankstar.mechanics.remains import Sums, summed
 from crankstar.tables.analysis import Analysis, analysis
 from crankstar.tables.assumptions import assumption_facts, side_by_side
 from crankstar.tables.by_order import QUANTITIES, none_line, sums_size
+from crankstar.tables.compared_speeds import speed_head
 from crankstar.tables.conditions import unverified
 from crankstar.tables.headings import firing_text
 
@@ -90,7 +91,14 @@ def comparison(shown: Sequence[Analysis], names: Sequence[str] | None = None) ->
         else _("Greatest value of each order, each engine in its own m r ω²")
     )
     responses = _of_analyses(compared)
-    return Document(title, (*parts, *_with_gas(compared), *responses, _engines(compared)))
+    tables = (*parts, *_with_gas(compared), *responses, _engines(compared))
+    return Document(title, (*remarks(_speed_head(compared)), *tables))
+
+
+def _speed_head(compared: _Compared) -> str:
+    """At which speed the engines are; empty where forces are in m r omega^2."""
+    engines = [shown.engine for shown in compared.shown]
+    return speed_head(engines, compared.names, [result.speed for result in compared.results])
 
 
 def _with_gas(compared: _Compared) -> tuple[Table, ...]:
@@ -325,12 +333,16 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
         for order, cells in _sizes(name, compared):
             for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
                 share = _share(cell, cells[0], 1)
-                rows.append((name, order, engine, _rpm(result), cell, _unit(result, name), share))
+                rows.append(
+                    (name, order, engine, _rpm(result.speed), cell, _unit(result, name), share)
+                )
     with_gas, facts = _gas_rows(compared)
     rows += [*with_gas, *_response_rows(compared)]
     title = ", ".join(compared.names)
     tables = (Table("", heads, tuple(rows), key="amplitudes"), _engine_rows(compared))
-    return Document(title, tables, facts)
+    with spoken("en"):
+        head = plain(_speed_head(compared))
+    return Document(title, tables, facts | ({"at_speed": head} if head else {}))
 
 
 def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
@@ -341,7 +353,7 @@ def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
             what,
             order,
             engine,
-            _rpm(result),
+            _rpm(result.speed),
             cell,
             unit,
             _share(cell, cells[0] or 0.0, 1) if cell else None,
@@ -356,8 +368,8 @@ def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
     ]
 
 
-def _rpm(result: Balance) -> float | None:
-    return None if result.speed is None else float(f"{result.speed * 30 / pi:.12g}")
+def _rpm(speed: float | None) -> float | None:
+    return None if speed is None else float(f"{speed * 30 / pi:.12g}")
 
 
 def _engines(compared: _Compared) -> Table:
@@ -370,7 +382,7 @@ def _engines(compared: _Compared) -> Table:
     heads.append(Column(_("unverified values")))
     rows: list[tuple[Value, ...]] = []
     for name, own, result in zip(compared.names, compared.shown, compared.results, strict=True):
-        speed = (_rpm(result),) if compared.real else ()
+        speed = (_rpm(result.speed),) if compared.real else ()
         rows.append((name, _fires(own.engine), *speed, len(unverified(own.engine))))
     return Table(_("Engines"), tuple(heads), tuple(rows))
 
@@ -381,11 +393,18 @@ def _engine_rows(compared: _Compared) -> Table:
         Column("engine", kind="text", key="engine", label=True),
         Column("firing", kind="text", key="firing"),
         Column("speed_rpm", key="speed_rpm"),
+        Column("file_speed_rpm", key="file_speed_rpm"),
         Column("unverified", key="unverified"),
     )
     with spoken("en"):
         rows: list[tuple[Value, ...]] = [
-            (name, plain(_fires(own.engine)), _rpm(result), len(unverified(own.engine)))
+            (
+                name,
+                plain(_fires(own.engine)),
+                _rpm(result.speed),
+                _rpm(own.engine.speed),
+                len(unverified(own.engine)),
+            )
             for name, own, result in zip(
                 compared.names, compared.shown, compared.results, strict=True
             )

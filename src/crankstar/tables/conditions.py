@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from math import pi
 
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, ROD_SOURCE
@@ -11,12 +10,9 @@ from crankstar.engine.proportions import TWO_MASSES, inferred, look_of
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, unit_mass
+from crankstar.mechanics.lacking import KEYS, SIZES, lacking_keys, pitch_key
 from crankstar.tables.scales import scales
 
-RADIAL = 5
-"""Cylinders on one throw from which it is the throw of a radial engine."""
-KEYS = {"radius": "cylinder.stroke", "mass": "cylinder.reciprocating_mass"}
-"""The keys of a short file that give what is missing."""
 OF_TORQUE = ("gas", "drive")
 """Keys of what makes torque, and no force."""
 UNITS = {
@@ -53,12 +49,12 @@ def unit_sentence(engine: Engine, result: Balance) -> str:
     if result.speed is not None:
         speed = _("Forces and moments at {speed} rpm.", speed=number(result.speed * 30 / pi))
         return passage((speed, _pitch_sentence(engine)))
-    if not {*KEYS} & {*engine.relative}:
+    if not {*SIZES} & {*engine.relative}:
         return _(UNITS["speed"])
     if _is_explicit(engine):
         sentence = UNITS["explicit"]
         return _(sentence, keys=", ".join(engine.relative))
-    keys = _missing_keys(engine) + (["speed"] if engine.speed is None else [])
+    keys = lacking_keys(engine, 0.0, sizes=KEYS) + (["speed"] if engine.speed is None else [])
     form = "short or estimate" if can_be_estimated(engine) else "short"
     return _(UNITS[form], keys=", ".join(keys))
 
@@ -70,18 +66,12 @@ def missing_sentence(engine: Engine) -> str:
     >>> missing_sentence(load("man-s50mc-c"))
     'For newtons, add to the file: cylinder.reciprocating_mass, layout.bore_pitch.'
     """
-    if not {*KEYS} & {*engine.relative}:
+    if not {*SIZES} & {*engine.relative}:
         return _pitch_sentence(engine)
     if _is_explicit(engine):
         sentence = UNITS["explicit masses"]
         return _(sentence, keys=", ".join(engine.relative))
-    return _(UNITS["masses"], keys=", ".join(_missing_keys(engine)))
-
-
-def _missing_keys(engine: Engine) -> list[str]:
-    """The keys of a short file for masses, sizes and distances that are not known."""
-    keys = [key for name, key in KEYS.items() if name in engine.relative]
-    return keys + ([pitch_key(engine)] if "pitch" in engine.relative else [])
+    return _(UNITS["masses"], keys=", ".join(lacking_keys(engine, 0.0, sizes=KEYS)))
 
 
 def _pitch_sentence(engine: Engine) -> str:
@@ -91,12 +81,6 @@ def _pitch_sentence(engine: Engine) -> str:
         sentence = UNITS["explicit pitch"]
         return _(sentence)
     return _(UNITS["pitch"], keys=pitch_key(engine))
-
-
-def pitch_key(engine: Engine) -> str:
-    """The key of a short file for the distance of cylinders, or of the rows of a radial engine."""
-    on_throw = Counter((cylinder.shaft, cylinder.throw) for cylinder in engine.cylinders)
-    return "layout.row_pitch" if max(on_throw.values()) >= RADIAL else "layout.bore_pitch"
 
 
 def can_be_estimated(engine: Engine) -> bool:

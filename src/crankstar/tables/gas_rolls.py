@@ -18,6 +18,8 @@ from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.lacking import lacking_keys
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.remains import OPTIMISED
 from crankstar.spectra import Spectrum
 
@@ -64,6 +66,34 @@ def gas_roll_of(engine: Engine, *, speed: float | None) -> GasRoll | None:
     True
     """
     return None if engine.gas is None else _gas_roll(engine, speed)
+
+
+def gasless_reason(engine: Engine, *, speed: float | None) -> str:
+    """Why the rolling moment with gas is not known, as a sentence; empty where it is.
+
+    >>> from crankstar.files.catalog import load
+    >>> gasless_reason(load("i4"), speed=None).partition(": ")[2]
+    'the engine file lacks [gas], speed, cylinder.stroke, cylinder.reciprocating_mass, \
+cylinder.bore.'
+    """
+    from crankstar.mechanics.gas import cycle_or_reason
+
+    if gas_roll_of(engine, speed=speed) is not None:
+        return ""
+    found, why = cycle_or_reason(engine, speed=speed)
+    turning = operating_state(engine, speed=speed).speed if found is None else found.speed
+    keys = ["[gas]"] if engine.gas is None else []
+    keys += lacking_keys(engine, turning)
+    keys += ["cylinder.bore"] if any(each.bore is None for each in engine.cylinders) else []
+    if not keys:
+        return _(
+            "The rolling moment that gas makes is not in these numbers: {reason}.",
+            reason=why.rstrip("."),
+        )
+    return _(
+        "The rolling moment that gas makes is not in these numbers: the engine file lacks {keys}.",
+        keys=", ".join(keys),
+    )
 
 
 def _gas_roll(engine: Engine, speed: float | None) -> GasRoll | None:

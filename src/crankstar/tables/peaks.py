@@ -61,7 +61,7 @@ def peak_lines(engine: Engine, result: Balance, sums: Sums) -> list[str]:
     """A line for each peak, and for the first order of force and couple."""
     counter = any(shaft.throws and shaft.speed_ratio == -1 for shaft in engine.shafts)
     names = ["force", "couple", "torque"]
-    names += of_any("peaks", ["roll"] * remains(sums.torque, result.torque))
+    names += of_any("peaks", ["roll"] * remains(sums.torque))
     peaks = [_peak(result, sums, name) for name in names]
     first = [_removable(result, sums, name, counter=counter) for name in ("force", "couple")]
     return [line for line in (*peaks, *first) if line]
@@ -92,9 +92,7 @@ def part_peaks(result: Balance, sums: Sums) -> dict[str, tuple[float, float, str
 
 def _peak(result: Balance, sums: Sums, name: str) -> str:
     spectrum = getattr(sums, name)
-    if name in NONE and not of_any(
-        ("peak", name), [True] * remains(spectrum, getattr(result, name))
-    ):
+    if name in NONE and not of_any(("peak", name), [True] * remains(spectrum)):
         return _(NONE[name])
     top = bounds.peak(spectrum)
     if name in NONE:

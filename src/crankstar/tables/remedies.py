@@ -27,7 +27,7 @@ from crankstar.remedy.kept import Changes, vectors
 from crankstar.tables.bobweights import bobweights
 from crankstar.tables.certificate import certificate
 from crankstar.tables.cures import cure_lines, fitted_lines, none_remains
-from crankstar.tables.gas_rolls import change_sentence, gas_roll_of
+from crankstar.tables.gas_rolls import change_sentence, gas_roll_of, gasless_reason
 from crankstar.tables.placings import placing_lines
 from crankstar.tables.scales import Scale, scales
 from crankstar.tables.turning import bearing, turning
@@ -364,12 +364,7 @@ def _rolls(
         if both[1] > both[0] * (1 + OPTIMISED):
             notes.append(change_sentence(gas[0], gas[1], order))
     if rows and gas[0] is None:
-        notes.append(
-            _(
-                "The rolling moment that gas makes is not in these numbers: gas, speed or sizes "
-                "are not in the engine file."
-            )
-        )
+        notes.append(gasless_reason(job.before, speed=job.speed))
     return rows, notes
 
 

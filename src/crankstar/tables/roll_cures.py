@@ -93,10 +93,10 @@ class Roll(NamedTuple):
     wave: complex
 
 
-def largest_roll(result: Balance, sums: Sums) -> Roll | None:
+def largest_roll(sums: Sums) -> Roll | None:
     """The largest order of the rolling moment from inertia, if there is one."""
     waves = spectra.amplitude(sums.roll)
-    there = remains(sums.torque, result.torque) or remains(sums.axis_moment, result.axis_moment)
+    there = remains(sums.torque) or remains(sums.axis_moment)
     if not waves.size or not of_any("rolls", [True] * there):
         return None
     place = as_given("roll", int(np.argmax(np.abs(waves))))
@@ -115,7 +115,7 @@ def roll_left(engine: Engine, *, speed: float | None, before: Engine | None = No
     'Rolling moment without gas of order 2: 2.0005 m r² ω² is left'
     """
     result = balance(engine, speed=speed)
-    largest = largest_roll(result, summed(result))
+    largest = largest_roll(summed(result))
     now = gas_roll_of(engine, speed=speed)
     if now is None:
         changed = "" if before is None else _inertia_changed(before, result, largest)

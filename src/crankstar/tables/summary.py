@@ -54,7 +54,7 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
 
 def _roll_sentence(result: Balance, sums: Sums) -> str:
     """The largest order of the rolling moment of inertia."""
-    largest = largest_roll(result, sums)
+    largest = largest_roll(sums)
     if largest is None:
         return _("No rolling moment from inertia.")
     return _(

@@ -19,6 +19,7 @@ from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
 from crankstar.mechanics.gas_torque import GasTorque, friction_torque, gas_torque
+from crankstar.mechanics.lacking import running_sentence, without_running
 from crankstar.tables.conditions import unverified_gas
 from crankstar.tables.gas_words import (
     at_points,
@@ -88,6 +89,7 @@ def torque_document(
     waves = by_order(engine, cycle, found)
     mean = float(found.mean.sum()) - friction_torque(cycle)
     turning = cycle.speed
+    lacking = "" if running is not None else without_running(engine, turning)
     facts = {
         "format": 1,
         "engine": engine.name,
@@ -103,6 +105,7 @@ def torque_document(
         "air_fuel_ratio": cycle.air_fuel_ratio,
         "charge_estimated": cycle.boosted,
         "irregularity": None if running is None else running.irregularity,
+        "without_running": lacking or None,
         "flywheel": None if wheel is None else {**wheel._asdict(), "unit": "kg*m^2"},
         "off": list(cycle.off),
         "weaker": weaker_facts(cycle),
@@ -115,6 +118,7 @@ def torque_document(
     more = [] if gears is None else [gears]
     more += side_thrust_tables(engine, cycle)
     told = [*_other_points(engine, cycle), *notes(engine, cycle), _proviso(engine)]
+    told.append(running_sentence(lacking))
     pairs = [] if wheel is None else [wheel_table(wheel)]
     if running is not None:
         pairs = [running_table(running), *pairs]

@@ -233,8 +233,8 @@ def _vector_sentence(
 
 def _moment_sentences(result: Balance, sums: Sums) -> str:
     """The greatest order of the rolling moment on the block, and of the moment about the axis."""
-    turning = remains(sums.axis_moment, result.axis_moment)
-    there = {"roll": turning or remains(sums.torque, result.torque), "axis_moment": turning}
+    turning = remains(sums.axis_moment)
+    there = {"roll": turning or remains(sums.torque), "axis_moment": turning}
     out: list[str] = []
     for name, sentence in MOMENTS.items():
         signal = getattr(sums, name)

@@ -29,7 +29,7 @@ def compute(engine: Engine, asked: Question) -> GeneratingSet:
         of_running = {
             "--pole-pairs": asked.pole_pairs,
             "--flywheel": asked.flywheel,
-            "--irregularity": asked.irregularity,
+            "--irregularity": asked.irregularity if found.wanted is None else None,
         }
         refuse_unused(of_running, why=lacking)
     if lacking := missing_sums(found):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees, pi
 from typing import Any
 
@@ -22,6 +23,7 @@ from crankstar.dynamics.uneven import Running
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
+from crankstar.mechanics.lacking import running_sentence
 from crankstar.tables.gas_words import (
     at_points,
     burning_words,
@@ -45,8 +47,9 @@ def document(engine: Engine, found: GeneratingSet, asked: Question) -> Document:
     """All of a set."""
     del engine, asked
     parts: list[Table | Remarks] = [heading(found.engine)]
-    if found.running is not None and found.angle is not None:
-        parts.append(_running_table(found, found.running, found.angle))
+    rows = _running_rows(found, found.running, found.angle) + _wanted_rows(found)
+    if rows:
+        parts.append(_running_table(found, rows))
     parts += for_each(*[_sum_table(found)] * 2)
     parts += remarks(*_notes(found), kind="note")
     parts += remarks(*_doubts(found), kind="doubt")
@@ -80,8 +83,12 @@ def _facts(found: GeneratingSet) -> dict[str, Any]:
     }
 
 
-def _running_table(found: GeneratingSet, running: Running, angle: GeneratorAngle) -> Table:
-    """Speed, irregularity and angle of the set."""
+def _running_rows(
+    found: GeneratingSet, running: Running | None, angle: GeneratorAngle | None
+) -> list[tuple[Value, ...]]:
+    """Speed, irregularity and angle of the set; none without a flywheel."""
+    if running is None or angle is None:
+        return []
     uneven = running.irregularity
     rows: list[tuple[Value, ...]] = [
         (_("speed"), "speed", running.mean_speed * RPM, "rpm"),
@@ -97,9 +104,19 @@ def _running_table(found: GeneratingSet, running: Running, angle: GeneratorAngle
             (_("frequency"), "frequency", found.frequency, "Hz"),
             (_("greatest electrical angle"), "electrical", electrical, "deg"),
         ]
-    if found.wanted is not None:
-        said = _("inertia of crankshaft, flywheel and rotor for what is wanted")
-        rows.append((said, "wanted_inertia", found.wanted, "kg*m^2"))
+    return rows
+
+
+def _wanted_rows(found: GeneratingSet) -> list[tuple[Value, ...]]:
+    """The inertia for the degree of irregularity that was asked for."""
+    if found.wanted is None:
+        return []
+    said = _("inertia of crankshaft, flywheel and rotor for what is wanted")
+    return [(said, "wanted_inertia", found.wanted, "kg*m^2")]
+
+
+def _running_table(found: GeneratingSet, rows: Sequence[tuple[Value, ...]]) -> Table:
+    """What of uneven running is known."""
     columns = (
         Column("", kind="text", label=True),
         Column("", kind="text", key="quantity", machine=True),
@@ -189,8 +206,7 @@ def _notes(found: GeneratingSet) -> list[str]:
 
 def missing_running(found: GeneratingSet) -> str:
     """Why uneven running is not told, as a sentence; empty where it is."""
-    reason = found.without_running.rstrip(".")
-    return _("Without uneven running: {reason}.", reason=reason) if reason else ""
+    return running_sentence(found.without_running)
 
 
 def missing_sums(found: GeneratingSet) -> str:

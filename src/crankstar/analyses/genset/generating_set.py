@@ -19,20 +19,15 @@ from crankstar.dynamics.generator_angle import GeneratorAngle, generator_angle
 from crankstar.dynamics.load_reaction import on_one_frame
 from crankstar.dynamics.uneven import Running, driven, flywheel_for
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import _
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
+from crankstar.mechanics.lacking import KEYS, lacking_keys, lacking_words, without_running
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.phase_sums import exceeded, typical_sum, worst_sum
 
-SIZES = {
-    "mass": N_("masses (cylinder.reciprocating_mass)"),
-    "radius": N_("the stroke (cylinder.stroke)"),
-    "pitch": N_("the distance of the cylinders (layout.bore_pitch)"),
-}
-"""What an engine file may leave out, and the key that gives it."""
 NOTED = 1e-4
 """Share of the greatest of a part from which an order of the sum is told."""
 HIGHEST = 12.0
@@ -62,7 +57,8 @@ class OrderSum:
 class GeneratingSet:
     """A set at its speed: uneven running (None where not known), and sums of several engines.
 
-    `wanted` is the inertia (kg m^2) for the degree of irregularity that was asked for;
+    `wanted` is the inertia (kg m^2) for the degree of irregularity that was asked for, known
+    without a flywheel too;
     `without_running` and `without_sums` say what is missing; `speed` (rad/s) is that of the sums.
     """
 
@@ -115,10 +111,10 @@ def generating_set(
     burning, why = cycle_or_reason(engine, point=point, speed=speed, off=off, weaker=weaker)
     running = None if burning is None else driven(engine, burning, flywheel=flywheel)
     if burning is not None and running is None:
-        why = _without_running(engine, burning.speed, flywheel)
+        why = without_running(engine, burning.speed, flywheel)
     turning = operating_state(engine, point=point, speed=speed).speed
     wanted = None
-    if irregularity is not None and running is not None and burning is not None:
+    if irregularity is not None and burning is not None and not lacking_keys(engine, burning.speed):
         wanted = flywheel_for(engine, burning, irregularity=irregularity)
     sums, lacking = _sums(engine, turning, engines, burning)
     return GeneratingSet(
@@ -142,7 +138,7 @@ def _sums(
     """The orders of force and moment of one engine and of all."""
     result = balance(engine, speed=speed)
     if result.speed is None or result.units.couple != "N*m":
-        missing = _missing(engine, speed, {"mass", "radius", "pitch"})
+        missing = lacking_words(engine, speed, KEYS)
         return (), _("not known: {missing}", missing=", ".join(missing))
     whole = total(result)
     parts = Totals(*(getattr(result, name) for name in Totals._fields))
@@ -169,20 +165,6 @@ def _roll(sums: Totals, engine: Engine, burning: Cycle | None) -> spectra.Spectr
     if burning is None:
         return rolling_moment(sums)
     return on_one_frame(roll_with_gas(sums, gas_torque(burning).total), engine, burning)
-
-
-def _without_running(engine: Engine, speed: float | None, flywheel: float | None) -> str:
-    """What keeps the speed over a cycle from being known."""
-    missing = _missing(engine, speed, {"mass", "radius"})
-    if flywheel is None and (engine.drive is None or engine.drive.inertia is None):
-        missing.append(_("inertia of crankshaft, flywheel and rotor (see --flywheel)"))
-    return _("not known: {missing}", missing=", ".join(missing))
-
-
-def _missing(engine: Engine, speed: float | None, needed: Collection[str]) -> list[str]:
-    """The names of what is not known of that, and what gives it."""
-    names = [_(SIZES[size]) for size in SIZES if size in needed and size in engine.relative]
-    return names if speed is not None else [*names, _("a speed (see --speed)")]
 
 
 def _amplitudes(sums: Totals, name: str) -> np.ndarray:

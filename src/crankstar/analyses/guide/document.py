@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from crankstar.analyses.guide.published_orders import Published
 from crankstar.analyses.guide.question import ChainDrive, Question
 from crankstar.analyses.marine.document import OF_GUIDES
+from crankstar.analyses.marine.doubts import missing_units
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
@@ -171,13 +172,8 @@ def _notes(
     lines += _torsion_notes(members, drive)
     lines += [_published(member, member.published) for member in members if member.published]
     found = next((member.found for member in members if member.found is not None), None)
-    if found is not None and found.after.units.couple != "N*m":
-        lines.append(
-            _(
-                "The file does not say what it takes for N m: masses, sizes or a speed; moments "
-                "are in units of the first cylinder."
-            )
-        )
+    if found is not None and (lacking := missing_units(found)):
+        lines.append(lacking)
     lines.append(
         _("Counterweights, block and mounts of the engine are left out, and so is axial vibration.")
     )

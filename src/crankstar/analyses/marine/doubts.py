@@ -9,6 +9,7 @@ from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.doubts import GREATEST_IMEP, point_doubts
+from crankstar.mechanics.lacking import KEYS, lacking_keys
 from crankstar.tables.torque import charge_sentences
 
 LEAST_RATED = 1e5
@@ -28,8 +29,8 @@ def doubts(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[s
     if guide is not None and not guide.with_inertia:
         lines.append(
             _(
-                "Guide-force moments are those of gas alone: without reciprocating masses or a "
-                "speed there is no inertia."
+                "Guide-force moments are those of gas alone: without {keys} there is no inertia.",
+                keys=", ".join(lacking_keys(found.engine, found.cycle and found.cycle.speed)),
             )
         )
     if guide is not None and not guide.pitch_known:
@@ -81,6 +82,6 @@ def missing_units(found: MarineAnalysis) -> str:
     if found.after.units.couple == "N*m":
         return ""
     return _(
-        "The file does not say what it takes for N m: masses, sizes or a speed; moments are in "
-        "units of the first cylinder."
+        "The file lacks what it takes for N m: {keys}; moments are in units of the first cylinder.",
+        keys=", ".join(lacking_keys(found.engine, found.speed, sizes=KEYS)),
     )

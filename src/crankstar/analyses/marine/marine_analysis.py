@@ -39,7 +39,7 @@ class MarineAnalysis:
     `engine` is the engine with weights and compensators. `at_node` are the moments about the node,
     before and after. `guide` is None where gas is not known; `without_guide` says why. `orders` are
     those wanted, "all", or None: those of note. `usual` are the moments of the usual orders and of
-    those wanted.
+    those wanted. `speed` (rad/s) is the one that is meant, with masses or without.
 
     >>> from crankstar import marine
     >>> found = marine("audi-25-tfsi", node=-2.0)
@@ -61,6 +61,7 @@ class MarineAnalysis:
     speeds: Real
     usual: ExternalMoments
     orders: Wanted = None
+    speed: float | None = None
 
     def unbalance(self, moment: float) -> float | None:
         """The power-related unbalance of a moment (N m), N m/kW; None without power or masses."""
@@ -173,6 +174,7 @@ def marine(
         speeds=over,
         usual=usual,
         orders=orders if orders is None or isinstance(orders, str) else tuple(orders),
+        speed=turning,
     )
 
 

@@ -13,6 +13,7 @@ from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_loads import LoadedTorques, torques_at_loads
 from crankstar.mechanics.gas_torque import HIGHEST
 from crankstar.mechanics.kinetic import mean_inertia, throw_inertia
+from crankstar.mechanics.lacking import lacking_keys
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.options.refusals import RequestError
 from crankstar.studies.answers import torques
@@ -56,10 +57,7 @@ def _burnt(engine: Engine, asked: Question) -> Cycle:
 
 def _needing(option: str, engine: Engine, cycle: Cycle) -> None:
     """Refuse what needs speed and masses where they are not known. Raises RequestError."""
-    missing = ["speed"] if cycle.speed is None else []
-    if not {"mass", "radius"}.isdisjoint(engine.relative):
-        missing.append("cylinder.reciprocating_mass")
-    if missing:
+    if missing := lacking_keys(engine, cycle.speed):
         raise RequestError(
             "{option} needs {keys}: give it in the engine file or with --set",
             option=option,
