@@ -55,12 +55,11 @@ def in_own_unit(answer: Answer) -> Answer:
     made = _with_figures(answer, lambda figures: lambda engine: figures(without_speed(engine)))
     return replace(
         made,
-        choices=[
-            replace(each, moved=None) if each.path == "gas" else each for each in made.choices
-        ],
+        choices=[each for each in made.choices if each.path != "gas"],  # it would be in N m
+        gasless=next((each.sentence for each in made.choices if each.path == "gas"), made.gasless),
         unit=lambda quantity, engine: answer.unit(quantity, without_speed(engine)),
         least=lambda engine: answer.least(without_speed(engine)),
-        without_gas=None,  # it would be in N m
+        without_gas=None,
         given={*answer.given, "speed"},
     )
 
