@@ -303,6 +303,15 @@ def _all(field: str) -> Vary:
     return vary
 
 
+def _bore(engine: Engine, factor: float) -> Engine:
+    """The change of the bores by a factor; masses and lengths that were estimated by them stay."""
+    cylinders = [
+        own if own.bore is None else with_values(own, bore=own.bore * factor)
+        for own in engine.cylinders
+    ]
+    return with_values(engine, cylinders=tuple(cylinders))
+
+
 def _reciprocating(engine: Engine, factor: float) -> Engine:
     """The change of the reciprocating masses by a factor, with the weights of a balance factor.
 
@@ -352,6 +361,7 @@ def _gas_value(name: str) -> Vary:
 
 SCALED: Mapping[str, Vary] = {
     "speed": _speed,
+    "cylinder.bore": _bore,
     "cylinder.rod_length": _all("rod_length"),
     "cylinder.rod_ratio": _all("rod_length"),
     "cylinder.reciprocating_mass": _reciprocating,

@@ -270,7 +270,16 @@ def _read(record: Analysis, options: dict[str, Any]) -> Read:
     fields = asked(record.question.value)
     estimate = bool(options.get("estimate"))
     settings = options.get("settings")
-    load = once(partial(_loaded, record, options["engine"], settings, estimate=estimate))
+    load = once(
+        partial(
+            _loaded,
+            record,
+            options["engine"],
+            settings,
+            estimate=estimate,
+            speed=options.get("speed"),
+        )
+    )
 
     def source() -> Engine | Chain:
         return load().source
@@ -323,10 +332,14 @@ def _forms(record: Analysis) -> tuple[str, ...]:
     return TABLES if record.picture is None else (*TABLES, *PICTURES)
 
 
-def _loaded(record: Analysis, name: str, settings: list[str] | None, *, estimate: bool) -> Loaded:
+def _loaded(
+    record: Analysis, name: str, settings: list[str] | None, *, estimate: bool, speed: str | None
+) -> Loaded:
     """What is named. Raises MessageError where it lacks what is computed with."""
     chains, ranged = bool(record.chains), record.estimates
-    found = read_engine(name, settings, estimate=estimate, chains=chains, ranged=ranged)
+    found = read_engine(
+        name, settings, estimate=estimate, speed=speed, chains=chains, ranged=ranged
+    )
     if record.needs is not None and isinstance(found.source, Engine):
         record.needs.value(found.source)
     return found

@@ -55,7 +55,7 @@ def balance(
 
     own, found, _turning = together(
         partial(request.own_factor, engine, settings),
-        partial(read_engine, engine, settings, estimate=estimate),
+        partial(read_engine, engine, settings, estimate=estimate, speed=speed),
         partial(request.speed, speed),
     )
     loaded, spread = found.engine, found.spread

@@ -67,7 +67,8 @@ def export(
         _write_chain(engine, settings, output, to=program, estimate=estimate)
         return
     found, turning = together(
-        partial(read_engine, engine, settings, estimate=estimate), partial(request.speed, speed)
+        partial(read_engine, engine, settings, estimate=estimate, speed=speed),
+        partial(request.speed, speed),
     )
     loaded = found.engine
     if form == "py":

@@ -124,7 +124,8 @@ def analyze(
         over_speeds(engine, speeds, orders, reference, settings, form, output, estimate=estimate)
         return
     found, turning = together(
-        partial(read_engine, engine, settings, estimate=estimate), partial(request.speed, speed)
+        partial(read_engine, engine, settings, estimate=estimate, speed=speed),
+        partial(request.speed, speed),
     )
     loaded, spread = found.engine, found.spread
     mark_speed(speed, loaded)
@@ -197,7 +198,7 @@ def compare(
     )
     loaded = together(
         *(
-            partial(read_engine, name, own, estimate=estimate)
+            partial(read_engine, name, own, estimate=estimate, speed=speed)
             for name, own in zip(names, changes, strict=True)
         )
     )
@@ -258,7 +259,8 @@ def verdict(
     from crankstar.tables.verdict_ranges import ranged_facts
 
     found, turning = together(
-        partial(read_engine, engine, settings, estimate=estimate), partial(request.speed, speed)
+        partial(read_engine, engine, settings, estimate=estimate, speed=speed),
+        partial(request.speed, speed),
     )
     loaded = found.engine
     mark_speed(speed, loaded)

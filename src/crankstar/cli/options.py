@@ -125,17 +125,20 @@ def read_engine(
     settings: Sequence[str] | None = None,
     *,
     estimate: bool = False,
+    speed: object = None,
     chains: bool = False,
     ranged: bool = True,
 ) -> Loaded:
     """The engine of a name or file with the values of --set, and with --estimate completed.
 
+    But for the speed where a `speed` is asked for.
+
     With `chains` also a drive line; `ranged`: with its ranges.
     """
     changes = request.settings(settings)
-    found = loaded(name, changes, estimate=estimate, chains=chains, ranged=ranged)
+    found = loaded(name, changes, estimate=estimate, speed=speed, chains=chains, ranged=ranged)
     if estimate and not found.filled and isinstance(found.source, Engine):
-        complain(_("--estimate changes nothing here: the file has all that could be estimated."))
+        complain(_("--estimate changes nothing here: all that could be estimated is given."))
     return found
 
 

@@ -103,8 +103,10 @@ def plot(
     paper = chart_request.paper(suffix, **asdict(looks))
     _turning, *each = together(
         partial(request.speed, speed),
-        partial(read_engine, engine, settings, estimate=estimate, chains=figure.of_chains),
-        *(partial(read_engine, name, estimate=estimate) for name in beside or ()),
+        partial(
+            read_engine, engine, settings, estimate=estimate, speed=speed, chains=figure.of_chains
+        ),
+        *(partial(read_engine, name, estimate=estimate, speed=speed) for name in beside or ()),
     )
     loaded, *others = [one.source for one in each]
     if isinstance(loaded, Engine):

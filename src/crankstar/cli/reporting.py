@@ -61,8 +61,8 @@ def write_report(
     writable(usual if output is None else output)
     second = request.single("--beside", beside)
     loaded, beside_it, turning = together(
-        partial(read_engine, engine, settings, estimate=estimate),
-        lambda: None if second is None else read_engine(second, estimate=estimate),
+        partial(read_engine, engine, settings, estimate=estimate, speed=speed),
+        lambda: None if second is None else read_engine(second, estimate=estimate, speed=speed),
         partial(request.speed, speed),
     )
     options = {

@@ -83,7 +83,7 @@ def search(
         request.refuse_unused(given, without=_("an engine"))
     else:
         found, turning = together(
-            partial(read_engine, cylinders, settings, estimate=estimate, ranged=False),
+            partial(read_engine, cylinders, settings, estimate=estimate, speed=speed, ranged=False),
             partial(request.speed, speed),
         )
         about, tree = found.engine, found.tree

@@ -38,7 +38,7 @@ def over_speeds(
     refuse_one(speeds)
     request.speeds(speeds)
     found, _read = together(
-        partial(read_engine, engine, settings, estimate=estimate),
+        partial(read_engine, engine, settings, estimate=estimate, speed=speeds),
         partial(request.orders, orders, []),
     )
     loaded, spread = found.engine, found.spread

@@ -98,7 +98,7 @@ def sweep(
     tree = None
     if form == "xlsx":
         if engine != STANDARD_INPUT:
-            found = read_engine(engine, settings, estimate=estimate, ranged=False)
+            found = read_engine(engine, settings, estimate=estimate, speed=speed, ranged=False)
             tree = written_tree(found.engine, found.tree)
         document = replace(document, parts=(*document.parts, *made.document("txt").sentences))
     give(document, output, form=form, tree=tree)

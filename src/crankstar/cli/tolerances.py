@@ -144,7 +144,7 @@ def _scattered(
     )
 
     loaded, names, wanted, turning, count, start, law = together(
-        partial(read_engine, engine, settings, estimate=estimate, ranged=False),
+        partial(read_engine, engine, settings, estimate=estimate, speed=speed, ranged=False),
         partial(_signals, quantity),
         partial(_orders, orders),
         partial(request.speed, speed),

@@ -65,8 +65,11 @@ def estimated(
     name: str = "the engine",
     kind: EngineType | None = None,
     displacement: float | None = None,
+    speed: object = None,
 ) -> Estimate:
     """The tree with masses, lengths and speed that it leaves out; `displacement` [m^3] of it all.
+
+    A `speed` that an analysis is asked for, however it is given, stands for that of the file.
 
     Raises EngineFileError where a file gives neither sizes nor displacement, or is no engine.
     """
@@ -116,7 +119,7 @@ def estimated(
         sizes = {key: units.text(own, LENGTH) for key, own in (("bore", bore), ("stroke", stroke))}
         mistake = error.at(_("an estimated value"))
         raise refused(name, "no-estimate", mistake=mistake, **sizes) from None
-    if laid_out.speed is None:
+    if laid_out.speed is None and speed is None:
         speeds = piston_speed(kind)
         source = f"mean piston speed of {speeds[1]:g} m/s, {_type(kind)}"
         if explicit and first.bore is None and reason:

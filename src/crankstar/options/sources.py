@@ -49,11 +49,14 @@ def loaded(
     changes: Mapping[str, Any] | None = None,
     *,
     estimate: bool = False,
+    speed: object = None,
     chains: bool = True,
     ranged: bool = True,
     asking: str = "crankstar",
 ) -> Loaded:
     """What is named, with `changes` by key path; `estimate` fills in what its file leaves out.
+
+    Not the speed where a `speed` is asked for, however it is given.
 
     Without `chains` a drive line is refused as an engine; without `ranged` there is no spread.
     Raises EngineFileError, and TypeError for what names no engine, which `asking` was given.
@@ -76,7 +79,7 @@ def loaded(
     if estimate:
         from crankstar.files.estimate import estimated
 
-        completed = estimated(tree, name=shown)
+        completed = estimated(tree, name=shown, speed=speed)
         tree, filled = completed.tree, bool(completed.filled)
     ends = spread(tree, name=shown, changes=turned) if ranged else None
     own = engine_of(tree, name=shown, changes=turned) if ends is None else ends.engine

@@ -177,7 +177,9 @@ def _source(record: Analysis, engine: EngineLike, arguments: Mapping[str, Any]) 
                 given=quoted(estimate),
             )
         )
-    source = loaded(engine, changes, estimate=estimate, asking=record.name)
+    source = loaded(
+        engine, changes, estimate=estimate, speed=arguments.get("speed"), asking=record.name
+    )
     if isinstance(source.source, Chain) and not record.chains:
         raise TypeError(
             _(

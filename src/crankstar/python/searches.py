@@ -239,7 +239,9 @@ def _source(
                 )
             )
         return int(about), None
-    found = loaded(cast("EngineLike", about), changes, estimate=estimate, asking="search").source
+    found = loaded(
+        cast("EngineLike", about), changes, estimate=estimate, speed=speed, asking="search"
+    ).source
     if not isinstance(found, Engine):
         raise TypeError(
             _("{function} takes an engine, not a drive line without cylinders", function="search")

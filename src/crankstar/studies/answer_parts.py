@@ -52,11 +52,14 @@ def without_speed(engine: Engine) -> Engine:
 
 def in_own_unit(answer: Answer) -> Answer:
     """The answer of an engine without its speed: in m r omega^2, as without a speed in its file."""
+    made = _with_figures(answer, lambda figures: lambda engine: figures(without_speed(engine)))
     return replace(
-        _with_figures(answer, lambda figures: lambda engine: figures(without_speed(engine))),
+        made,
+        choices=[each for each in made.choices if each.path != "gas"],  # it would be in N m
+        gasless=next((each.sentence for each in made.choices if each.path == "gas"), made.gasless),
         unit=lambda quantity, engine: answer.unit(quantity, without_speed(engine)),
         least=lambda engine: answer.least(without_speed(engine)),
-        without_gas=None,  # it would be in N m
+        without_gas=None,
         given={*answer.given, "speed"},
     )
 
@@ -114,6 +117,10 @@ def joined(parts: Sequence[Answer]) -> Answer:
             figures(engine)
         return owners.get(quantity, first).unit(quantity, engine)
 
+    choices: dict[str, Assumption] = {}
+    for each in (each for part in parts for each in part.choices):
+        choices.setdefault(each.path, each)  # that of what is said first
+
     def least(engine: Engine) -> Mapping[str, float]:
         return {name: size for part in parts for name, size in part.least(engine).items()}
 
@@ -130,7 +137,7 @@ def joined(parts: Sequence[Answer]) -> Answer:
         without_reaction=next(
             (part.without_reaction for part in parts if part.without_reaction is not None), None
         ),
-        choices=[*{each.path: each for part in parts for each in reversed(part.choices)}.values()],
+        choices=[*choices.values()],
         tunings=[each for part in parts for each in part.tunings],
     )
 

@@ -31,7 +31,7 @@ from crankstar.language.messages import N_, MessageError, _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
-from crankstar.mechanics.gas import Cycle, cycle_or_reason
+from crankstar.mechanics.gas import Cycle, cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import friction_torque, gas_torque
 from crankstar.mechanics.operating_points import GasError, operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
@@ -46,7 +46,7 @@ from crankstar.studies.answer_parts import (
     without_speed,
 )
 from crankstar.studies.assumed_values import assumed_values
-from crankstar.studies.gas_alone import gas_alone, usual_speeds, with_speed
+from crankstar.studies.gas_alone import gas_alone, lacking_gas, usual_speeds, with_speed
 
 MakeCycle = Callable[[Engine], Cycle | None]
 ONE_SPEED = N_("no speed in one of the files; the ratio of inertia forces is that of any speed")
@@ -90,7 +90,8 @@ def amplitudes(
     def unit(quantity: str, each: Engine) -> str:
         return "N*m" if quantity == "roll with gas" else _inertia_unit(speed, quantity, each)
 
-    choices: list[Assumption] = []
+    lacking = [] if gas or without is not None else _lacking_roll(engine, point, speed)
+    choices = [*lacking]
     if both and without is not None and not {"mass", "radius"} & {*engine.relative}:
         choices += gas_alone(engine, without, figures, ["roll with gas"])
     return Answer(
@@ -101,10 +102,33 @@ def amplitudes(
         without_reaction=without if both else None,
         least=lambda each: _pushed(each, speed, reference),
         without_gas=usual if both else without or usual,
-        gasless="" if gas or (both and without is not None) else IN_ROLL,
+        gasless="" if gas or lacking or (both and without is not None) else IN_ROLL,
         why_gasless=why or short,
         choices=choices,
     )
+
+
+def _lacking_roll(engine: Engine, point: str, speed: float | None) -> list[Assumption]:
+    """The gas that a rolling moment leaves out for want of a bore or a speed, and what it changes.
+
+    In N m, whatever the unit of the inertia is.
+    """
+
+    def rolls(each: Engine) -> Figures:
+        return _rolls("roll", each, cycle(each, point=point, speed=speed))
+
+    def inertia(each: Engine) -> Figures:
+        if speed is None and each.speed is None:
+            return {}
+        sizes = _inertia_sizes(each, speed)
+        return {key: size for key, size in sizes.items() if key[0] == "roll"}
+
+    lacking = lacking_gas(engine, rolls, IN_ROLL, speed=speed, point=point)
+    if lacking is None:
+        return []
+    in_roll = Answer(figures=inertia, unit=lambda _quantity, _engine: "N*m")
+    found = moved(engine, [lacking], in_roll) or [lacking]
+    return [replace(each, vary=None, figures=None) for each in found]
 
 
 def _rolls(

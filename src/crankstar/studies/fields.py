@@ -72,10 +72,12 @@ def source_of(
     *,
     changes: Mapping[str, Any] | None = None,
     estimate: bool = False,
+    speed: object = None,
 ) -> Source:
     """The file of an engine, of a name (catalog, file or "-") or of keys, with `changes` by path.
 
-    `estimate` fills in what it leaves out. Raises EngineFileError.
+    `estimate` fills in what it leaves out, but for the speed where a `speed` is asked for. Raises
+    EngineFileError.
     """
     own = isinstance(engine, Engine)
     if isinstance(engine, Mapping):
@@ -86,7 +88,7 @@ def source_of(
     if estimate:
         from crankstar.files.estimate import estimated
 
-        tree = estimated(tree, name=shown).tree
+        tree = estimated(tree, name=shown, speed=speed).tree
     _check_order(shown, tree)
     return Source(shown, tree, engine if own and not changes and not estimate else None)
 

@@ -1,17 +1,23 @@
-"""What a file lacks for the inertia beside its gas: masses, a speed."""
+"""What a file lacks for its gas, or for the inertia beside it: a bore, masses, a speed.
+
+Each is tried over what `estimate` fills in.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
+from dataclasses import replace
 from math import pi
 
 from crankstar.analysis.assumptions import Assumption
 from crankstar.analysis.tried_values import Figures
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.engine.proportions import inferred, look_of, piston_speed
+from crankstar.engine.proportions import inferred, look_of, piston_speed, proportion
+from crankstar.files import engine_of, explicit
+from crankstar.files.references import absolute
 from crankstar.language.messages import N_
-from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas import Cycle, cycle_or_reason
 
 ALTERNATING = ("roll", "torque", "roll with gas", "H moment", "X moment")
 """Quantities to which gas and inertia both belong."""
@@ -38,10 +44,15 @@ def gas_alone(
         return {key: size for key, size in figures(each).items() if key[0] in quantities}
 
     if {"mass", "radius"} & {*engine.relative}:
-        yield Assumption(
+        usual = None if found.speed is None else usual_masses(engine)
+        lacking = Assumption(
             "left out", "cylinder.reciprocating_mass", N_("the torque of inertia needs it"),
             explained=True,
         )  # fmt: skip
+        if usual is not None:
+            ends = {"unit": "kg", "low": usual[0], "high": usual[1]}
+            lacking = replace(lacking, **ends, vary=with_masses, figures=alternating)
+        yield lacking
     elif found.speed is None:
         usual = usual_speeds(engine)
         if usual is None:
@@ -51,6 +62,86 @@ def gas_alone(
             "missing", "speed", N_("no speed in the file, so that no inertia is beside the gas"),
             None, "rpm", low, high, vary=with_speed, figures=alternating,
         )  # fmt: skip
+
+
+def lacking_gas(
+    engine: Engine,
+    figures: Callable[[Engine], Figures],
+    sentence: str,
+    *,
+    speed: float | None,
+    point: str = "",
+) -> Assumption | None:
+    """The gas of a file that lacks a bore or a speed for it, over the usual ones.
+
+    `figures` are those with gas, `sentence` as of an `Assumption`. None where the gas is computed,
+    the file has none, or nothing is known that would be usual.
+
+    >>> from crankstar.files.catalog import load
+    >>> engine = load("audi-25-tfsi", changes={"cylinder.bore": None})
+    >>> found = lacking_gas(engine, lambda _engine: {}, "", speed=None, point="full")
+    >>> [round(end, 1) for end in (found.low, found.high)], found.unit
+    ([72.5, 112.1], 'mm')
+    """
+    if engine.gas is None or {"mass", "radius"} & {*engine.relative}:
+        return None
+    found, why = cycle_or_reason(engine, point=point, speed=speed)
+    if found is not None:
+        return None
+    lacks, unit, vary = "cylinder.bore", "mm", with_bore
+    if any(cylinder.bore is None for cylinder in engine.cylinders):
+        ends = usual_bores(engine)
+    else:
+        known = speed is not None or engine.speed is not None
+        ends, (lacks, unit, vary) = usual_speeds(engine), ("speed", "rpm", with_speed)
+        ends = None if known else ends
+    if ends is None:
+        return None
+    return Assumption(
+        "left out", "gas", why, unit=unit, low=ends[0], high=ends[1], values=(("lacks", lacks),),
+        explained=True, sentence=sentence, vary=vary, figures=figures,
+    )  # fmt: skip
+
+
+def usual_bores(engine: Engine) -> tuple[float, float] | None:
+    """The least and the greatest bore (mm) of such engines; None where no size is known."""
+    look = look_of(engine, engine.gas)
+    if look is None:
+        return None
+    ratio = proportion("stroke", inferred(look)[0])
+    return 1e3 * look.stroke / ratio.high, 1e3 * look.stroke / ratio.low
+
+
+def with_bore(engine: Engine, bore: float) -> Engine:
+    """The engine with a bore (mm) of all cylinders."""
+    cylinders = [with_values(own, bore=bore / 1e3) for own in engine.cylinders]
+    return with_values(engine, cylinders=tuple(cylinders))
+
+
+def usual_masses(engine: Engine) -> tuple[float, float] | None:
+    """The least and the greatest reciprocating mass (kg) of such engines: m = (p + s r) D^3.
+
+    p of the piston group, r of the rod, s the share of its small end; None where it is not known.
+    """
+    look, bore = look_of(engine, engine.gas), engine.first.bore
+    if look is None or bore is None:
+        return None
+    kind = inferred(look)[0]
+    try:
+        groups, rods, shares = (
+            proportion(part, kind) for part in ("piston group", "rod", "small end")
+        )
+    except KeyError:
+        return None
+    low, high = groups.low + shares.low * rods.low, groups.high + shares.high * rods.high
+    return low * bore**3, high * bore**3
+
+
+def with_masses(engine: Engine, mass: float) -> Engine:
+    """The engine whose masses count in that of its first piston, with this (kg) for it."""
+    tree = explicit(engine)
+    absolute(tree, {"mass": mass})
+    return engine_of(tree, name=engine.name)
 
 
 def usual_speeds(engine: Engine) -> tuple[float, float] | None:

@@ -10,6 +10,7 @@ from crankstar.analysis.tried_values import Figures
 from crankstar.engine.engine import Engine
 from crankstar.studies.answer_parts import IN_VIBRATION, gas_of, tuned_on_mounts, usual_gas
 from crankstar.studies.assumed_gas import usual_load
+from crankstar.studies.gas_alone import lacking_gas
 
 if TYPE_CHECKING:
     from crankstar.studies.single_faults import Fault
@@ -43,6 +44,9 @@ def felt(
 
     gas, why = gas_of(engine, point=point, speed=speed)
     usual = usual_gas(engine, speed=speed)[0]
+    left = None if usual is None else usual_load(usual, figures, IN_VIBRATION)
+    if left is None:
+        left = lacking_gas(engine, figures, IN_VIBRATION, speed=speed, point=point)
     tunings = []
     if engine.mounts:
         now = shaken(engine, faults, point=point, speed=speed, orders=orders)
@@ -53,8 +57,8 @@ def felt(
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
         without_reaction=gas,
-        gasless="" if usual else IN_VIBRATION,
+        gasless="" if left else IN_VIBRATION,
         why_gasless=why,
-        choices=[usual_load(usual, figures, IN_VIBRATION)] if usual else [],
+        choices=[left] if left else [],
         tunings=tunings,
     )

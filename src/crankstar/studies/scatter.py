@@ -164,7 +164,8 @@ def scatter(
     >>> round(six.of("force", 1).rms, 1), six.of("force", 1).nominal
     (43.5, 0.0)
     """
-    source = source_of(engine, changes=changes, estimate=estimate)
+    asked = None if speed == "file" else speed
+    source = source_of(engine, changes=changes, estimate=estimate, speed=asked)
     if isinstance(engine, Engine) and assume is None and not tolerances_of(source.tree):
         raise ScatterError(
             "an Engine has no tolerances, which stand in its file: give the name or the path of "

@@ -37,7 +37,7 @@ from crankstar.spectra import Real, Spectrum
 from crankstar.studies.fields import Source, ends_of, source_of
 from crankstar.studies.gas_results import GAS_WATCHABLE, Case, Gap, gas_values, one_by_one
 from crankstar.studies.ranges import requested
-from crankstar.studies.study import Study, check_apart, study
+from crankstar.studies.study import SPEED_PATH, Study, check_apart, study
 from crankstar.studies.sums import GREATEST_ORDER, Group, joined
 from crankstar.studies.variants import SweepError, Tell
 
@@ -279,7 +279,9 @@ def sweep(
     watching = [(each, None) if isinstance(each, str) else each for each in several]
     check_watchable(*(what for what, _order in watching))
     check_apart([path for path, *_values in over_all], changes or {})
-    source = source_of(engine, changes=changes, estimate=estimate)
+    varied = [path for path, *_values in over_all]
+    asked = speed if speed != "file" or SPEED_PATH in varied else None
+    source = source_of(engine, changes=changes, estimate=estimate, speed=asked)
     made = _over(source, over_all, tell, reference=reference, orders=orders, speed=speed)
     return replace(made, watch=tuple(watching))
 

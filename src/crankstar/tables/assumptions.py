@@ -272,7 +272,9 @@ def _moving(each: Assumption) -> str:
             **words | ends,
             ignition=ignition,
         )
-    if each.status == "left out":
+    if "lacks" in dict(each.values):
+        return _with_lacking(each, own, words)
+    if each.status == "left out" and each.low == each.high:
         return _("{path}: {reason}. With it the {figure} is {sizes}, not {now}.", **words)
     if each.path == "crankshaft.weight":
         factor = dict(each.values)["factor"]
@@ -288,6 +290,35 @@ def _moving(each: Assumption) -> str:
             share=number(100 * factor),
         )
     return _between(each, own, words)
+
+
+def _with_lacking(each: Assumption, own: Moved, words: Mapping[str, str]) -> str:
+    """What is left out for want of a bore or a speed, with what usual ones would change."""
+    words = {**words, "low": _value(each, each.low), "high": _value(each, each.high)}
+    of_bore = dict(each.values)["lacks"] == "cylinder.bore"
+    if not own.now:  # what is not computed is not zero
+        return (
+            _(
+                "{path}: {reason}. With a bore of {low} to {high} the {figure} is {sizes}, not in "
+                "these numbers.",
+                **words,
+            )
+            if of_bore
+            else _(
+                "{path}: {reason}. With a speed of {low} to {high} the {figure} is {sizes}, not in "
+                "these numbers.",
+                **words,
+            )
+        )
+    if of_bore:
+        return _(
+            "{path}: {reason}. With a bore of {low} to {high} the {figure} is {sizes}, not {now}.",
+            **words,
+        )
+    return _(
+        "{path}: {reason}. With a speed of {low} to {high} the {figure} is {sizes}, not {now}.",
+        **words,
+    )
 
 
 def _with_other(each: Assumption, words: Mapping[str, str]) -> str:
@@ -422,6 +453,7 @@ def _object(each: Assumption) -> Mapping[str, Any]:
         "unit": each.unit,
         **({"low": None, "high": None} if each.named else {"low": each.low, "high": each.high}),
         **({"other": dict(each.values)["other"]} if each.named else {}),
+        **({"lacks": lacks} if (lacks := dict(each.values).get("lacks")) else {}),
         **({"throw_mass": list(pins)} if (pins := dict(each.values).get("pins")) else {}),
         "moves": moves,
     }

@@ -28,7 +28,7 @@ import numpy as np
 
 from crankstar.analysis.document import Column, Document, Ranged, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
-from crankstar.files.box import MOST_RANGES, Spread
+from crankstar.files.box import CONDITIONS, MOST_RANGES, Spread
 from crankstar.language.kept import NUMBER, Size, alike, plain, value_of
 from crankstar.language.messages import _, passage
 from crankstar.tables.cells import rough
@@ -42,6 +42,8 @@ SAME = 1e-7
 """Share of the greatest value of a column below which values are the same."""
 LINEAR = 1e-6
 """Share of the greatest by which the middle may lie below the mean of the corners."""
+ANY_TEXT = "\N{OBJECT REPLACEMENT CHARACTER}"
+"""Stands for any text in the pattern of a sentence."""
 _CLAUSE = re.compile(r"\S.*?(?:[.;](?=\s|$)|。|$)", re.DOTALL)
 """A part of a text that ends with a full stop or a semicolon."""
 _TYPE = re.compile(r"engines of type ([a-z-]+)")
@@ -55,11 +57,52 @@ def estimated_paths(engine: Engine) -> list[str]:
     return [path for path, source in engine.provenance.items() if source.status == "estimated"]
 
 
-def doubt(*engines: Engine) -> tuple[Remarks, ...]:
-    """What is estimated, in a sentence before everything else; none where nothing is."""
+def doubt(*engines: Engine, marked: bool = True, told: Collection[str] = ()) -> tuple[Remarks, ...]:
+    """What is estimated, in a sentence before everything else; none where nothing is.
+
+    `marked` says that numbers have their ranges, which are those of all but CONDITIONS; the effect
+    of the key paths `told` stands in the record of what the numbers rest on.
+    """
     paths = dict.fromkeys(path for engine in engines for path in estimated_paths(engine))
-    line = _("What rests on them is marked and given with its range.")
-    return remarks(passage((listed(*engines), line)) if paths else "", kind="doubt")
+    if not paths:
+        return ()
+    carried = [path for path in paths if path not in CONDITIONS]
+    lines = [listed(*engines)]
+    if marked and len(carried) == len(paths):
+        lines.append(_("What rests on them is marked and given with its range."))
+    elif marked and carried:
+        line = _(
+            "What rests on {paths} is marked and given with its range.", paths=", ".join(carried)
+        )
+        lines.append(line)
+    rest = [path for path in paths if path in told and not (marked and path in carried)]
+    if rest:
+        lines.append(_("The effect of {paths} is listed below.", paths=", ".join(rest)))
+    return remarks(passage(lines), kind="doubt")
+
+
+def _has_marks(document: Document) -> bool:
+    """Whether a number of a document is marked as estimated, in a table or in a sentence."""
+    if any(column.estimated for table in document.tables for column in table.columns):
+        return True
+    anything = dict.fromkeys(("sentence", "typical", "low", "high"), ANY_TEXT)
+    marks = (
+        _("{sentence} (estimated)", **anything),
+        _("about {typical} (estimated)", **anything),
+        _("about {typical} ({low} to {high}, estimated)", **anything),
+    )
+    patterns = [re.escape(mark).replace(re.escape(ANY_TEXT), ".*") for mark in marks]
+    return any(
+        re.search("|".join(patterns), line)
+        for part in document.parts
+        for line in (part.lines if isinstance(part, Remarks) else part.notes)
+    )
+
+
+def _told(document: Document) -> list[str]:
+    """The key paths of estimated values whose effect the record of a document says."""
+    rows: Sequence[Any] = document.facts.get("rests_on", ())
+    return [row["path"] for row in rows if row["status"] == "estimated" and row["moves"]]
 
 
 def listed(*engines: Engine) -> str:
@@ -172,7 +215,7 @@ def ranged_lines(
 
 def with_doubt(document: Document, *engines: Engine) -> Document:
     """The document beginning with what is estimated, which its facts list as well."""
-    head = doubt(*engines)
+    head = doubt(*engines, marked=_has_marks(document), told=_told(document))
     if not head:
         return document
     beside = {**document.facts, **facts(*engines)}

@@ -22,6 +22,7 @@ from crankstar.studies.answer_parts import (
     usual_gas,
 )
 from crankstar.studies.assumed_gas import usual_load
+from crankstar.studies.gas_alone import lacking_gas
 
 ON_MOUNTS = {
     "mount load": "N",
@@ -91,15 +92,18 @@ def on_mounts(
 
     gas, why = gas_of(engine, point=point, speed=speed)
     usual = usual_gas(engine, speed=speed)[0] if places else None
+    left = None if usual is None else usual_load(usual, with_gas, IN_VIBRATION)
+    if places and left is None:
+        left = lacking_gas(engine, with_gas, IN_VIBRATION, speed=speed, point=point)
     return Answer(
         figures=figures,
         unit=lambda quantity, _engine: _unit_on_mounts(quantity),
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
         without_reaction=gas,
-        gasless="" if usual else IN_VIBRATION,
+        gasless="" if left else IN_VIBRATION,
         why_gasless=why,
-        choices=[usual_load(usual, with_gas, IN_VIBRATION)] if usual else [],
+        choices=[left] if left else [],
         least=least,
         tunings=[]
         if over is None or ends is None
