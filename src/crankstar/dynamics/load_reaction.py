@@ -21,7 +21,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.dynamics.uneven import friction_apart
-from crankstar.engine.drive import Drive
+from crankstar.engine.drive import Drive, mean_share
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import HIGHEST, added, gas_torque
@@ -66,13 +66,13 @@ def _of_course(drive: Drive, orders: Real, period: float) -> Complex:
     theta)] from its start to its end.
     """
     angle = np.array([*drive.load_angle, drive.load_angle[0] + period])
-    load = np.array([*drive.load_torque, drive.load_torque[0]])
+    peak = max(map(abs, drive.load_torque))
+    load = np.array([*drive.load_torque, drive.load_torque[0]]) / peak
     width = np.diff(angle)
     wide = width > NARROW * period
     slope = np.where(wide, np.diff(load), 0.0) / np.where(wide, width, 1.0)
     turned = np.exp(-1j * np.outer(orders, angle))
     k = orders[:, None]
     pieces = 1j / k * np.diff(load * turned) + slope / k**2 * np.diff(turned)
-    mean = float((width * (load[:-1] + load[1:])).sum()) / 2
-    out: Complex = 2 * pieces[:, wide].sum(axis=1) / mean
+    out: Complex = 2 * pieces[:, wide].sum(axis=1) / (mean_share(drive, period) * period)
     return out

@@ -297,10 +297,25 @@ def friction_apart(cycle: Cycle) -> float:
 
 
 def load_course(engine: Engine) -> Real | None:
-    """How the load of the engine file goes over the cycle [angle], None where it is steady."""
+    """How the load of the engine file goes over the cycle [angle], None where it is steady.
+
+    Over its greatest value, and at each angle the mean over the step around it, so that the mean of
+    all is that of its integral however short a piece of it is.
+    """
     drive = engine.drive
     if drive is None or not drive.load_torque:
         return None
     theta = samples_over(engine, SAMPLES)
-    period = float(SAMPLES * (theta[1] - theta[0]))
-    return np.interp(theta, drive.load_angle, drive.load_torque, period=period)
+    step = float(theta[1] - theta[0])
+    period = SAMPLES * step
+    angle = np.array([*drive.load_angle, drive.load_angle[0] + period])
+    load = np.array([*drive.load_torque, drive.load_torque[0]]) / max(map(abs, drive.load_torque))
+    width = np.diff(angle)
+    until = np.concatenate([[0.0], np.cumsum(width * (load[:-1] + load[1:]) / 2)])
+    turns, place = np.divmod(step * (np.arange(SAMPLES + 1) - 0.5) - angle[0], period)
+    place += angle[0]
+    piece = np.clip(np.searchsorted(angle, place, side="right") - 1, 0, width.size - 1)
+    into = place - angle[piece]
+    share = np.divide(into, width[piece], out=np.zeros_like(into), where=width[piece] > 0)
+    reached = load[piece] + share * np.diff(load)[piece] / 2
+    return np.diff(until[piece] + into * reached + turns * until[-1]) / step

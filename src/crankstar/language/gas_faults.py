@@ -92,6 +92,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is not given, and at {rpm} rpm the correlation of friction, measured up to "
         "{bound} rpm, gives {value} bar, which may be far too much"
     ),
+    "doubt.load-course": N_(
+        "{where} has a mean over the angle of the cycle of only {mean} % of its greatest value; "
+        "hardly any driven machine has less than {least} %: are the signs and angles right?"
+    ),
     "doubt.no-cycle": N_("{where}: {message}"),
     "doubt.rod-ratio": N_(
         "{where}: the rod is {value} times as long as the crank radius, and only crosshead engines "
@@ -141,7 +145,10 @@ SENTENCES: dict[str, str | Plural] = {
         "and flywheel together have more"
     ),
     "drive.lengths": N_("{where} has {count} values for {angles} angles; give as many"),
-    "drive.no-load": N_("{where} takes no work over the cycle; its mean is above 0"),
+    "drive.no-load": N_(
+        "{where} takes no work: its mean over the angle of the cycle is {mean} % of its greatest "
+        "value; it must be above 0"
+    ),
     "drive.angles": N_("{where} ascends within one cycle of {cycle} deg"),
     "drive.open-course": N_(
         "{where} is {first} at {start} deg and {last} at {end} deg, which is the same angle: give "

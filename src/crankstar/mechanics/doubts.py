@@ -20,6 +20,7 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.engine.drive import mean_share
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import firing_doubts
 from crankstar.engine.gas import LOADS, Ignition
@@ -65,6 +66,8 @@ FASTEST = 7000.0
 FRICTIONS = {"spark-ignition": FASTEST}
 LEAST_FLYWHEEL = 0.3
 """Of the inertia of all that moves: the crankshaft alone has more."""
+LEAST_COURSE = 0.01
+"""Of the greatest load of a course its mean: a cylinder of an engine has more. Our judgement."""
 INERTIA_SPREAD = 2.5
 """Factor by which a moment of inertia may miss that of two masses at the ends of the rod."""
 
@@ -142,7 +145,19 @@ def point_doubts(engine: Engine, computed: Cycle) -> tuple[Fault, ...]:
     given = {key: value for key, value in values.items() if key not in computed.assumed}
     shadowed = () if point or computed.motored else _shadowed(engine)
     found = value_doubts(engine, values, given, path=path)
-    return (*shadowed, *found, *cycle_doubts(computed, path=path))
+    course = _course_doubts(engine, computed)
+    return (*shadowed, *found, *cycle_doubts(computed, path=path), *course)
+
+
+def _course_doubts(engine: Engine, computed: Cycle) -> Iterator[Fault]:
+    """A load course that hardly takes work, so that the part that alternates has no bounds."""
+    drive = engine.drive
+    if drive is None or not drive.load_torque:
+        return
+    mean = mean_share(drive, computed.volumes.cycle)
+    if mean < LEAST_COURSE:
+        share = {"mean": float(f"{100 * mean:.3g}"), "least": 100 * LEAST_COURSE}
+        yield Fault(("drive", "load_torque"), "doubt.load-course", share)
 
 
 def _shadowed(engine: Engine) -> Iterator[Fault]:
