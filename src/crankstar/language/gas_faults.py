@@ -85,6 +85,10 @@ SENTENCES: dict[str, str | Plural] = {
     "doubt.ignition": N_(
         "{where} is {value}, and gas.ignition is {ignition}; no engine has both: change one of them"
     ),
+    "doubt.no-work": N_(
+        "{where}: friction takes {friction} bar, more than the indicated mean effective pressure "
+        "of {load} bar: the engine does not run by itself"
+    ),
     "doubt.great-friction": N_(
         "{where} is {value} bar; hardly any engine has more than {bound} bar"
     ),

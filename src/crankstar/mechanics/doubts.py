@@ -246,6 +246,12 @@ def cycle_doubts(cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
         yield Fault((*path, "intake_pressure"), "doubt.charge", bound)
     rpm = None if cycle.speed is None else cycle.speed * 30 / pi
     known = cycle.values.get("friction_pressure") is not None
+    if cycle.friction is None:
+        return
+    if cycle.friction > cycle.imep and not isclose(cycle.friction, cycle.imep, rel_tol=1e-9):
+        both = {"friction": float(f"{cycle.friction / 1e5:.4g}")}
+        both["load"] = float(f"{cycle.imep / 1e5:.4g}") + 0.0
+        yield Fault(path, "doubt.no-work", both)
     if known and cycle.friction > GREATEST_FRICTION:
         bound = {"value": cycle.friction / 1e5, "bound": GREATEST_FRICTION / 1e5}
         yield Fault((*path, "friction_pressure"), "doubt.great-friction", bound)
