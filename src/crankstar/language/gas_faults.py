@@ -89,6 +89,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where}: friction takes {friction} bar, more than the indicated mean effective pressure "
         "of {load} bar: the engine does not run by itself"
     ),
+    "doubt.process-ignition": N_(
+        "{where} is {value}, and gas.process is {process}, by which ignition is taken to be by "
+        "{ignition}; no engine has both: change one of them"
+    ),
     "doubt.great-friction": N_(
         "{where} is {value} bar; hardly any engine has more than {bound} bar"
     ),

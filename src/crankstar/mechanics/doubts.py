@@ -191,6 +191,10 @@ def value_doubts(
         kind = fires.get(given.get(key, ""), given.get("ignition"))
         if kind != given.get("ignition"):
             both = {"value": given[key], "ignition": given["ignition"]}
+            if engine.gas is not None and engine.gas.ignition is None:
+                both["process"] = values["process"]
+                yield Fault((*path, key), "doubt.process-ignition", both)
+                continue
             yield Fault((*path, key), "doubt.ignition", both)
     gamma = given.get("gamma")
     if gamma is not None and not GAMMAS[0] <= gamma <= GAMMAS[1]:
