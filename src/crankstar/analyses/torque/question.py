@@ -50,8 +50,7 @@ def refuse(engine: Engine, asked: Question) -> None:
     given = [f"--{name.replace('_', '-')}" for name in asked.load]
     if asked.motored:
         refuse_unused(
-            dict.fromkeys(given, True)
-            | {"--off": [*asked.off], "--weaker": [*asked.weaker]},
+            dict.fromkeys(given, True) | {"--off": [*asked.off], "--weaker": [*asked.weaker]},
             beside="--motored",
         )
     if len(given) > 1:
