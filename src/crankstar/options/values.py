@@ -261,8 +261,12 @@ def derived_orders(text: str) -> list[Fraction]:
 
     wanted = fractions("1,2,4,6" if text.strip() == "all" else text, most=24)
     if wanted and max(wanted) > GREATEST_ORDER:
-        why = "give crank orders above 0 and up to {greatest}, such as 2 or 29/31"
-        raise refusal("--orders", text, why, greatest=GREATEST_ORDER)
+        raise refusal(
+            "--orders",
+            text,
+            "give crank orders above 0 and up to {greatest}, such as 2 or 29/31",
+            greatest=GREATEST_ORDER,
+        )
     if not wanted:
         raise refusal(
             "--orders",
