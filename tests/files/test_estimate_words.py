@@ -144,3 +144,29 @@ def test_estimate_and_record_know_one_type_of_engine_by_size_speed_and_ignition(
     look = look_of(engine, engine.gas)
     assert look is not None
     assert inferred(look)[0] == kind
+
+
+@pytest.mark.parametrize(
+    ("bore", "stroke", "changed", "reason"),
+    [
+        ("80 mm", "90 mm", {"speed": "3000 rpm"}, "a low rated speed and a low piston speed"),
+        ("80 mm", "90 mm", {"speed": "4200 rpm"}, "a piston speed as of cars"),
+        ("80 mm", "90 mm", {"speed": "5000 rpm"}, "a rated speed as of cars"),
+        ("80 mm", "90 mm", {}, "a bore as of cars"),
+        ("400 mm", "450 mm", {"gas": {"ignition": "spark"}}, "though the file says spark"),
+        ("400 mm", "450 mm", {"speed": "500 rpm"}, "at a low piston speed"),
+    ],
+)
+def test_the_reason_for_a_type_is_what_decided(
+    run: Run, bore: str, stroke: str, changed: dict[str, Any], reason: str
+) -> None:
+    tree = {
+        "name": "four",
+        "firing_order": [1, 3, 4, 2],
+        "cylinder": {"bore": bore, "stroke": stroke, "reciprocating_mass": "1 kg"},
+        "layout": {"type": "inline", "bore_pitch": "1000 mm"},
+        "gas": {"ignition": "compression"},
+        **changed,
+    }
+    Path("four.json").write_text(json.dumps(tree))
+    assert reason in " ".join(run("estimate", "four.json").out.split())

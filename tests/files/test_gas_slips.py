@@ -271,6 +271,8 @@ def test_a_given_friction_pressure_replaces_the_correlation() -> None:
         ({"friction_pressure": "50 bar"}, "doubt.great-friction"),
         ({"process": "diesel", "ignition": "spark"}, "doubt.ignition"),
         ({"friction": "diesel", "ignition": "spark"}, "doubt.ignition"),
+        ({"process": "otto", "friction": "diesel"}, "doubt.process-ignition"),
+        ({"process": "diesel", "friction": "spark-ignition"}, "doubt.process-ignition"),
         ({"imep": "0.2 bar", "intake_pressure": "1.5 bar"}, "doubt.no-cycle"),
     ],
 )

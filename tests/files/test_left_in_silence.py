@@ -351,3 +351,43 @@ def test_guide_force_moments_of_a_ship_without_gas_are_told_as_a_range(run: Run)
     assert moved["high"] == pytest.approx(sixth)
     assert "H moment of order 6" in printed
     assert "not 0" not in printed
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (
+            ["torque", "audi-25-tfsi", "--motored", "--off", "2"],
+            "--off has no effect with --motored",
+        ),
+        (["torsion", "five.json", "--modes", "99"], "--modes 99: there are 4 modes"),
+        (["derive", "i4", "--orders", "99"], "--orders 99: give crank orders above 0 and up to 24"),
+    ],
+)
+def test_an_option_that_can_do_nothing_is_named(run: Run, words: list[str], told: str) -> None:
+    Path("five.json").write_text(json.dumps({**FIVE, "torsion": TWISTED}))
+    ran = run(*words)
+    assert ran.code == 2
+    assert told in " ".join(ran.err.split())
+
+
+TWISTED = {"inertia": ["0.01 kg*m^2"], "stiffness": ["0.5 MN*m/rad"]}
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({"cylinder.bore": float("nan")}, "cylinder.bore is nan, which is not finite; a length is"),
+        ({"cylinder.bore": float("inf")}, "cylinder.bore is inf, which is not finite; a length is"),
+        ({"cylinder": 5}, "cylinder is 5; a table is needed"),
+    ],
+)
+def test_a_value_that_is_none_is_the_one_mistake(
+    tmp_path: Path, changes: dict[str, Any], told: str
+) -> None:
+    file = tmp_path / "five.json"
+    file.write_text(json.dumps({**FIVE, "drive": {"inertia": "0.1 kg*m^2"}}))
+    with pytest.raises(EngineFileError) as caught:
+        crankstar.load(file, changes=changes)
+    assert told in str(caught.value)
+    assert len(caught.value.faults) == 1

@@ -59,6 +59,7 @@ def test_a_correlation_is_that_of_the_speed_and_the_indicated_load_goes_straight
     indicated = (1 - SHARE) * 1.9e5 + SHARE * (11e5 + correlation(5500))
     assert found.friction == pytest.approx(correlation(2600), rel=1e-12)
     assert found.imep == pytest.approx(indicated, rel=1e-9)
+    assert found.bmep is not None
     assert found.bmep * SWEPT / (4 * pi) == pytest.approx(78.772, abs=5e-4)
 
 

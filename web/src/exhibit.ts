@@ -430,7 +430,7 @@ export interface Load {
   /** the same without combustion */
   still: [number, number][][]
   still_mean: number[]
-  /** the torque that friction takes */
+  /** the torque that friction takes; 0 if not known */
   friction: number
   /** degree of, with every chamber burning */
   irregularity: number | null

@@ -12,7 +12,8 @@ that is what the rotor takes, and no more. Of the load its alternating part coun
 
 with g the course of the file (`drive.load_torque`), straight between its values, T_mean the mean
 torque of the gas and T_f what friction takes of it where the file says so
-(`uneven.friction_apart`). A steady load has none, whatever its exponent.
+(`uneven.friction_apart`). A steady load has none, whatever its exponent; nor does one for which
+nothing is left, or with an engine that is turned from outside (`uneven.load_taken`).
 """
 
 from __future__ import annotations
@@ -20,8 +21,8 @@ from __future__ import annotations
 import numpy as np
 
 from crankstar import spectra
-from crankstar.dynamics.uneven import friction_apart
-from crankstar.engine.drive import Drive
+from crankstar.dynamics.uneven import friction_apart, load_taken
+from crankstar.engine.drive import Drive, mean_share
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import HIGHEST, added, gas_torque
@@ -43,11 +44,12 @@ def load_reaction(engine: Engine, cycle: Cycle) -> Spectrum | None:
     >>> load_reaction(five, idle).orders[:2].tolist(), load_reaction(load("audi-25-tfsi"), idle)
     ([0.5, 1.0], None)
     """
-    if engine.drive is None or not engine.drive.load_torque:
+    drive = load_taken(engine, cycle)
+    if drive is None:
         return None
     period = cycle.volumes.cycle
     orders = np.arange(1, int(HIGHEST * period / (2 * np.pi)) + 1) * (2 * np.pi / period)
-    wave = _of_course(engine.drive, orders, period)
+    wave = _of_course(drive, orders, period)
     wave = np.where(np.abs(wave) > ROUNDING * np.abs(wave).max(), wave, 0)
     mean = float(gas_torque(cycle).mean.sum()) - friction_apart(cycle)
     return spectra.real_signal(orders, engine.sense * mean * wave)
@@ -66,13 +68,13 @@ def _of_course(drive: Drive, orders: Real, period: float) -> Complex:
     theta)] from its start to its end.
     """
     angle = np.array([*drive.load_angle, drive.load_angle[0] + period])
-    load = np.array([*drive.load_torque, drive.load_torque[0]])
+    peak = max(map(abs, drive.load_torque))
+    load = np.array([*drive.load_torque, drive.load_torque[0]]) / peak
     width = np.diff(angle)
     wide = width > NARROW * period
     slope = np.where(wide, np.diff(load), 0.0) / np.where(wide, width, 1.0)
     turned = np.exp(-1j * np.outer(orders, angle))
     k = orders[:, None]
     pieces = 1j / k * np.diff(load * turned) + slope / k**2 * np.diff(turned)
-    mean = float((width * (load[:-1] + load[1:])).sum()) / 2
-    out: Complex = 2 * pieces[:, wide].sum(axis=1) / mean
+    out: Complex = 2 * pieces[:, wide].sum(axis=1) / (mean_share(drive, period) * period)
     return out

@@ -248,7 +248,7 @@ def meshes(
     gas = crankshaft_torque(engine, cycle, SAMPLES)[_rows(engine)]
     own = gas + _inertia_torque(engine, cycle)
     passed = (
-        _passed_on(own, gas, engine, parts, friction_apart(cycle))
+        _passed_on(own, gas, load_course(engine, cycle), parts, friction_apart(cycle))
         if running is None
         else gas - _kept(engine, running, parts)
     )
@@ -286,10 +286,9 @@ def _rows(engine: Engine) -> list[int]:
 
 
 def _passed_on(
-    own: Real, gas: Real, engine: Engine, parts: Sequence[float], friction: float
+    own: Real, gas: Real, course: Real | None, parts: Sequence[float], friction: float
 ) -> Real:
     """T_i - s_i (T - T_L) [crankshaft, angle]."""
-    course = load_course(engine)
     shape = np.ones(SAMPLES) if course is None else course / course.mean()
     driven = gas.sum(axis=0).mean() - friction
     excess = own.sum(axis=0) - friction - shape * driven

@@ -33,7 +33,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import MessageError
 from crankstar.mechanics.excitation import part_spectra
 from crankstar.mechanics.gas import Cycle
-from crankstar.mechanics.gas_torque import friction_torque, over_cycle
+from crankstar.mechanics.gas_torque import chamber_torque, friction_torque, over_cycle
 from crankstar.mechanics.kinetic import inertia, mean_inertia, samples_over, throw_inertia
 from crankstar.mechanics.maxima import Extremes, extremes
 from crankstar.mechanics.mechanism import mechanism
@@ -48,6 +48,10 @@ SLOWEST = 0.2
 LEAST_SHARE = 1e-6
 """Inertia at a crank angle, as a share of the greatest, below which nothing holds the speed: that
 of pistons without a flywheel at their dead centres."""
+
+
+LEAST_WORK = 1e-9
+"""Brake torque over that of friction below which it is a rounding error."""
 
 
 class UnevenError(MessageError):
@@ -276,15 +280,15 @@ def driven(engine: Engine, cycle: Cycle, *, flywheel: float | None = None) -> Ru
 def _driven_by(engine: Engine, cycle: Cycle) -> _WithoutFlywheel:
     """The engine with the load of its file."""
     exponent = (engine.drive or Drive()).load_exponent
-    return _WithoutFlywheel.of(engine, cycle, exponent=exponent, course=load_course(engine))
+    return _WithoutFlywheel.of(engine, cycle, exponent=exponent, course=load_course(engine, cycle))
 
 
 def friction_apart(cycle: Cycle) -> float:
     """The mean torque of friction that does not go with the load, N m: what the file says of it.
 
     Known with a brake mean effective pressure, a friction pressure or its correlation; between two
-    operating points with one of them at both. A load in indicated pressure alone leaves it unknown:
-    0.
+    operating points with one of them at both. A load in indicated pressure alone leaves it unknown,
+    as a correlation without a speed does: 0.
 
     >>> from crankstar import cycle, load
     >>> five = load("audi-25-tfsi")
@@ -293,14 +297,49 @@ def friction_apart(cycle: Cycle) -> float:
     >>> [round(friction_apart(each), 1) for each in (indicated, brake)]
     [0.0, 22.1]
     """
-    return friction_torque(cycle) if cycle.friction_said else 0.0
+    return (friction_torque(cycle) or 0.0) if cycle.friction_said else 0.0
 
 
-def load_course(engine: Engine) -> Real | None:
-    """How the load of the engine file goes over the cycle [angle], None where it is steady."""
-    drive = engine.drive
-    if drive is None or not drive.load_torque:
+def load_taken(engine: Engine, cycle: Cycle) -> Drive | None:
+    """The drive of the engine file with the course of its load; None of a steady load.
+
+    None too where gas and friction leave no work that it could take, and where the engine is turned
+    from outside: the course is that of a load which takes work, and does not turn round.
+
+    >>> from crankstar import cycle, load
+    >>> course = {"load_torque": [2, 0], "load_angle": ["0 deg", "360 deg"]}
+    >>> own = {"drive": course, "gas.friction_pressure": "2 bar"}
+    >>> five = load("audi-25-tfsi", changes=own)
+    >>> [load_taken(five, cycle(five, imep=load)) is None for load in ("1 bar", "3 bar")]
+    [True, False]
+    """
+    if engine.drive is None or not engine.drive.load_torque or cycle.motored:
+        return None
+    mean = float(chamber_torque(cycle).mean(axis=-1).sum())
+    lost = friction_torque(cycle) or 0.0
+    return engine.drive if mean - lost > LEAST_WORK * abs(lost) else None
+
+
+def load_course(engine: Engine, cycle: Cycle) -> Real | None:
+    """How the load goes over the cycle [angle], None where it has no course (`load_taken`).
+
+    Over its greatest value, and at each angle the mean over the step around it, so that the mean of
+    all is that of its integral however short a piece of it is.
+    """
+    drive = load_taken(engine, cycle)
+    if drive is None:
         return None
     theta = samples_over(engine, SAMPLES)
-    period = float(SAMPLES * (theta[1] - theta[0]))
-    return np.interp(theta, drive.load_angle, drive.load_torque, period=period)
+    step = float(theta[1] - theta[0])
+    period = SAMPLES * step
+    angle = np.array([*drive.load_angle, drive.load_angle[0] + period])
+    load = np.array([*drive.load_torque, drive.load_torque[0]]) / max(map(abs, drive.load_torque))
+    width = np.diff(angle)
+    until = np.concatenate([[0.0], np.cumsum(width * (load[:-1] + load[1:]) / 2)])
+    turns, place = np.divmod(step * (np.arange(SAMPLES + 1) - 0.5) - angle[0], period)
+    place += angle[0]
+    piece = np.clip(np.searchsorted(angle, place, side="right") - 1, 0, width.size - 1)
+    into = place - angle[piece]
+    share = np.divide(into, width[piece], out=np.zeros_like(into), where=width[piece] > 0)
+    reached = load[piece] + share * np.diff(load)[piece] / 2
+    return np.diff(until[piece] + into * reached + turns * until[-1]) / step

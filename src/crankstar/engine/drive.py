@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+from math import fsum
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -81,3 +83,21 @@ class Drive(Record):
         ),
         examples=["45 mm"],
     )
+
+
+def mean_share(drive: Drive, period: float) -> float:
+    """The mean of the load course over the angle of a cycle, over its greatest value; 0 of none.
+
+    The integral of its straight pieces, the last of which goes on to the first value of the next
+    cycle, `period` radians after it. A share, so that the unit of the course does not matter.
+
+    >>> mean_share(Drive(load_angle=(0.0, 1.0), load_torque=(3.0, 1.0)), 4.0)
+    0.6666666666666666
+    """
+    peak = max(map(abs, drive.load_torque), default=0.0)
+    if not peak:
+        return 0.0
+    angle = [*drive.load_angle, drive.load_angle[0] + period]
+    load = [each / peak for each in (*drive.load_torque, drive.load_torque[0])]
+    ends = zip(pairwise(angle), pairwise(load), strict=True)
+    return fsum((b - a) * (first + last) / 2 for (a, b), (first, last) in ends) / period

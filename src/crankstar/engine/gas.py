@@ -177,6 +177,8 @@ def said_ignition(gas: Gas | None) -> tuple[Ignition | None, bool]:
 
     >>> said_ignition(Gas(process="diesel")), said_ignition(Gas(compression_ratio=10))
     (('compression', True), ('spark', False))
+    >>> said_ignition(Gas(process="otto", friction="diesel"))  # the process decides first
+    ('spark', True)
     >>> said_ignition(None), said_ignition(Gas(imep=1e6))
     ((None, False), (None, False))
     """
@@ -184,10 +186,10 @@ def said_ignition(gas: Gas | None) -> tuple[Ignition | None, bool]:
         return None, False
     if gas.ignition is not None:
         return gas.ignition, True
-    if gas.process in ("diesel", "limited-pressure") or gas.friction == "diesel":
-        return "compression", True
-    if gas.process == "otto" or gas.friction == "spark-ignition":
-        return "spark", True
+    if gas.process is not None and gas.process != "heat-release":
+        return ("spark" if gas.process == "otto" else "compression"), True
+    if gas.friction is not None and gas.friction != "none":
+        return ("compression" if gas.friction == "diesel" else "spark"), True
     if gas.compression_ratio is None:
         return None, False
     return ("compression" if gas.compression_ratio > SPARK_RATIO else "spark"), False

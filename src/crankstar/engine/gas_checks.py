@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 from math import degrees, pi, radians
 
-from crankstar.engine.drive import Drive
+from crankstar.engine.drive import Drive, mean_share
 from crankstar.engine.gas import LOADS, Gas, Load, Trace
 from crankstar.engine.quantities import Cycle
 from crankstar.language.faults import Fault
@@ -118,10 +118,11 @@ def _course_faults(drive: Drive, cycle: Cycle) -> Iterator[Fault]:
     if len(angle) != len(drive.load_torque):
         values = {"count": len(drive.load_torque), "angles": len(angle)}
         yield Fault(("drive", "load_torque"), "drive.lengths", values)
-    elif sum(drive.load_torque) <= 0:
-        yield Fault(("drive", "load_torque"), "drive.no-load")
     elif any(b <= a for a, b in pairwise(angle)) or angle[-1] - angle[0] > whole + _SLACK:
         yield Fault(("drive", "load_angle"), "drive.angles", {"cycle": degrees(whole)})
+    elif (mean := mean_share(drive, whole)) <= _SLACK:
+        share = {"mean": float(f"{100 * mean:.3g}") + 0.0}
+        yield Fault(("drive", "load_torque"), "drive.no-load", share)
     elif angle[-1] - angle[0] > whole - _SLACK and drive.load_torque[0] != drive.load_torque[-1]:
         values = {
             "first": drive.load_torque[0],

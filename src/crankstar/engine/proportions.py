@@ -249,31 +249,44 @@ def inferred(look: Look) -> tuple[EngineType, str]:
     ('crosshead', 'long-stroke')
     """
     mean_speed = None if look.speed is None else look.stroke * look.speed / pi
-    if look.bore > GREATEST_TRUNK or (
-        look.cycle == "two-stroke" and look.stroke > SLOW * look.bore and look.bore > CAR
-    ):
+    if look.bore > GREATEST_TRUNK:
+        return "crosshead", "large-bore"
+    if look.cycle == "two-stroke" and look.stroke > SLOW * look.bore and look.bore > CAR:
         return "crosshead", "long-stroke"
     if look.opposed and look.ignition != "spark":
         return "diesel", "opposed"
     if look.radial:
         return "aero", "radial"
     if look.bore > CAR:
-        fast = (
-            mean_speed is not None
-            and mean_speed > (PISTON_SPEEDS["diesel"] + PISTON_SPEEDS["aero"]) / 2
-            and look.ignition != "compression"
-        )
-        return ("aero", "large-fast") if fast else ("diesel", "large")
+        if mean_speed is None:
+            return "diesel", "large"
+        if mean_speed <= (PISTON_SPEEDS["diesel"] + PISTON_SPEEDS["aero"]) / 2:
+            return "diesel", "large-slow"
+        compressed = look.ignition == "compression"
+        return ("diesel", "large-compression") if compressed else ("aero", "large-fast")
+    return _small(look, mean_speed)
+
+
+def _small(look: Look, mean_speed: float | None) -> tuple[EngineType, str]:
+    """The same of an engine with the bore of cars, at a mean piston speed in m/s."""
     slow = look.speed is not None and look.speed < SLOW_CAR
     heavy = slow and mean_speed is not None and mean_speed < PISTON_SPEEDS["diesel"]
     if look.ignition == "compression":
-        return "diesel" if heavy or look.cycle == "two-stroke" else "diesel-car", "compression"
+        if look.cycle == "two-stroke":
+            return "diesel", "compression-two-stroke"
+        if mean_speed is None:
+            return "diesel-car", "compression"
+        if heavy:
+            return "diesel", "compression-slow"
+        return "diesel-car", "compression-piston-speed" if slow else "compression-fast"
     if look.cycle == "two-stroke":
         return "motorcycle", "small-two-stroke"
     if look.speed is not None and look.speed > HIGH_SPEED:
         return "motorcycle", "high-speed"
     if look.cylinders <= 2 and (mean_speed is None or mean_speed > PISTON_SPEEDS["petrol"]):
-        return "motorcycle", "few-cylinders"
+        return "motorcycle", "few-cylinders" if mean_speed is None else "few-fast-cylinders"
     if slow and look.ignition != "spark":
-        return ("diesel" if heavy else "diesel-car"), "slow"
-    return "petrol", "spark" if slow else "car"
+        return ("diesel", "slow") if heavy else ("diesel-car", "slow-piston-speed")
+    if slow:
+        return "petrol", "spark"
+    return "petrol", "car-bore" if mean_speed is None else "car"

@@ -104,7 +104,11 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     # an explicit file that was made from a layout keeps the sources of its dimensions
     layouts = LAYOUTS if explicit or _layout_faults(tree.get("layout")) else ()
     forms = chain([form_of(tree)], map(short_form, layouts))
-    own = [fault for fault in draft.faults if not _is_bare_sum(fault, tree)]
+    own = [
+        fault
+        for fault in draft.faults
+        if not _is_bare_sum(fault, tree) and not _is_of_no_table(fault, tree)
+    ]
     faults = [*tolerances, *_elsewhere(own, tolerances)]
     faults += _elsewhere(contradictions, draft.faults)
     faults += _elsewhere([*unknown_sources(tree, forms), *range_faults(tree)], draft.faults)
@@ -132,6 +136,13 @@ def _is_bare_sum(fault: Fault, tree: Tree) -> bool:
         and "parts" in table
         and fault.path[-1] not in table
     )
+
+
+def _is_of_no_table(fault: Fault, tree: Tree) -> bool:
+    """Whether it says that a size is not given, the table of which is something else."""
+    tables = (tree.get("cylinder", {}), tree.get("layout", {}))
+    lost = any(not isinstance(table, dict) for table in tables)
+    return lost and fault.code.startswith("unit.unknown-")
 
 
 def _explicit(tree: Tree) -> _Draft:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
-from math import prod
+from math import isfinite, prod
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
@@ -205,6 +205,8 @@ def reader(
     """
 
     def read(value: Any, quantity: Quantity) -> float:
+        if isinstance(value, float) and not isfinite(value):
+            raise _fault("unit.not-finite", value, quantity)
         missing = quantity.relative_to & relative
         if not missing:
             _refuse_bare(value, quantity, measured)

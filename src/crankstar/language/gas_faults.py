@@ -81,12 +81,24 @@ SENTENCES: dict[str, str | Plural] = {
     "doubt.ignition": N_(
         "{where} is {value}, and gas.ignition is {ignition}; no engine has both: change one of them"
     ),
+    "doubt.no-work": N_(
+        "{where}: friction takes {friction} bar, more than the indicated mean effective pressure "
+        "of {load} bar: the engine does not run by itself"
+    ),
+    "doubt.process-ignition": N_(
+        "{where} is {value}, and gas.process is {process}, by which ignition is taken to be by "
+        "{ignition}; no engine has both: change one of them"
+    ),
     "doubt.great-friction": N_(
         "{where} is {value} bar; hardly any engine has more than {bound} bar"
     ),
     "doubt.friction": N_(
         "{where} is not given, and at {rpm} rpm the correlation of friction, measured up to "
         "{bound} rpm, gives {value} bar, which may be far too much"
+    ),
+    "doubt.load-course": N_(
+        "{where} has a mean over the angle of the cycle of only {mean} % of its greatest value; "
+        "hardly any driven machine has less than {least} %: are the signs and angles right?"
     ),
     "doubt.no-cycle": N_("{where}: {message}"),
     "doubt.rod-ratio": N_(
@@ -137,7 +149,10 @@ SENTENCES: dict[str, str | Plural] = {
         "and flywheel together have more"
     ),
     "drive.lengths": N_("{where} has {count} values for {angles} angles; give as many"),
-    "drive.no-load": N_("{where} takes no work over the cycle; its mean is above 0"),
+    "drive.no-load": N_(
+        "{where} takes no work: its mean over the angle of the cycle is {mean} % of its greatest "
+        "value; it must be above 0"
+    ),
     "drive.angles": N_("{where} ascends within one cycle of {cycle} deg"),
     "drive.open-course": N_(
         "{where} is {first} at {start} deg and {last} at {end} deg, which is the same angle: give "

@@ -38,6 +38,9 @@ DIMENSIONS = {
 
 SENTENCES: dict[str, str | Plural] = {
     "unit.needed": N_("{where} is {value}; {dimension} is needed, such as {example}"),
+    "unit.not-finite": N_(
+        "{where} is {value}, which is not finite; {dimension} is needed, such as {example}"
+    ),
     "unit.missing": N_(
         "{where} is {value}, a number without a unit; {dimension} is needed, such as {example}"
     ),

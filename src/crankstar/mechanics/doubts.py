@@ -20,6 +20,7 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.engine.drive import mean_share
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import firing_doubts
 from crankstar.engine.gas import LOADS, Ignition
@@ -65,6 +66,8 @@ FASTEST = 7000.0
 FRICTIONS = {"spark-ignition": FASTEST}
 LEAST_FLYWHEEL = 0.3
 """Of the inertia of all that moves: the crankshaft alone has more."""
+LEAST_COURSE = 0.01
+"""Of the greatest load of a course its mean: a cylinder of an engine has more. Our judgement."""
 INERTIA_SPREAD = 2.5
 """Factor by which a moment of inertia may miss that of two masses at the ends of the rod."""
 
@@ -148,7 +151,19 @@ def point_doubts(engine: Engine, computed: Cycle) -> tuple[Fault, ...]:
     given = {key: value for key, value in values.items() if key not in computed.assumed}
     shadowed = () if point or computed.motored else _shadowed(engine)
     found = value_doubts(engine, values, given, path=path)
-    return (*shadowed, *found, *cycle_doubts(computed, path=path))
+    course = _course_doubts(engine, computed)
+    return (*shadowed, *found, *cycle_doubts(computed, path=path), *course)
+
+
+def _course_doubts(engine: Engine, computed: Cycle) -> Iterator[Fault]:
+    """A load course that hardly takes work, so that the part that alternates has no bounds."""
+    drive = engine.drive
+    if drive is None or not drive.load_torque:
+        return
+    mean = mean_share(drive, computed.volumes.cycle)
+    if mean < LEAST_COURSE:
+        share = {"mean": float(f"{100 * mean:.3g}"), "least": 100 * LEAST_COURSE}
+        yield Fault(("drive", "load_torque"), "doubt.load-course", share)
 
 
 def _shadowed(engine: Engine) -> Iterator[Fault]:
@@ -182,6 +197,10 @@ def value_doubts(
         kind = fires.get(given.get(key, ""), given.get("ignition"))
         if kind != given.get("ignition"):
             both = {"value": given[key], "ignition": given["ignition"]}
+            if engine.gas is not None and engine.gas.ignition is None:
+                both["process"] = values["process"]
+                yield Fault((*path, key), "doubt.process-ignition", both)
+                continue
             yield Fault((*path, key), "doubt.ignition", both)
     gamma = given.get("gamma")
     if gamma is not None and not GAMMAS[0] <= gamma <= GAMMAS[1]:
@@ -237,6 +256,12 @@ def cycle_doubts(cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
         yield Fault((*path, "intake_pressure"), "doubt.charge", bound)
     rpm = None if cycle.speed is None else cycle.speed * 30 / pi
     known = cycle.values.get("friction_pressure") is not None
+    if cycle.friction is None:
+        return
+    if cycle.friction > cycle.imep and not isclose(cycle.friction, cycle.imep, rel_tol=1e-9):
+        both = {"friction": float(f"{cycle.friction / 1e5:.4g}")}
+        both["load"] = float(f"{cycle.imep / 1e5:.4g}") + 0.0
+        yield Fault(path, "doubt.no-work", both)
     if known and cycle.friction > GREATEST_FRICTION:
         bound = {"value": cycle.friction / 1e5, "bound": GREATEST_FRICTION / 1e5}
         yield Fault((*path, "friction_pressure"), "doubt.great-friction", bound)

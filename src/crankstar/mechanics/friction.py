@@ -33,14 +33,19 @@ def friction_pressure(correlation: Correlation, *, speed: float, stroke: float) 
     return 0.0
 
 
-def friction_of(values: Mapping[str, Any]) -> float:
+def friction_of(values: Mapping[str, Any]) -> float | None:
     """The friction mean effective pressure of a cycle's values, Pa: as given, or by a correlation.
 
-    >>> turning = {"friction": "none", "speed": 100.0, "stroke": 0.08}
-    >>> friction_of({"friction_pressure": 1.7e5}), friction_of(turning)
+    None where a correlation needs the speed and there is none.
+
+    >>> friction_of({"friction_pressure": 1.7e5}), friction_of({"friction": "none"})
     (170000.0, 0.0)
+    >>> friction_of({"friction": "diesel", "stroke": 0.08}) is None
+    True
     """
-    given = values.get("friction_pressure")
-    if given is not None:
-        return given
-    return friction_pressure(values["friction"], speed=values["speed"], stroke=values["stroke"])
+    given, correlation = values.get("friction_pressure"), values.get("friction", "none")
+    if given is not None or correlation == "none":
+        return given or 0.0
+    if values.get("speed") is None:
+        return None
+    return friction_pressure(correlation, speed=values["speed"], stroke=values["stroke"])

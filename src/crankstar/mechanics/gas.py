@@ -54,7 +54,8 @@ class Cycle:
     pressure: Real
     crankcase: float
     imep: float
-    friction: float
+    friction: float | None
+    """Mean effective pressure; None where its correlation needs a speed that is not known."""
     peak: float
     speed: float | None
     name: str
@@ -72,9 +73,9 @@ class Cycle:
     """Whether the file or who asks says what friction takes: itself, its correlation, or a bmep."""
 
     @property
-    def bmep(self) -> float:
-        """The brake mean effective pressure, Pa."""
-        return self.imep - self.friction
+    def bmep(self) -> float | None:
+        """The brake mean effective pressure, Pa; None where the friction is not known."""
+        return None if self.friction is None else self.imep - self.friction
 
 
 def cycle(
@@ -133,8 +134,8 @@ def cycle(
         return one
     if peak_pressure is not None:
         return _of_peak(one, peak_pressure, found)
-    if bmep is not None and one.bmep != bmep:  # the friction at the points is another
-        one = found(bmep=2 * bmep - one.bmep)
+    if bmep is not None and one.bmep not in (None, bmep):  # friction at the points is another
+        one = found(bmep=2 * bmep - (one.bmep or 0.0))
         return replace(one, values={**one.values, "bmep": bmep})
     return one
 
@@ -167,16 +168,14 @@ def _at_point(
             "pressure, more speed, or a longer combustion nearer to the dead centre"
         ) from None
     work = (rows * places.rate[[*places.kind]]).sum(axis=-1) * places.cycle / SAMPLES
-    turning = values.get("speed")
-    friction = 0.0 if turning is None else friction_of(values)
     return Cycle(
         volumes=places,
         pressure=rows,
         crankcase=values["crankcase_pressure"],
         imep=float(work.sum() / places.swept[[*places.kind]].sum()),
-        friction=friction,
+        friction=friction_of(values),
         peak=float(rows.max()),
-        speed=turning,
+        speed=values.get("speed"),
         name=name,
         values={**values, **next(iter(charges.values()), {}), "charges": charges},
         assumed=tuple(each for each in assumed if each not in next(iter(charges.values()), {})),
@@ -213,7 +212,7 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
     correlated = [own.values["friction"] for own in ends if "friction_pressure" not in own.values]
     if correlated:
         values["friction"] = correlated[0]
-    rubs = [friction_of({**own.values, "speed": state.speed}) for own in ends]
+    rubs = [friction_of({**own.values, "speed": state.speed}) or 0.0 for own in ends]
     return replace(
         first,
         pressure=rows,

@@ -189,7 +189,21 @@ def added(one: Spectrum, other: Spectrum) -> Spectrum:
     )
 
 
-def friction_torque(cycle: Cycle) -> float:
-    """The mean torque that friction takes, N m."""
+def brake_torque(cycle: Cycle) -> float | None:
+    """The mean torque that gas and friction leave, N m; None where the friction is not known.
+
+    >>> from crankstar import cycle, load
+    >>> five = load("audi-25-tfsi", changes={"gas.friction_pressure": "2 bar"})
+    >>> round(brake_torque(cycle(five, imep="3 bar")) / brake_torque(cycle(five, bmep="2 bar")), 9)
+    0.5
+    """
+    lost = friction_torque(cycle)
+    return None if lost is None else float(gas_torque(cycle).mean.sum()) - lost
+
+
+def friction_torque(cycle: Cycle) -> float | None:
+    """The mean torque that friction takes, N m; None where it is not known."""
+    if cycle.friction is None:
+        return None
     places = cycle.volumes
     return cycle.friction * float(places.swept[[*places.kind]].sum()) / places.cycle

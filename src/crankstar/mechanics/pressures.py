@@ -200,7 +200,11 @@ def _target(values: Mapping[str, Any]) -> float:
     if "imep" in values:
         return values["imep"]
     if "bmep" in values:
-        if "speed" not in values:
-            raise GasError("a brake mean effective pressure needs the speed: give speed")
-        return values["bmep"] + friction_of(values)
+        friction = friction_of(values)
+        if friction is None:
+            raise GasError(
+                "a brake mean effective pressure needs the friction, which goes with the speed: "
+                'give the speed, as in --speed "3000 rpm", or gas.friction_pressure'
+            )
+        return values["bmep"] + friction
     return values["peak_pressure"]

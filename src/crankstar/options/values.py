@@ -257,7 +257,16 @@ def fractions(text: str, *, most: int) -> list[Fraction]:
 
 def derived_orders(text: str) -> list[Fraction]:
     """Crank orders to derive, whole, decimal or fractions; `all` is 1, 2, 4, 6 as in textbooks."""
+    from crankstar.derive.records import GREATEST_ORDER
+
     wanted = fractions("1,2,4,6" if text.strip() == "all" else text, most=24)
+    if wanted and max(wanted) > GREATEST_ORDER:
+        raise refusal(
+            "--orders",
+            text,
+            "give crank orders above 0 and up to {greatest}, such as 2 or 29/31",
+            greatest=GREATEST_ORDER,
+        )
     if not wanted:
         raise refusal(
             "--orders",

@@ -53,7 +53,7 @@ class Load(Shown):
     burning_mean: tuple[float, ...]
     still: tuple[Wave, ...] = Field(description="the same without combustion")
     still_mean: tuple[float, ...]
-    friction: float = Field(description="the torque that friction takes")
+    friction: float = Field(description="the torque that friction takes; 0 if not known")
     irregularity: float | None = Field(description="degree of, with every chamber burning")
     inertia: float | None = Field(description="of all that turns, kg m^2; null if not known")
     notes: tuple[str, ...] = Field(description="what is assumed, as sentences")

@@ -208,7 +208,7 @@ def _loads(
             burning_mean=tuple(_means(burning, chambers)),
             still=tuple(_waves(both.still, orders, chambers)),
             still_mean=tuple(_means(both.still, chambers)),
-            friction=friction_torque(burning),
+            friction=friction_torque(burning) or 0.0,
             irregularity=None if running is None else running.irregularity,
             inertia=None if running is None else running.inertia,
             notes=tuple(lines),

@@ -13,7 +13,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.gas import Cycle, computable, cycle, cycle_or_reason
-from crankstar.mechanics.gas_torque import friction_torque, gas_torque
+from crankstar.mechanics.gas_torque import brake_torque
 from crankstar.mechanics.operating_points import GasError
 from crankstar.studies.assumed_gas import CHOICES
 
@@ -190,7 +190,7 @@ def friction_of_power(engine: Engine, found: Cycle | None) -> list[Assumption]:
     other = next(each for each in CHOICES["friction"] if each != value)
     changed = with_gas_choice("friction", other, ignition=ignition)(engine, 1.0)
     now, then = (
-        float(gas_torque(each).mean.sum()) - friction_torque(each)
+        brake_torque(each) or 0.0
         for each in (found, cycle(changed, point=found.name, speed=found.speed))
     )
     effect = abs(then - now) / max(abs(now), abs(then))

@@ -32,7 +32,7 @@ from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle, cycle_or_reason
-from crankstar.mechanics.gas_torque import friction_torque, gas_torque
+from crankstar.mechanics.gas_torque import brake_torque, gas_torque
 from crankstar.mechanics.operating_points import GasError, operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Spectrum
@@ -290,8 +290,9 @@ def torques(
             return _inertia_sizes(each, again.speed) | rolls
         mean = float(gas_torque(again).mean.sum())
         plain = {("mean torque", None): mean, ("peak pressure", None): again.peak / 1e5}
-        if again.speed is not None:
-            plain["brake torque", None] = mean - friction_torque(again)
+        brake = brake_torque(again)
+        if brake is not None:
+            plain["brake torque", None] = brake
         return {**rolls, **plain}
 
     units = {"peak pressure": "bar", "irregularity": "", "flywheel": "kg*m^2"}

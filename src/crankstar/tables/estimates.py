@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 from crankstar.analysis.document import Column, Document, Remarks, Table, remarks
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import said_ignition
+from crankstar.engine.proportions import SPARK
 from crankstar.files import engine_of, units
 from crankstar.language.messages import N_, _, passage
 from crankstar.mechanics.mass_doubts import scale_doubts
@@ -25,20 +27,43 @@ TYPES = {
 """Types of engines, by the values of --type."""
 REASONS = {
     "": N_("as named"),
-    "long-stroke": N_("a bore too large for trunk pistons, or a two-stroke of long stroke"),
+    "large-bore": N_("a bore too large for trunk pistons"),
+    "long-stroke": N_("a two-stroke of long stroke"),
     "opposed": N_("two pistons to a cylinder"),
     "radial": N_("radial"),
     "large-fast": N_("a large bore at a high piston speed"),
     "large": N_("a bore larger than those of cars"),
+    "large-slow": N_("a bore larger than those of cars, at a low piston speed"),
+    "large-compression": N_("a bore larger than those of cars, and compression ignition"),
     "small-two-stroke": N_("a small two-stroke"),
     "high-speed": N_("a speed above that of road cars"),
-    "few-cylinders": N_("few cylinders at a high or unknown speed"),
-    "slow": N_("a low rated speed"),
-    "compression": N_("compression ignition"),
+    "few-cylinders": N_("few cylinders, and no speed in the file"),
+    "few-fast-cylinders": N_("few cylinders at a high piston speed"),
+    "slow": N_("a low rated speed and a low piston speed"),
+    "slow-piston-speed": N_("a low rated speed at a piston speed as of cars"),
+    "compression": N_("compression ignition and a bore as of cars"),
+    "compression-two-stroke": N_("compression ignition in two strokes"),
+    "compression-slow": N_("compression ignition, a low rated speed and a low piston speed"),
+    "compression-piston-speed": N_("compression ignition, and a piston speed as of cars"),
+    "compression-fast": N_("compression ignition, and a rated speed as of cars"),
     "spark": N_("spark ignition"),
     "car": N_("bore and speed as in petrol cars"),
+    "car-bore": N_("a bore as in petrol cars, and no speed in the file"),
 }
 """What tells the type of an engine."""
+THOUGH = {
+    "spark": N_("{reason}, though the file says spark ignition"),
+    "compression": N_("{reason}, though the file says compression ignition"),
+}
+"""The reason for a type whose engines ignite in the other way."""
+
+
+def _reason(estimate: Estimate, engine: Engine) -> str:
+    """What told the type, and that the file says another ignition than such engines have."""
+    reason, (fires, told) = _(REASONS[estimate.reason]), said_ignition(engine.gas)
+    if fires is None or not told or (fires == "spark") == (estimate.kind in SPARK):
+        return reason
+    return _(THOUGH[fires], reason=reason)
 
 
 def typical_remarks(engine: Engine) -> tuple[Remarks, ...]:
@@ -76,11 +101,11 @@ def estimate_document(estimate: Estimate, *, name: str) -> Document:
         )
         for value in estimate.filled
     )
-    words = {"kind": _(TYPES[estimate.kind]), "reason": _(REASONS[estimate.reason])}
+    completed = engine_of(estimate.tree, name=name)
+    words = {"kind": _(TYPES[estimate.kind]), "reason": _reason(estimate, completed)}
     kind = _("Type of engine: {kind} ({reason}); --type names another.", **words)
     none = "" if rows else _("The file leaves nothing out that could be estimated.")
     lines = Remarks(tuple(filter(None, (kind, none))), kind="note")
-    completed = engine_of(estimate.tree, name=name)
     outside = remarks(*(f"{one.sentence}." for one in scale_doubts(completed)), kind="doubt")
     table = Table(_("Estimated values"), columns, rows, key="filled")
     facts = {"engine": name, "type": estimate.kind, "inferred": estimate.reason != ""}

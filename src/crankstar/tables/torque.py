@@ -7,7 +7,7 @@ from math import degrees, pi
 from typing import NamedTuple
 
 from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value, for_each, remarks
-from crankstar.dynamics.uneven import Running
+from crankstar.dynamics.uneven import Running, load_taken
 from crankstar.engine.dead_centres import pistons
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
@@ -18,7 +18,7 @@ from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
-from crankstar.mechanics.gas_torque import GasTorque, friction_torque, gas_torque
+from crankstar.mechanics.gas_torque import GasTorque, brake_torque, gas_torque
 from crankstar.mechanics.lacking import running_sentence, without_running
 from crankstar.tables.conditions import unverified_gas
 from crankstar.tables.gas_words import (
@@ -87,7 +87,7 @@ def torque_document(
     """
     found = gas_torque(cycle)
     waves = by_order(engine, cycle, found)
-    mean = float(found.mean.sum()) - friction_torque(cycle)
+    mean = brake_torque(cycle)
     turning = cycle.speed
     lacking = "" if running is not None else without_running(engine, turning)
     facts = {
@@ -96,11 +96,11 @@ def torque_document(
         **state_facts(cycle_state(cycle)),
         "speed_rpm": None if turning is None else float(f"{turning * 30 / pi:.12g}"),
         "mean_torque": float(found.mean.sum()),
-        "brake_torque": None if turning is None else mean,
+        "brake_torque": mean,
         "power": None if turning is None else float(found.mean.sum()) * turning,
-        "brake_power": None if turning is None else mean * turning,
+        "brake_power": None if turning is None or mean is None else mean * turning,
         "imep": cycle.imep,
-        "bmep": cycle.bmep if turning is not None else None,
+        "bmep": cycle.bmep,
         "peak_pressure": cycle.peak,
         "air_fuel_ratio": cycle.air_fuel_ratio,
         "charge_estimated": cycle.boosted,
@@ -117,7 +117,7 @@ def torque_document(
     gears = mesh_table(engine, cycle, running=running)
     more = [] if gears is None else [gears]
     more += side_thrust_tables(engine, cycle)
-    told = [*_other_points(engine, cycle), *notes(engine, cycle), _proviso(engine)]
+    told = [*_other_points(engine, cycle), *notes(engine, cycle), _proviso(engine, cycle)]
     told.append(running_sentence(lacking))
     pairs = [] if wheel is None else [wheel_table(wheel)]
     if running is not None:
@@ -198,7 +198,7 @@ def wheel_table(wheel: Wheel) -> Table:
 
 def work_table(cycle: Cycle, found: GasTorque) -> Table:
     """Mean effective pressures, torque and power of the operating point."""
-    mean, lost = float(found.mean.sum()), friction_torque(cycle)
+    mean, brake = float(found.mean.sum()), brake_torque(cycle)
     name = _("indicated mean effective pressure")
     if cycle.off or cycle.weaker:
         name = _("indicated mean effective pressure, mean of all cylinders")
@@ -211,12 +211,13 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
         warm = number(cycle.values["intake_temperature"])
         name = _("air-fuel ratio (charge of {temperature} K)", temperature=warm)
         rows.insert(2, (name, "air_fuel_ratio", cycle.air_fuel_ratio, ""))
-    if cycle.speed is not None:
+    if brake is not None:
         rows += [
             (_("friction mean effective pressure"), "friction_pressure", cycle.friction, "Pa"),
-            (_("brake torque"), "brake_torque", mean - lost, "N*m"),
-            (_("brake power"), "brake_power", (mean - lost) * cycle.speed, "W"),
+            (_("brake torque"), "brake_torque", brake, "N*m"),
         ]
+        if cycle.speed is not None:
+            rows.append((_("brake power"), "brake_power", brake * cycle.speed, "W"))
     title = _("One cycle")
     if cycle.speed is not None:
         title = _("One cycle at {rpm} rpm", rpm=number(cycle.speed * 30 / pi))
@@ -324,11 +325,28 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
     correlation = None if known else CORRELATIONS.get(cycle.values["friction"])
     if cycle.speed is not None and correlation is not None:
         lines.append(_(correlation))
-    if not cycle.motored and cycle.speed is not None and cycle.bmep < 0:
-        lines.append(
-            _("Friction takes more than the gas gives: something else has to turn the engine.")
-        )
-    return lines
+    return [*lines, *_course_sentences(engine, cycle)]
+
+
+def _course_sentences(engine: Engine, cycle: Cycle) -> list[str]:
+    """What of the course of the load is left out, or counted with it that is not the load."""
+    if engine.drive is None or not engine.drive.load_torque:
+        return []
+    if load_taken(engine, cycle) is None:
+        return [
+            _(
+                "The course of the load is left out: gas and friction leave no work that the load "
+                "could take."
+            )
+        ]
+    if cycle.friction_said and cycle.friction is None:
+        return [
+            _(
+                "Friction is left out of the load, and counts with it: its correlation needs the "
+                'speed. Give the speed, as in --speed "3000 rpm", or gas.friction_pressure.'
+            )
+        ]
+    return []
 
 
 def _pressure_lines(engine: Engine, cycle: Cycle) -> list[str]:
@@ -351,9 +369,9 @@ def _pressure_lines(engine: Engine, cycle: Cycle) -> list[str]:
     return lines
 
 
-def _proviso(engine: Engine) -> str:
+def _proviso(engine: Engine, cycle: Cycle) -> str:
     """What the rolling moment is."""
-    if engine.drive is not None and engine.drive.load_torque:
+    if load_taken(engine, cycle) is not None:
         return _(
             "The block rolls by the reaction to all of the alternating torque. Where the load, "
             "such as a generator, stands on the same frame, its mean torque stays inside, and what "

@@ -52,8 +52,11 @@ def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
     result = balance(engine, speed=cycle.speed)
     if cycle.speed is None or result.speed is None:
         wave = spectra.amplitude(gas)
-        roll = spectra.amplitude(gas_roll(gas, engine.sense))
-        return Orders(gas.orders.tolist(), wave, None, wave, roll, roll)
+        alone = gas_roll(gas, engine.sense)
+        framed = on_one_frame(alone, engine, cycle)
+        roll = spectra.amplitude(alone)
+        both = roll if framed is alone else spectra.amplitude(framed)
+        return Orders(gas.orders.tolist(), wave, None, wave, roll, both)
     sums = total(result)
     whole = added(sums.torque, gas)
     roll = added(roll_with_gas(sums, gas), spectra.scaled(whole, 0.0))

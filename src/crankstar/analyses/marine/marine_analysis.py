@@ -189,7 +189,7 @@ def _name(engine: Engine, share: float | None, compensate: Sequence[int]) -> str
 
 def _power(found: Cycle | None) -> float | None:
     """The brake power of a cycle, W."""
-    if found is None or found.speed is None:
+    if found is None or found.speed is None or found.bmep is None:
         return None
     swept = float(found.volumes.swept[[*found.volumes.kind]].sum())
     return found.bmep * swept / found.volumes.cycle * found.speed

@@ -50,7 +50,8 @@ def refuse(engine: Engine, asked: Question) -> None:
     given = [f"--{name.replace('_', '-')}" for name in asked.load]
     if asked.motored:
         refuse_unused(
-            dict.fromkeys(given, True) | {"--weaker": [*asked.weaker]}, beside="--motored"
+            dict.fromkeys(given, True) | {"--off": [*asked.off], "--weaker": [*asked.weaker]},
+            beside="--motored",
         )
     if len(given) > 1:
         raise RequestError(

@@ -24,10 +24,11 @@ def compute(source: Engine | Chain, asked: Question) -> TorsionAnalysis:
         off=asked.off,
         weaker=dict(asked.weaker),
     )
-    if asked.holzer is not None and asked.holzer > len(found.modes):
-        count = len(found.modes)
-        why = _n("there is one mode", "there are {count} modes", count, count=count)
-        raise refusal("--holzer", asked.holzer, why)
+    for option, wanted in (("--modes", asked.modes), ("--holzer", asked.holzer)):
+        if wanted is not None and wanted > len(found.modes):
+            count = len(found.modes)
+            why = _n("there is one mode", "there are {count} modes", count, count=count)
+            raise refusal(option, wanted, why)
     return found
 
 
