@@ -267,7 +267,8 @@ def test_a_stroke_of_another_dimension_is_told_as_what_it_is(value: str, kind: s
 @pytest.mark.parametrize("written", ["nan", "inf", "-inf"])
 def test_toml_numbers_that_are_none_are_refused(written: str) -> None:
     text = SHORT.replace('"82.5 mm"', written)
-    assert told(text) == {"cylinder.stroke": f'is {written}; a length is needed, such as "82.5 mm"'}
+    said = f'is {written}, which is not finite; a length is needed, such as "82.5 mm"'
+    assert told(text) == {"cylinder.stroke": said}
 
 
 @pytest.mark.parametrize("written", ["NaN", "Infinity", "-Infinity"])

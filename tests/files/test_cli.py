@@ -525,7 +525,7 @@ BAD_LINES = [
         "layout.throws[9] cannot be set; layout.throws is a list of 4"),
     (["analyze", "X", "--set", "layout.throws=[0, 0]"], "layout.throws has 2 angles; give 4"),
     (["analyze", "X", "--set", "cylinder.stroke=inf"],
-        "cylinder.stroke is inf; a length is needed"),
+        "cylinder.stroke is inf, which is not finite; a length is needed"),
     (["analyze", "X", "--set", "cylinder.stroke=[1]"],
         "cylinder.stroke is a list; a length is needed"),
     (["analyze", "X", "--set", "name="], "name is empty"),

@@ -67,11 +67,11 @@ def scale_doubts(engine: Engine) -> Iterator[Fault]:
 
     A mass is estimated as a share of the cube of the bore, which need not hold so far away.
 
-    >>> from crankstar.files.catalog import load
+    >>> from crankstar.files import engine_of
     >>> from crankstar.files.estimate import estimated
     >>> tree = {"name": "moped", "layout": {"type": "inline", "throws": [0]}}
     >>> tree["cylinder"] = {"bore": "40 mm", "stroke": "39 mm"}
-    >>> [fault.code for fault in scale_doubts(load(estimated(tree).tree))]
+    >>> [fault.code for fault in scale_doubts(engine_of(estimated(tree).tree))]
     ['doubt.estimate-scale']
     """
     if "radius" in engine.relative:

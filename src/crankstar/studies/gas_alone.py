@@ -79,9 +79,9 @@ def lacking_gas(
 
     >>> from crankstar.files.catalog import load
     >>> engine = load("audi-25-tfsi", changes={"cylinder.bore": None})
-    >>> found = lacking_gas(engine, lambda _engine: {}, "", speed=None, point="full")
+    >>> found = lacking_gas(engine, lambda _engine: {}, "", speed=None)
     >>> [round(end, 1) for end in (found.low, found.high)], found.unit
-    ([72.5, 112.1], 'mm')
+    ([82.5, 116.9], 'mm')
     """
     if engine.gas is None or {"mass", "radius"} & {*engine.relative}:
         return None
