@@ -395,3 +395,15 @@ def test_a_grade_says_in_which_planes_two_unbalances_are(run: Run) -> None:
     assert "planes of the bearings" not in one
     facts = [json.loads(run(*rotor, text, "--json").out) for text in ("60 g*mm, 90 g*mm", "1 g*mm")]
     assert [each["planes"] for each in facts] == ["bearings", "whole"]
+
+
+def test_a_half_that_nobody_gave_is_in_the_record(run: Run, v8: str) -> None:
+    """Of the card and of the holes; not where it is asked for, or in the file."""
+    wide = ("--diameter", "60 mm", "--at-radius", "150 mm", "--greatest-depth", "100 mm")
+    for words in (["bobweight", v8], ["drill", v8, *wide]):
+        told = json.loads(run(*words, "--json").out)
+        assert "balance_factor" in [each["path"] for each in told["rests_on"]]
+        assert "balance_factor (half of what reciprocates" in " ".join(run(*words).out.split())
+        for given in (["--factor", "0.5"], ["--set", "balance_factor=0.5"]):
+            told = json.loads(run(*words, *given, "--json").out)
+            assert "balance_factor" not in [each["path"] for each in told.get("rests_on", ())]

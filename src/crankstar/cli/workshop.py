@@ -41,11 +41,12 @@ AnyEngine = Annotated[str | None, Parameter(help=ENGINE)]
 Factor = Annotated[str | None, option("--factor")]
 
 
-def _factor(name: str, settings: list[str] | None, text: str | None) -> float | None:
-    """The balance factor that is asked for, else that of the file, else None."""
+def _factor(name: str, settings: list[str] | None, text: str | None) -> tuple[float, bool]:
+    """The balance factor that is asked for, else that of the file, else a half; if it is that."""
     if text is not None:
-        return remedies.factor(text)
-    return request.own_factor(name, settings)
+        return remedies.factor(text), False
+    own = request.own_factor(name, settings)
+    return (remedies.HALF, True) if own is None else (own, False)
 
 
 def bobweight(
@@ -65,18 +66,16 @@ def bobweight(
     from crankstar.tables.ranges import ranged
 
     form = form_of(output, TABLES, json=json, csv=csv)
-    share, found = together(
+    (share, assumed), found = together(
         partial(_factor, engine, settings, factor),
         partial(read_engine, engine, settings, estimate=estimate),
     )
     loaded = found.engine
-    half = share is None
-    own = remedies.HALF if share is None else share
 
     def card(each: Engine) -> Document:
-        return card_document(each, factor=own)
+        return card_document(each, factor=share)
 
-    rests = resting_on(form, loaded, partial(bobweights, loaded, factor=own, assumed=half))
+    rests = resting_on(form, loaded, partial(bobweights, loaded, factor=share, assumed=assumed))
     give(ranged(card, found.spread, loaded, rests=rests), output, form=form)
 
 
@@ -117,14 +116,14 @@ def drill(
         (made,) = together(partial(workshop.drill_of, options))
         document = _measured_holes(unbalance or "", made)
     else:
-        made, share, found = together(
+        made, (share, assumed), found = together(
             partial(workshop.drill_of, options),
             partial(_factor, engine, settings, factor),
             partial(read_engine, engine, settings, estimate=estimate),
         )
         loaded, planes = found.engine, weights or "ends"
         build = partial(_engine_holes, made=made, factor=share, weights=planes)
-        rests = resting_on(form, loaded, partial(bobweights, loaded, factor=share))
+        rests = resting_on(form, loaded, partial(bobweights, loaded, factor=share, assumed=assumed))
         document = ranged(build, found.spread, loaded, rests=rests)
     give(document, output, form=form)
 
