@@ -87,7 +87,7 @@ def test_without_a_speed_the_greatest_of_those_asked_for_counts(run: Run, tmp_pa
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("i4", "--speeds", "52 rpm, 104 rpm"), "--speeds has no effect. The file does not say"),
+        (("i4", "--speeds", "52 rpm, 104 rpm"), "--speeds has no effect. The file lacks"),
         (
             ("i4", "--rated-power", "9 kW", "--speeds", "1 rpm, 2 rpm"),
             "--speeds, --rated-power hav",
