@@ -70,7 +70,7 @@ def test_the_printed_wear_is_on_the_inner_side_of_a_pin_that_a_rod_pulls_outward
 
 def test_gas_without_masses_is_refused_with_what_it_needs(refused: Callable[..., str]) -> None:
     told = refused("bearings", "bmw-s65", "--gas")
-    assert "give speed and cylinder.reciprocating_mass" in told
+    assert told.strip().endswith("give cylinder.reciprocating_mass")  # its speed is in the file
 
 
 @pytest.mark.release

@@ -195,7 +195,10 @@ def test_a_chart_of_two_is_written_in_every_form(run: Run, tmp_path: Path) -> No
     ("arguments", "told"),
     [
         (["--over", OVER[0]] * 2, "is varied twice"),
-        (["--over", OVER[0], "--over", OVER[1], "--over", "speed=1..2 Hz"], "given 3 times"),
+        (
+            ["--over", OVER[0], "--over", OVER[1], "--over", "speed=1..2 Hz"],
+            "3 values are to be varied",
+        ),
         (["--over", OVER[0], "--over", "bore=1..2 mm"], "cylinder.bore"),
         (["--over", OVER[0], "--over", "layout.banks[1].bearing=0..9 mm"], "an angle is needed"),
         (["--over", OVER[0], "--over", "speed=900..600 rpm by 50"], "write by -50"),
