@@ -232,6 +232,7 @@ main()
 """A film of which no more is drawn once its file has been begun."""
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(("sent", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, -15)])
 def test_an_interrupted_film_leaves_no_word_and_no_file(
     tmp_path: Path, sent: int, code: int
