@@ -280,13 +280,13 @@ def test_no_page_is_empty_where_the_program_fills_it(page: Path) -> None:
 
 
 NO_TERMS = {
-    *("", "engine", "engines", "unverified values", "part", "name", "row", "cranks"),
+    *("", "engine", "engines", "unverified", "unverified values", "part", "name", "row", "cranks"),
     *("quantity", "unit", "before", "now", "removes", "left", "order"),
     *("value", "typical", "low", "high", "source", "estimated", "moves_with", "estimated values"),
     *("{quantity}, order {order}", "force, resultant", "couple, resultant", "cylinders"),
     "all orders together at these crank angles",
     *("shafts, throws and weights", "turning vectors", "main bearings by order", "crankshaft"),
-    *("number", "place", "share", "speed_rpm", "{engine}, of the first"),
+    *("number", "place", "share", "speed_rpm", "file_speed_rpm", "{engine}, of the first"),
     *("order {order}", "amplitude", "result", "alike", "torque by order"),
     *("each cylinder", "cylinders {numbers}", "moves", "whole", "measured"),
     *("theta_deg", "mean", "least", "forward", "backward"),

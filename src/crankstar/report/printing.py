@@ -31,8 +31,9 @@ ELSEWHERE = (
     "C:/Program Files (x86)/Microsoft/Edge/Application/msedge.exe",
 )
 """Browsers that are not on the search path."""
-PATIENCE = 60.0
-"""Seconds until a browser is stopped; a report is printed in two or three."""
+PATIENCE = 300.0
+"""Seconds until a browser is stopped; a report is printed in two or three, on a busy machine in a
+hundred."""
 OPTIONS = (
     "--headless",
     "--disable-gpu",
