@@ -97,7 +97,7 @@ SENTENCES: dict[str, str | Plural] = {
         "{bound} rpm, gives {value} bar, which may be far too much"
     ),
     "doubt.load-course": N_(
-        "{where} has a mean over the angle of the cycle of only {mean} % of its greatest value; "
+        "{where} has a mean over the angle of the cycle of only {mean} % of its maximum; "
         "hardly any driven machine has less than {least} %: are the signs and angles right?"
     ),
     "doubt.no-cycle": N_("{where}: {message}"),
@@ -150,8 +150,8 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "drive.lengths": N_("{where} has {count} values for {angles} angles; give as many"),
     "drive.no-load": N_(
-        "{where} takes no work: its mean over the angle of the cycle is {mean} % of its greatest "
-        "value; it must be above 0"
+        "{where} takes no work: its mean over the angle of the cycle is {mean} % of its maximum; "
+        "it must be above 0"
     ),
     "drive.angles": N_("{where} ascends within one cycle of {cycle} deg"),
     "drive.open-course": N_(
