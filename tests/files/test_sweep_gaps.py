@@ -13,6 +13,7 @@ from tests.commands import Run
 import crankstar
 from crankstar.charts.contour_lines import level_lines
 from crankstar.mechanics.gas import cycle
+from crankstar.studies import best_value
 from crankstar.studies.best_pair import best_pair, front
 from crankstar.studies.best_value import best
 from crankstar.studies.gas_results import one_by_one
@@ -115,3 +116,19 @@ def test_no_level_line_runs_beside_a_point_without_a_value() -> None:
     lines = level_lines(x, x, z, 0.5)
     assert [len(line) for line in lines] == [3]
     assert min(y for _x, y in lines[0]) == 1.0
+
+
+def test_the_best_value_beside_a_gap_within_the_range_is_at_its_edge(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Of |x - 0.5| without results from 0.4 to 0.6, both excluded: 0.1 at 0.4 and at 0.6."""
+
+    def gapped(of: Sweep, what: str, *, order: float | None = None) -> Curve:
+        off = np.abs(of.values - 0.5)
+        return Curve(what, order, np.where(off < 0.1 - 1e-9, np.nan, off), "", what)
+
+    monkeypatch.setattr(best_value, "watched", gapped)
+    made = sweep("v2-90", "balance_factor=0..1/9")
+    least = best_value.best(made, gapped(made, "it"))
+    assert least.result == pytest.approx(0.1, abs=1e-6)
+    assert {round(each, 4) for each in (least.value, *least.also)} <= {0.4, 0.6}

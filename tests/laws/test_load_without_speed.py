@@ -10,11 +10,12 @@ import pytest
 import crankstar
 from crankstar import spectra
 from crankstar.dynamics.load_reaction import load_reaction
-from crankstar.dynamics.uneven import driven
+from crankstar.dynamics.uneven import driven, load_taken
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.mechanics.doubts import doubts
 from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.operating_points import GasError
 
 SPEED = 100 * pi
@@ -127,3 +128,18 @@ def test_an_engine_that_is_turned_from_outside_drives_nothing() -> None:
     running = driven(engine, found)
     assert running is not None
     assert np.ptp(running.load) < 1e-9
+
+
+def test_a_motored_engine_that_its_charge_would_turn_has_no_course() -> None:
+    """3 bar in and 1 bar out push it on; it is still turned from outside, and drives no load."""
+    own = {
+        "drive": {"load_torque": [2, 0], "load_angle": ["0 deg", "360 deg"]},
+        "gas.friction_pressure": "0.1 bar",
+        "gas.intake_pressure": "3 bar",
+        "gas.exhaust_pressure": "1 bar",
+    }
+    engine = crankstar.load("honda-b18c", changes=own)
+    found = cycle(engine, motored=True)
+    assert float(gas_torque(found).mean.sum()) > 0
+    assert load_taken(engine, found) is None
+    assert load_taken(engine, cycle(engine)) is not None
