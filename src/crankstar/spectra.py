@@ -146,8 +146,15 @@ def selected(spectrum: Spectrum, orders: ArrayLike) -> Spectrum:
             order=f"{absent[0]:g}",
             orders=", ".join(f"{order:g}" for order in spectrum.orders) or "-",
         )
-    chosen = hits.T.astype(float)
-    forward, backward = spectrum.forward @ chosen + 0j, spectrum.backward @ chosen + 0j
+    if not hits.size or (hits.sum(axis=1) > 1).any():  # of orders that are alike the sum
+        chosen = hits.T.astype(float)
+        forward, backward = spectrum.forward @ chosen + 0j, spectrum.backward @ chosen + 0j
+    else:
+        place, there = hits.argmax(axis=1), hits.any(axis=1)
+        forward, backward = (
+            np.where(there, values[..., place], 0j)
+            for values in (spectrum.forward, spectrum.backward)
+        )
     return replace(spectrum, orders=wanted, forward=forward, backward=backward)
 
 
@@ -163,14 +170,36 @@ def checked(orders: Real) -> Real:
 def value(spectrum: Spectrum, theta: ArrayLike) -> Complex:
     """The vector `up + i*right` at the crank angles `theta` (radians), [..., *theta.shape].
 
+    Of equal steps over whole periods it is one Fourier transform.
+
     >>> circle = Spectrum(np.array([1.0]), np.array([2.0 + 0j]), np.array([0j]))
     >>> complex(np.round(value(circle, np.pi / 2), 12))  # a quarter turn on, it points right
     2j
     """
     angles = np.asarray(theta, float)
+    turns = _whole_turns(angles) if spectrum.orders.size > FEW_ORDERS else 0
+    places = turns * spectrum.orders
+    if turns and np.abs(places - places.round()).max() <= ROUNDING * places.max():
+        return _at_steps(spectrum, angles.size, turns)
     phase = np.exp(1j * spectrum.sense * spectrum.orders[:, None] * angles.reshape(1, -1))
     flat = spectrum.forward @ phase + spectrum.backward @ np.conj(phase)
     return flat.reshape(flat.shape[:-1] + angles.shape)
+
+
+FEW_ORDERS, FEW_STEPS = 8, 128
+"""Up to so many a sum over orders is as fast as a Fourier transform."""
+
+
+def _whole_turns(angles: Real) -> int:
+    """The turns of which crank angles are equal steps from 0 on; 0 where they are anything else."""
+    if angles.ndim != 1 or angles.size < FEW_STEPS or angles[0] != 0:
+        return 0
+    turns = angles[1] * angles.size / (2 * np.pi)
+    whole = round(turns)
+    if whole < 1 or abs(turns - whole) > ROUNDING * whole:
+        return 0
+    steps = np.arange(angles.size) * (2 * np.pi * whole / angles.size)
+    return whole if np.abs(angles - steps).max() <= ROUNDING * steps[-1] else 0
 
 
 def over_period(spectrum: Spectrum, steps: int) -> Complex:
@@ -184,7 +213,12 @@ def over_period(spectrum: Spectrum, steps: int) -> Complex:
     >>> bool(np.allclose(over_period(two, 4), value(two, theta), atol=1e-15))
     True
     """
-    places = np.round(spectrum.orders * period(spectrum)).astype(int)
+    return _at_steps(spectrum, steps, period(spectrum))
+
+
+def _at_steps(spectrum: Spectrum, steps: int, turns: int) -> Complex:
+    """The vector at equal steps over turns that are whole periods, by a Fourier transform."""
+    places = np.round(spectrum.orders * turns).astype(int)
     coefficients = np.zeros((*spectrum.forward.shape[:-1], steps), complex)
     np.add.at(coefficients.T, spectrum.sense * places % steps, spectrum.forward.T)
     np.add.at(coefficients.T, -spectrum.sense * places % steps, spectrum.backward.T)

@@ -136,7 +136,7 @@ def inertias(engine: Engine, theta: Real) -> Real:
     torque = shaft_torque(machine)
     # J' = -2 torque, term by term
     wave = -2 * spectra.amplitude(torque) / (1j * torque.orders)
-    change = np.real(np.exp(1j * np.outer(np.asarray(theta), torque.orders)) @ wave.T).T
+    change = np.real(spectra.value(spectra.real_signal(torque.orders, wave), theta))
     mean = _throw_inertias(engine)
     np.add.at(mean, np.array(machine.cylinder_shaft), _mean_inertias(machine))
     return mean[:, None] + change

@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
@@ -89,7 +90,7 @@ class Sweep:
 
     axes: tuple[Axis, ...]
     engine: Engine
-    groups: tuple[Group, ...]
+    summed: Callable[[], tuple[Group, ...]] = field(repr=False, compare=False)
     units: Units
     reference: Reference
     speed: float | None
@@ -101,6 +102,11 @@ class Sweep:
     case: Callable[[Sequence[int]], Case] = field(repr=False, compare=False)
     adds: bool = False
     watch: tuple[tuple[str, float | None], ...] = ()
+
+    @property
+    def groups(self) -> tuple[Group, ...]:
+        """The sums of inertia of all values, which gas and vibration do without."""
+        return self.summed()
 
     @property
     def path(self) -> str:
@@ -283,6 +289,7 @@ def sweep(
     asked = speed if speed != "file" or SPEED_PATH in varied else None
     source = source_of(engine, changes=changes, estimate=estimate, speed=asked)
     made = _over(source, over_all, tell, reference=reference, orders=orders, speed=speed)
+    made.summed()
     return replace(made, watch=tuple(watching))
 
 
@@ -325,7 +332,9 @@ def swept(
     check_apart([over], changes or {})
     source = source_of(name, changes=changes)
     wanted = [(over, values, unit)]
-    return _over(source, wanted, tell, reference=reference, orders=orders, speed=speed)
+    made = _over(source, wanted, tell, reference=reference, orders=orders, speed=speed)
+    made.summed()
+    return made
 
 
 def _over(
@@ -334,7 +343,10 @@ def _over(
     tell: Tell | None,
     **how: Any,
 ) -> Sweep:
-    """The sweep of a file over numbers: key path, values, unit."""
+    """The sweep of a file over numbers: key path, values, unit.
+
+    Its sums are made where they are asked for first: to refuse a value that makes no engine, ask.
+    """
     plan = study(source, over, **how)
     made = _made(plan, [np.asarray(values, float) for _path, values, _unit in over], tell)
     weighted = any(shaft.get("weight") for shaft in source.tree.get("crankshaft", ()))
@@ -365,7 +377,7 @@ def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool
     return Sweep(
         axes=tuple(axes),
         engine=plan.first,
-        groups=plan.groups(values, closing, tell),
+        summed=cache(partial(plan.groups, values, closing, tell)),
         units=plan.units,
         reference=plan.reference,
         speed=plan.speed,
