@@ -119,6 +119,7 @@ def test_the_example_gives_the_numbers_a_textbook_knows(name: str) -> None:
     CHECKS[name]()
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", CHECKS)
 def test_the_example_prints_something_when_it_is_run(name: str, tmp_path: Path) -> None:
     done = subprocess.run(

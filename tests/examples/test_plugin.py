@@ -82,6 +82,7 @@ rod_ratio = 4
 """
 
 
+@pytest.mark.release
 def test_its_layout_is_one_of_engine_files(installed: dict[str, str], tmp_path: Path) -> None:
     """Five throws 72 deg apart: no force of order 1; a mistake in it is told like any other."""
     place = tmp_path / "helix.toml"

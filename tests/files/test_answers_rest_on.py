@@ -54,6 +54,7 @@ def rows_by_path(answer: Any) -> dict[str, dict[str, Any]]:
     return {row["path"]: row for row in answer["rests_on"]}
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("name", "fault"),
     [
@@ -78,6 +79,7 @@ def test_a_fault_rests_on_figures_of_its_own_table(
         )
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("speed", [None, "3000 rpm"])
 def test_compared_engines_name_the_speed_and_point_of_their_gas(
     speed: str | None, run: Run
@@ -149,6 +151,7 @@ def test_engines_that_are_compared_without_masses_rest_on_figures_in_their_own_u
     assert first["moves"]["high"] == pytest.approx(now * heavier, rel=1e-6)
 
 
+@pytest.mark.release
 def test_the_range_of_an_assumed_value_between_two_points_holds_the_number(run: Run) -> None:
     answer = json.loads(run("torque", BMW, "--speed", "3000 rpm", "--json").out)
     pressure = rows_by_path(answer)["gas.intake_pressure"]
@@ -207,6 +210,7 @@ def test_axes_of_inertia_that_are_taken_along_the_engine_are_in_the_record(
     assert "block.product_up_z" not in rows_by_path(given)
 
 
+@pytest.mark.release
 def test_gas_that_is_not_there_is_named_on_the_first_screen(
     tmp_path: Path, run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -223,6 +227,7 @@ def test_gas_that_is_not_there_is_named_on_the_first_screen(
         assert any(re.match(there, line) for line in screen)
 
 
+@pytest.mark.release
 def test_what_analyze_has_with_gas_is_not_listed_as_left_out(run: Run) -> None:
     """With masses the roll has a line with gas; without any the table of gas alone is there."""
     for asked in ((AUDI,), ("honda-b18c", "--set", "gas.compression_ratio=10.6")):
@@ -234,6 +239,7 @@ def test_what_analyze_has_with_gas_is_not_listed_as_left_out(run: Run) -> None:
         assert "left out" not in {row["status"] for row in answer["rests_on"]}
 
 
+@pytest.mark.release
 def test_gas_is_left_out_of_the_numbers_that_it_belongs_to(mounted: str, run: Run) -> None:
     assert "Not in the rolling moment: gas." in run("analyze", "i4").out
     assert "Not in the loads: gas." in run("bearings", "i4").out
@@ -259,7 +265,7 @@ WITHOUT = ("rests_on", "assumed")
 """Of an answer in JSON: what the record is, and what it was."""
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "verb", [("analyze",), ("torque",), ("fault", "--cut", "3"), ("bearings", "--gas"), ("mounts",)]
 )
@@ -330,7 +336,7 @@ def drawn_top(spec: Any) -> float:
     return max(found)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     "block",
     [

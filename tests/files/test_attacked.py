@@ -146,6 +146,7 @@ def escaped(tmp_path: Path) -> None:
     (tmp_path / "w.csv").write_text(ESCAPED)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.usefixtures("escaped")
 @pytest.mark.parametrize(
     "asked",
@@ -180,6 +181,7 @@ def test_no_text_of_a_list_is_a_command_to_the_terminal(run: Run, tmp_path: Path
     assert {row["piston"] for row in rows} == {"A?[31mX", "'=1+2", "C", "'@D"}
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("encoding", ["cp1252", "ascii", "utf-16"])
 def test_what_programs_read_is_utf_8_in_every_pipe(encoding: str, tmp_path: Path) -> None:
     name = "Überengine 日本 ²"
@@ -236,6 +238,7 @@ def test_an_order_that_no_engine_of_the_kind_has_is_refused(
     assert "order 0.3 does not occur" in refused(*asked, "--orders", "1,0.3")
 
 
+@pytest.mark.release
 def test_an_option_that_changes_nothing_in_a_derivation_is_named(run: Run) -> None:
     ran = run("derive", "i4", "--orders", "1", "--speed", "3000 rpm", "--power", "3")
     assert ran.code == 0
@@ -261,6 +264,7 @@ def traced(tmp_path: Path, first: float, *, more: float) -> Engine:
     return read(path)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("more", [1.0, 1.1])
 def test_a_trace_is_the_same_cycle_wherever_it_begins(tmp_path: Path, more: float) -> None:
     """One cycle and the next differ at their peak: a trace from 0 to 720 deg ends there."""
@@ -272,6 +276,7 @@ def test_a_trace_is_the_same_cycle_wherever_it_begins(tmp_path: Path, more: floa
     assert two == pytest.approx(one, rel=1e-9)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("form", ["list", "lists"])
 def test_a_table_of_a_trace_may_repeat_its_first_sample(tmp_path: Path, form: str) -> None:
     """[gas.trace] with 0 and 720 deg both is the file with them; where they differ it is refused.
@@ -332,6 +337,7 @@ def test_json_of_corrections_has_all_digits(run: Run) -> None:
     assert "123.5" in run(*asked).out
 
 
+@pytest.mark.release
 def test_json_of_mounts_has_the_stiffness_of_the_file(run: Run, tmp_path: Path) -> None:
     text = (CASES / "match-engine.toml").read_text().replace('"80 N/mm"', '"81.2345 N/mm"')
     (tmp_path / "e.toml").write_text(text)

@@ -272,6 +272,7 @@ def test_nothing_is_recommended_where_nothing_remains(refused: Callable[..., str
     assert "no primary or secondary force or couple" in refused("balance", "i6", "--recommended")
 
 
+@pytest.mark.release
 def test_standard_output_that_is_a_file_is_not_replaced(known: str, tmp_path: Path) -> None:
     log = tmp_path / "log.txt"
     log.write_text("precious\n", encoding="utf-8")
@@ -310,6 +311,7 @@ def test_what_is_left_is_told_in_newtons_where_a_speed_is_known(run: Run, known:
     )
 
 
+@pytest.mark.release
 def test_weights_that_make_it_worse_are_said_to(run: Run) -> None:
     assert "make the couple of order 1 larger than before" in run("balance", "napier-deltic").out
     assert "larger than before" not in run("balance", "v8-cross-plane").out
@@ -499,6 +501,7 @@ def test_a_crankshaft_that_balances_itself_gets_no_weights_of_rounding(
     assert "No weights." in told
 
 
+@pytest.mark.release
 def test_an_option_without_effect_here_is_marked(run: Run) -> None:
     """No weights to take away, nothing to prove, nothing left out of the file."""
     case = str(Path(__file__).parents[1] / "cases" / "genset-four.toml")

@@ -127,6 +127,7 @@ def test_what_the_recommended_remedy_leaves_is_told_and_cured(run: Run) -> None:
     assert "would be inside" not in after
 
 
+@pytest.mark.release
 def test_the_greater_moment_that_the_remedy_leaves_is_named_first(run: Run) -> None:
     """Of the seven 0.8516 of order 1 is removed and A_2 5.5222 = 1.4028 of order 2 is left."""
     first, _line, rest = run("balance", "sinitsyn-7-first", "--recommended").out.partition("\n\n")
@@ -156,6 +157,7 @@ def test_a_remedy_has_one_form_over_the_ranges_of_masses(run: Run, tmp_path: Pat
     assert re.search(r"^ +1  couple +N m +0 \(0 to \S+\) +0 \(0 to ", out, re.MULTILINE)
 
 
+@pytest.mark.release
 def test_the_tables_and_figures_of_the_page_keep_that_form_too(run: Run, tmp_path: Path) -> None:
     file = tmp_path / "three.toml"
     file.write_text(TRIPLE, encoding="utf-8")

@@ -55,6 +55,7 @@ class Running:
         return re.sub(r"\x1b\[[\d;?]*[a-zA-Z]", "", self._read.decode(errors="replace")), code
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("more", [{}, {"DISPLAY": ":0", "BROWSER": "/bin/true"}])
 def test_without_a_terminal_it_prints_help_and_ends(more: dict[str, str]) -> None:
     ran = subprocess.run(
@@ -71,6 +72,7 @@ def test_without_a_terminal_it_prints_help_and_ends(more: dict[str, str]) -> Non
     assert ran.stderr == ""
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("more", [{}, {"CI": "true", "BROWSER": "/bin/true"}])
 def test_in_a_terminal_without_a_browser_or_in_ci_it_prints_help(more: dict[str, str]) -> None:
     said, code = Running(surroundings(**more)).ended()
@@ -78,6 +80,7 @@ def test_in_a_terminal_without_a_browser_or_in_ci_it_prints_help(more: dict[str,
     assert code == 0
 
 
+@pytest.mark.release
 def test_in_a_terminal_with_a_browser_it_serves_the_gallery(tmp_path: Path) -> None:
     opened, browser = tmp_path / "opened", tmp_path / "browser"
     browser.write_text(f'#!/bin/sh\necho "$1" > "{opened}.new" && mv "{opened}.new" "{opened}"\n')

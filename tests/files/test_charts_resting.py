@@ -105,6 +105,7 @@ SLOW = ("torsion-response",)
 """Charts of which another test of the gate varies the answer."""
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     "name",
     [
@@ -136,6 +137,7 @@ def test_a_drawing_names_what_of_its_shape_nobody_has_read(name: str) -> None:
     assert seen or name == "balance-shafts"
 
 
+@pytest.mark.release
 def test_charts_of_studies_rest_on_what_their_tables_do(run: Run, tmp_path: Path) -> None:
     asked = {
         "sweep": ("--over", "speed=1000..6000 rpm/5", "--quantity", "couple"),
@@ -157,6 +159,7 @@ def test_charts_of_studies_rest_on_what_their_tables_do(run: Run, tmp_path: Path
         assert ("With crank speed = 6000 rpm this rests on:" in drawn) == (verb == "sweep")
 
 
+@pytest.mark.release
 def test_a_balance_factor_that_is_swept_leaves_no_counterweight_in_doubt(run: Run) -> None:
     """Nor a rotating mass, all of which a factor balances: the couple is the same without it."""
     over = ("--over", "balance_factor=0..1/3", "--quantity", "couple")
@@ -171,6 +174,7 @@ def test_a_balance_factor_that_is_swept_leaves_no_counterweight_in_doubt(run: Ru
     assert both[0] == pytest.approx(both[1], rel=1e-12)
 
 
+@pytest.mark.release
 def test_the_chart_of_a_diagnosis_rests_on_the_block_it_shakes() -> None:
     engine = standing(block={"mass": "165 kg"})
     speed = 1000 * np.pi / 30
@@ -300,6 +304,7 @@ def test_figures_of_a_page_leave_it_to_the_page() -> None:
     assert "usermeta" not in shown
 
 
+@pytest.mark.release
 def test_plot_says_all_that_its_figure_rests_on(run: Run, tmp_path: Path) -> None:
     said = run("plot", AUDI, "spectrum", "-o", str(tmp_path / "s.json"))
     spec = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))

@@ -69,6 +69,7 @@ def test_without_arguments_and_with_help_it_tells_its_verbs(run: Run) -> None:
         assert all(re.search(rf"^│ {verb} +\w{{3}}", result.out, re.MULTILINE) for verb in VERBS)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("words", [(), ("--language", "ja"), ("--lang", "ru")])
 def test_a_new_process_tells_what_each_verb_does(words: tuple[str, ...]) -> None:
     """The verbs are loaded when they are asked for; the list of all of them has to ask."""
@@ -877,6 +878,7 @@ def shell(script: str, folder: Path, **environment: str) -> Ran:
     )
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize(
     ("script", "code", "words"),
     [
@@ -928,6 +930,7 @@ def test_a_terminal_that_knows_only_ascii_is_served(file: str, tmp_path: Path) -
     assert "?" not in result.out
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("language", ["ja", "ru"])
 def test_a_language_that_the_terminal_lacks_letters_for_is_doubted_in_ascii(
     file: str, tmp_path: Path, language: str

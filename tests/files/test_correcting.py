@@ -269,6 +269,7 @@ def test_a_check_run_says_whether_the_coefficients_hold(
     assert [row["share_percent"] for row in answer["left"]] == [pytest.approx(100 * left)] * 2
 
 
+@pytest.mark.many(first=12)
 @pytest.mark.parametrize(
     ("line", "told"),
     [

@@ -156,6 +156,7 @@ def test_an_engine_without_the_table_is_told_nothing_of_fatigue(run: Run, tmp_pa
     assert "fatigue" not in json.loads(run("torsion", str(path), "--json").out)
 
 
+@pytest.mark.release
 def test_the_verdict_says_whether_the_crankshaft_bears_its_stress() -> None:
     def said(**steel: Any) -> str:
         own = {**TORSION, "fatigue": {**STEEL, **steel}}

@@ -58,7 +58,7 @@ def parsed(formula: str) -> ElementTree.Element:
     return ElementTree.fromstring(formula)  # noqa: S314
 
 
-@pytest.mark.many(first=15)
+@pytest.mark.many(first=6)
 @EVERY_ENGINE
 def test_the_formulas_of_a_page_are_well_formed(name: str) -> None:
     engine = crankstar.load(name)
@@ -276,6 +276,7 @@ def test_lines_of_several_harmonics_are_still_a_line(run: Run, tmp_path: Path) -
     assert "F_+ = (1/5 − 0.5 A₂) ∠ π" in told  # a length is positive: A₂ is 0.254
 
 
+@pytest.mark.release
 def test_moments_that_cancel_are_not_said_to_push_against_each_other(run: Run) -> None:
     told = " ".join(run("derive", "i4", "--orders", "2", "--quantity", "couple").out.split())
     assert "their moments equal and opposite at every crank angle" in told
@@ -441,6 +442,7 @@ def test_the_pistons_alone_have_a_name_of_their_own_beside_rotating_masses() -> 
     assert any(below.startswith("pistons") for below, _line in names)
 
 
+@pytest.mark.release
 def test_newtons_of_a_derivation_have_what_they_rest_on(run: Run) -> None:
     """The rotating masses, which the file lacks, make the couple of order 1 two or three times."""
     asked = ("--quantity", "couple", "--orders", "1")
@@ -458,6 +460,7 @@ def test_newtons_of_a_derivation_have_what_they_rest_on(run: Run) -> None:
     assert "cylinder.rotating" in marked.partition("417.949")[2]
 
 
+@pytest.mark.release
 def test_a_derivation_without_newtons_has_no_record(run: Run) -> None:
     for name in ("i4", "v8-cross-plane"):
         for quantity in ("force", "couple"):

@@ -9,6 +9,7 @@ import pytest
 from tests.commands import Run
 
 
+@pytest.mark.release
 def test_derive_prints_the_proof_and_what_is_left(run: Run) -> None:
     shown = run("derive", "bmw-s65", "--quantity", "gas").out
     assert "(1 − z⁸)/(1 − z)" in shown

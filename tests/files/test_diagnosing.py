@@ -68,6 +68,7 @@ def test_a_lost_weight_is_named_with_what_it_cannot_be_told_from(run: Run) -> No
     assert (alike["kind"], alike["number"]) in named
 
 
+@pytest.mark.release
 def test_a_healthy_engine_is_told_in_one_sentence(run: Run) -> None:
     said = " ".join(run("diagnose", "four.toml", "healthy.csv").out.split())
     assert "Nothing is out of order by this measurement" in said
@@ -93,6 +94,7 @@ def test_what_no_fault_explains_is_told_in_one_sentence(run: Run, tmp_path: Path
     assert not json.loads(run("diagnose", "four.toml", "odd.csv", "--json").out)["explained"]
 
 
+@pytest.mark.release
 def test_a_list_may_give_the_error_of_each_reading(
     run: Run, refused: Refused, tmp_path: Path
 ) -> None:
@@ -107,6 +109,7 @@ def test_a_list_may_give_the_error_of_each_reading(
     assert "the error must be greater than 0" in refused("diagnose", "four.toml", "none.csv")
 
 
+@pytest.mark.release
 def test_one_reading_is_told_to_be_too_few(run: Run, tmp_path: Path) -> None:
     rows = (tmp_path / "lost.csv").read_text(encoding="utf-8").splitlines()
     (tmp_path / "one.csv").write_text("\n".join([rows[0], rows[10]]), encoding="utf-8")
@@ -114,6 +117,7 @@ def test_one_reading_is_told_to_be_too_few(run: Run, tmp_path: Path) -> None:
     assert "So few readings are explained by many faults" in said
 
 
+@pytest.mark.release
 def test_the_picture_has_bars_and_vectors(run: Run, tmp_path: Path) -> None:
     run("diagnose", "four.toml", "lost.csv", "-o", "why.svg")
     drawn = (tmp_path / "why.svg").read_text(encoding="utf-8")
@@ -121,6 +125,7 @@ def test_the_picture_has_bars_and_vectors(run: Run, tmp_path: Path) -> None:
     assert drawn.count(">measured<") == drawn.count(">explained<") == 4
 
 
+@pytest.mark.release
 def test_what_a_cut_changes_is_half_orders_of_roll(run: Run) -> None:
     said = json.loads(run("fault", "four.toml", "--cut", "3", "--json").out)
     rows = {row["order"]: row for row in said["orders"]}
@@ -131,6 +136,7 @@ def test_what_a_cut_changes_is_half_orders_of_roll(run: Run) -> None:
     assert said["faults"] == [{"kind": "combustion", "number": 3, "size": 1.0}]
 
 
+@pytest.mark.release
 def test_a_heavier_piston_adds_its_share_of_force(run: Run) -> None:
     said = json.loads(run("fault", "four.toml", "--heavier", "piston.1=20g", "--json").out)
     row = next(row for row in said["orders"] if row["order"] == 1)
@@ -146,6 +152,7 @@ def test_csv_has_every_order(run: Run) -> None:
     assert [float(row["order"]) for row in rows] == [1, 2]
 
 
+@pytest.mark.many(first=9)
 @pytest.mark.parametrize(
     ("line", "told"),
     [
@@ -176,6 +183,7 @@ def test_a_fault_that_cannot_be_is_one_sentence(
     assert told in " ".join(refused("fault", *line).split())
 
 
+@pytest.mark.many(first=6)
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
@@ -213,6 +221,7 @@ def test_two_values_before_of_one_place_are_not_chosen_from(
     assert "name of a list is empty" in refused("diagnose", "four.toml", "")
 
 
+@pytest.mark.release
 def test_a_fault_that_none_of_the_orders_has_is_told_in_a_sentence(run: Run) -> None:
     line = ("fault", "four.toml", "--lost-weight", "2", "--orders", "2,4")
     said = run(*line).out
@@ -302,6 +311,7 @@ def test_csv_has_the_unit_of_each_size(run: Run) -> None:
     assert units == {"piston": "kg", "big_end": "kg", "weight": "share", "combustion": "share"}
 
 
+@pytest.mark.release
 def test_a_point_of_the_block_is_named_and_the_first_one_is_told(run: Run) -> None:
     points = '\n\n[[block.points]]\nname = "{}"\nup = "{} mm"\nright = "20 mm"\nz = "{} mm"\n'
     text = Path("four.toml").read_text(encoding="utf-8")
@@ -316,6 +326,7 @@ def test_a_point_of_the_block_is_named_and_the_first_one_is_told(run: Run) -> No
     assert run(*line, "--at", "chair").code == 2
 
 
+@pytest.mark.release
 def test_the_point_whose_velocity_is_told_is_named(run: Run) -> None:
     line = ("fault", "four.toml", "--cut", "3")
     said = " ".join(run(*line, "--at", "0 mm, 300 mm, 20 mm").out.split())
@@ -341,6 +352,7 @@ def test_more_than_all_of_a_part_cannot_be_lost(refused: Refused, faults: tuple[
     assert "together more than all of it" in refused("fault", "four.toml", *faults)
 
 
+@pytest.mark.release
 def test_both_pistons_of_a_chamber_lose_its_combustion_once(refused: Refused, run: Run) -> None:
     line = ("fault", "jumo-205", "--set", "cylinder.reciprocating_mass=3 kg")
     line = (*line, "--set", "layout.bore_pitch=150 mm", "--speed", "2200 rpm")

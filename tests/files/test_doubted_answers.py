@@ -52,7 +52,7 @@ def doubted(folder: Path, tables: str = "", ratio: str = "1.2") -> str:
     return str(path)
 
 
-@pytest.mark.many(first=len(COMMANDS))
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("command", MARKED, ids=lambda command: command[0])
 @pytest.mark.parametrize("ratio", ["1.2", "60"])
 def test_an_impossible_compression_ratio_is_doubted_once_by_every_command_with_gas(

@@ -12,6 +12,7 @@ from crankstar.files.errors import EngineFileError
 STARVED = ("sweep", "honda-b18c", "--quantity", "torque_with_gas")
 
 
+@pytest.mark.release
 def test_a_sweep_says_from_where_to_where_the_fuel_cannot_burn(run: Run) -> None:
     """9 bar of 1 bar of charge have 22.5: less than 11 of any charge below 0.489 bar."""
     words = [*STARVED, "--over", "gas.intake_pressure=0.3..1 bar by 0.1"]
@@ -25,6 +26,7 @@ def test_a_sweep_says_from_where_to_where_the_fuel_cannot_burn(run: Run) -> None
     assert doubt in said
 
 
+@pytest.mark.release
 def test_a_sweep_of_two_numbers_says_it_too_and_one_that_burns_does_not(run: Run) -> None:
     two = ["--over", "gas.intake_pressure=0.3..1 bar/3", "--over", "gas.gamma=1.25..1.35/3"]
     assert "the fuel cannot burn" in " ".join(run(*STARVED, *two).out.split())
@@ -51,6 +53,7 @@ def test_a_value_that_every_operating_point_has_of_its_own_cannot_be_set(run: Ru
     assert crankstar.load("audi-25-tfsi", changes=both).gas is not None
 
 
+@pytest.mark.release
 def test_its_table_for_programs_and_its_chart_say_it_too(run: Run, tmp_path: Path) -> None:
     words = [*STARVED, "--over", "gas.intake_pressure=0.3..1 bar/4"]
     made = run(*words, "--csv")
@@ -63,6 +66,7 @@ def test_its_table_for_programs_and_its_chart_say_it_too(run: Run, tmp_path: Pat
     assert "burn" in figure
 
 
+@pytest.mark.release
 def test_values_between_two_doubtful_ones_are_not_said_to_be_doubtful(run: Run) -> None:
     words = ["--over", "gas.compression_ratio=2,10,28", "--quantity", "peak_pressure"]
     said = " ".join(run("sweep", "honda-b18c", *words).out.split())
@@ -71,6 +75,7 @@ def test_values_between_two_doubtful_ones_are_not_said_to_be_doubtful(run: Run) 
     assert "So it is at 1.5 to 2, 28." in " ".join(run("sweep", "honda-b18c", *few).out.split())
 
 
+@pytest.mark.release
 def test_friction_is_not_doubted_in_what_it_is_not_in(run: Run) -> None:
     """The file runs faster than its friction was measured; a peak pressure has none of it."""
     words = ["sweep", "honda-b18c", "--over", "gas.imep=8..9 bar/2", "--quantity"]

@@ -109,6 +109,7 @@ def test_weights_at_the_ends_are_refused_where_cylinders_lean() -> None:
         engine_family(leaning, numbers=[5], horizontal_share=0.5)
 
 
+@pytest.mark.release
 def test_what_weights_at_the_ends_take_away_is_nought(run: Run, tmp_path: Path) -> None:
     """Rounding was printed, 1e-17 of the rest."""
     asked = ("guide", written(tmp_path), "--numbers", "5", "--json")
@@ -201,6 +202,7 @@ def test_the_best_is_by_squares_of_moments_with_all_that_rotates(run: Run, tmp_p
     assert "root of the sum" not in second
 
 
+@pytest.mark.release
 def test_without_masses_and_pitch_the_page_is_in_their_units(run: Run) -> None:
     out = run("guide", "man-s90mc-c", "--numbers", "6,7")
     assert "1-7-2-5-4-3-6" in out.out
@@ -271,6 +273,7 @@ def test_published_orders_are_those_of_the_catalog_with_their_source(
     assert {*found} == (four if changes else two)
 
 
+@pytest.mark.release
 def test_a_published_order_has_the_moments_of_the_same_order_given(
     run: Run, tmp_path: Path
 ) -> None:
@@ -296,6 +299,7 @@ def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
     assert "--numbers:" not in told
 
 
+@pytest.mark.release
 def test_a_rotating_mass_that_the_engine_cancels_is_missing_from_its_family(run: Run) -> None:
     """A six cancels what it lacks; the five of the same cylinders shows it."""
     tree = json.loads(json.dumps(SIX))

@@ -45,6 +45,7 @@ def numbers(engine: Engine) -> Document:
     return answer(engine, balance(engine, speed=engine.speed))
 
 
+@pytest.mark.many(first=23)
 @pytest.mark.parametrize("name", SIZED)
 def test_an_engine_with_a_bore_gives_newtons(name: str) -> None:
     engine = engine_of(tree_for(name))
@@ -480,6 +481,7 @@ def test_ranges_that_reach_no_engine_are_named(
         assert ("too short to turn with crank radius" in words) == bool(said)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("bore", "outside"), [("40 mm", True), ("86 mm", False), ("250 mm", True)])
 def test_an_engine_beyond_those_that_were_weighed_is_told(
     bore: str, outside: bool, run: Run, tmp_path: Path

@@ -109,7 +109,7 @@ def test_the_same_engine_from_a_spreadsheet_has_the_share_of_itself(run: Run) ->
     assert row.split()[-1] == "100"
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("gas", "speed", "kind"),
     [

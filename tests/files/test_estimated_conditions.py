@@ -48,6 +48,7 @@ def _record(run: Run, *words: str) -> dict[str, dict[str, Any]]:
     return {row["path"]: row for row in told["rests_on"]}
 
 
+@pytest.mark.release
 def test_a_gas_torque_goes_with_the_square_of_an_estimated_bore(run: Run, tmp_path: Path) -> None:
     """At a mean pressure every order is p A r: over the range of the bore it is in D^2."""
     place = tmp_path / "five.toml"
@@ -72,6 +73,7 @@ def test_an_inertia_torque_goes_with_the_square_of_an_estimated_speed(
     assert (low, high) == (pytest.approx(1 / 1.2**2, rel=1e-3), pytest.approx(1.2**2, rel=1e-3))
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("verb", ["torque", "analyze"])
 @pytest.mark.parametrize(("text", "path"), [(FIVE, "cylinder.bore"), (THREE, "speed")])
 def test_no_range_is_promised_of_a_bore_or_a_speed(
@@ -86,6 +88,7 @@ def test_no_range_is_promised_of_a_bore_or_a_speed(
     assert MARKED not in plain
 
 
+@pytest.mark.release
 def test_the_range_of_masses_beside_an_estimated_speed_is_promised(
     run: Run, tmp_path: Path
 ) -> None:

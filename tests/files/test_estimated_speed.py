@@ -49,6 +49,7 @@ def genset(tmp_path: Path) -> str:
     return str(place)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("words", ASKED)
 def test_a_speed_that_is_asked_for_is_not_said_to_be_estimated(
     words: tuple[str, ...], run: Run, genset: str
@@ -69,6 +70,7 @@ def test_a_speed_that_is_asked_for_is_not_said_to_be_estimated(
         assert "cylinder.throw_mass" in paths
 
 
+@pytest.mark.release
 def test_what_is_asked_at_a_speed_is_that_of_a_file_with_that_speed(genset: str) -> None:
     """And its brake torque is p_me V_H / 4 pi; without one the speed is estimated."""
     asked = crankstar.torque(genset, speed=750 * pi / 30, estimate=True)

@@ -81,7 +81,7 @@ def test_an_engine_of_any_kind_is_the_same_written_and_read_back(kind: str) -> N
     same()
 
 
-@pytest.mark.many(first=82)
+@pytest.mark.many(first=27)
 @pytest.mark.parametrize("text", FILES.values(), ids=FILES)
 def test_a_file_is_the_same_engine_in_both_forms_and_both_languages(text: str) -> None:
     engine = engine_of(tree_of(text))
@@ -360,6 +360,7 @@ ALL = {
 }
 
 
+@pytest.mark.release
 def test_the_schema_is_a_schema_and_says_which_kind() -> None:
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
     assert SCHEMA["$schema"] == "https://json-schema.org/draft/2020-12/schema"

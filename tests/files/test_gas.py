@@ -210,6 +210,7 @@ def test_the_answer_of_torque_is_the_promised_one(run: Run, four: str) -> None:
     assert np.array(second["roll"]) == pytest.approx(-np.array(second["total"]), rel=1e-6)
 
 
+@pytest.mark.release
 def test_a_cylinder_that_is_off_brings_up_half_orders(run: Run) -> None:
     told = torque(run, "honda-b18c", "--imep", "10 bar", "--off", "2")
     whole = torque(run, "honda-b18c", "--imep", "10 bar")
@@ -315,6 +316,7 @@ def test_an_engine_without_bore_says_what_it_needs(run: Run) -> None:
     assert "cylinder.bore" in run("torque", "i4").err
 
 
+@pytest.mark.release
 def test_what_is_assumed_is_told_and_what_is_given_is_not(run: Run) -> None:
     shown = " ".join(run("torque", "honda-b18c").out.split())
     assert re.search(r"gas\.compression_ratio(: 10 assumed| \(10\))", shown)
@@ -372,6 +374,7 @@ def test_the_gears_of_two_crankshafts_are_told_with_the_flywheel_here_and_there(
     assert "meshes" not in torque(run, "parallel-twin-180", "--imep", "9 bar")
 
 
+@pytest.mark.release
 def test_a_drive_says_where_the_load_is_and_how_the_inertia_is_shared(run: Run) -> None:
     shares = ("--set", "drive.inertia_shares=[0.2, 0.3]")
     (mesh,) = torque(run, *RACER, *shares)["meshes"]
@@ -424,7 +427,7 @@ def written(tmp_path: Path, text: str) -> str:
     return str(place)
 
 
-@pytest.mark.many(first=7)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("separator", [",", ";", "\t"])
 @pytest.mark.parametrize(("unit", "factor"), [("bar", 1.0), ("kPa", 100.0), ("MPa", 0.1)])
 def test_a_trace_is_read_from_a_file_in_any_form(

@@ -45,6 +45,7 @@ def rows_of(run: Run, *words: str) -> dict[str, dict[str, Any]]:
     return {row["path"]: row for row in json.loads(run(*words, "--json").out)["rests_on"]}
 
 
+@pytest.mark.release
 def test_the_closing_of_the_intake_moves_what_is_compressed() -> None:
     """Motored, by the adiabatic law from the charge pressure where the intake closes."""
     engine = engine_of({**FIVE, **BURNING})
@@ -66,7 +67,7 @@ def test_the_closing_of_the_intake_moves_what_is_compressed() -> None:
     assert sizes == pytest.approx([peak(each) for each in (50, 70, 40)], rel=2e-3)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("verb", "tree"),
     [
@@ -92,7 +93,7 @@ def test_assumed_valves_are_in_the_record_and_given_ones_are_not(
     assert [path for path in after if path.startswith("valves.")] == others
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("verb", ["genset", "bearings"])
 def test_a_cycle_that_a_misfire_brings_in_is_said_to_be_assumed(
     verb: str, tmp_path: Path, run: Run
@@ -122,13 +123,14 @@ def test_the_irregularity_of_a_generating_set_is_among_its_figures(
     )
 
 
+@pytest.mark.release
 def test_the_flywheel_that_was_asked_for_is_among_the_figures(tmp_path: Path, run: Run) -> None:
     file, asked = written(tmp_path, GENSET), ("--irregularity", "0.005")
     own = rows_of(run, "genset", file, *asked)["gas.gamma"]
     assert (own["moves"]["quantity"], own["moves"]["unit"]) == ("flywheel", "kg*m^2")
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("name", "other", "beside"),
     [
@@ -170,6 +172,7 @@ def test_of_two_engines_the_one_without_masses_is_said_to_lack_them(
     assert "as its own file lacks masses, sizes or a speed" in bare
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("verb", ["marine", "guide"])
 def test_where_a_power_is_said_its_assumed_friction_is_named(
     verb: str, tmp_path: Path, run: Run
@@ -187,6 +190,7 @@ def test_where_a_power_is_said_its_assumed_friction_is_named(
         assert lost == pytest.approx(torque["imep"] - torque["bmep"], rel=1e-6)
 
 
+@pytest.mark.release
 def test_the_figures_of_a_ships_engine_are_all_its_guide_moments(tmp_path: Path, run: Run) -> None:
     own = rows_of(run, "marine", written(tmp_path, SHIP))["gas.intake_pressure"]["moves"]
     assert (own["quantity"], own["order"], own["unit"]) == ("X moment", 3.0, "N*m")

@@ -99,6 +99,7 @@ def test_a_trace_that_hardly_changes_is_refused() -> None:
     assert mistakes(gas={"trace": flat}) == ["trace.constant"]
 
 
+@pytest.mark.release
 def test_a_trace_with_one_slip_in_every_sample_has_one_fault() -> None:
     for wrong in ("5 furlong", "-5 bar", "5 barg", 5):
         assert len(mistakes(gas={"trace": trace() | {"pressure": [[wrong] * 360]}})) == 1
@@ -150,7 +151,7 @@ def with_csv(tmp_path: Path, head: str, factor: float = 1.0, turn: float = 1.0) 
     return str(place)
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("head", "factor", "turn"),
     [
@@ -207,6 +208,7 @@ def test_ignition_follows_process_ratio_and_bore_and_what_the_file_says() -> Non
     )
 
 
+@pytest.mark.release
 def test_what_is_assumed_of_ignition_is_told(run: Run) -> None:
     changes = ("--set", "gas.compression_ratio=18")
     shown = " ".join(run("torque", "honda-b18c", *changes).out.split())
@@ -286,6 +288,7 @@ def test_a_value_that_hardly_any_engine_has_is_told_by_check(
     assert code in [fault.code for fault in doubts(engine)]
 
 
+@pytest.mark.release
 def test_a_point_at_the_speed_of_the_load_of_the_table_is_told_by_check_and_torque(
     run: Run,
 ) -> None:
@@ -490,6 +493,7 @@ def test_without_a_rotating_mass_nothing_is_a_bobweight_in_any_unit(name: str) -
     assert whole.columns[-1].heading != headed.columns[-1].heading
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("path", ["gas", "gas.point[1]"])
 def test_a_starved_charge_says_what_enough_of_it_would_change(path: str, run: Run) -> None:
     """With the pressure at which it is tried the roll is that of the command itself."""
@@ -541,6 +545,7 @@ def test_a_mean_pressure_of_next_to_nothing_is_doubted() -> None:
     assert "doubt.small-load" not in [fault.code for fault in doubts(idle)]
 
 
+@pytest.mark.release
 def test_set_names_the_csv_file_of_a_trace_as_a_file_does(run: Run, tmp_path: Path) -> None:
     """The same numbers as of the file that names it; the measurement cannot be written over."""
     place = with_csv(tmp_path, "angle,p [bar]")
@@ -557,6 +562,7 @@ def test_set_names_the_csv_file_of_a_trace_as_a_file_does(run: Run, tmp_path: Pa
     assert file.read_bytes() == before
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("process", ["heat-release", "otto"])
 def test_the_temperature_of_the_charge_is_that_of_the_air_fuel_ratio(process: str) -> None:
     """Mass of air is p V/(R T): at 300 K for 340 K it is 13 % more."""

@@ -113,6 +113,7 @@ def test_without_a_cycle_analyze_says_nothing_of_gas(run: Run, tmp_path: Path) -
     assert "gas_orders" not in answer(run, "analyze", str(place))
 
 
+@pytest.mark.release
 def test_the_roll_on_the_same_mounts_has_all_that_alternates(run: Run, four: str) -> None:
     idle, full = (answer(run, "torque", four, "--point", name) for name in ("idle", "full"))
     assert abs(amplitudes(full, what="roll")[4.0]) > 2 * abs(amplitudes(idle, what="roll")[4.0])
@@ -145,6 +146,7 @@ def test_a_weak_cylinder_shakes_a_generating_set_in_half_orders(
     assert sums[0.5] == pytest.approx(abs(roll[0.5]), rel=1e-9)
 
 
+@pytest.mark.release
 def test_a_weak_cylinder_is_a_share_of_a_misfire(run: Run) -> None:
     place = str(CASES / "genset-four.toml")
     none, weak, off = (
@@ -155,6 +157,7 @@ def test_a_weak_cylinder_is_a_share_of_a_misfire(run: Run) -> None:
         assert weak[order] == pytest.approx(0.75 * none[order] + 0.25 * off[order], abs=1e-9)
 
 
+@pytest.mark.release
 def test_a_dead_cylinder_draws_the_charge_of_the_measured_trace(run: Run) -> None:
     place = str(CASES / "v6-idle-trace.toml")
     told = answer(run, "torque", place, "--speed", "700 rpm", "--off", "3")
@@ -187,6 +190,7 @@ def test_tangential_pressures_at_no_load_are_refused(run: Run, four: str, text: 
     assert "--tangential" in refused(run, "torque", four, "--tangential", text)
 
 
+@pytest.mark.release
 def test_tangential_pressures_are_the_torque_of_one_cylinder(run: Run, four: str) -> None:
     """A four has order 2 four times: t_2 = 2 T_2/(4 V_d), from the printed torque."""
     told = answer(run, "torque", four, "--imep", "8 bar", "--tangential", "4 bar, 8 bar")
@@ -197,6 +201,7 @@ def test_tangential_pressures_are_the_torque_of_one_cylinder(run: Run, four: str
     assert row["imep 4 bar"] < row["imep 8 bar"]
 
 
+@pytest.mark.release
 def test_the_side_thrust_that_is_told_is_the_greatest_of_the_curve(run: Run, four: str) -> None:
     told = answer(run, "torque", four)
     engine = crankstar.load(four)
@@ -209,6 +214,7 @@ def test_the_side_thrust_that_is_told_is_the_greatest_of_the_curve(run: Run, fou
         assert row["thrust_side"] >= values.max() * (1 - 1e-9)
 
 
+@pytest.mark.release
 def test_forces_that_the_uneven_speed_changes_are_told_at_idle_alone(run: Run, four: str) -> None:
     idle = answer(run, "torque", four, "--point", "idle")["uneven_forces"]
     assert {(row["quantity"], row["order"]) for row in idle} >= {("force", 4.0)}
@@ -289,6 +295,7 @@ def test_the_torque_that_is_drawn_is_gas_and_inertia_of_each_angle(four: str) ->
     assert curve(found, "mean")[1] == pytest.approx(gas.mean(), rel=1e-5)
 
 
+@pytest.mark.release
 def test_bars_of_the_torque_stand_where_torque_has_orders(run: Run, four: str) -> None:
     told = answer(run, "torque", four)
     drawn = charts.torque_chart(crankstar.load(four), quantity="orders")
@@ -327,6 +334,7 @@ def test_loads_are_drawn_motored_and_at_each_point(four: str) -> None:
     assert names == {"motored, 955 rpm", "idle, 800 rpm", "full, 5500 rpm"}
 
 
+@pytest.mark.release
 def test_amplitudes_over_the_speed_end_at_what_torque_says(run: Run, four: str) -> None:
     drawn = charts.amplitudes(crankstar.load(four), speeds=[100.0, 575.9586531581287]).to_dict()
     told = answer(run, "torque", four, "--point", "full")
@@ -355,6 +363,7 @@ def test_the_report_has_a_chapter_of_gas_where_the_file_has_a_cycle(
     assert "Gas and torque" not in (tmp_path / "bare.html").read_text(encoding="utf-8")
 
 
+@pytest.mark.release
 def test_a_cylinder_that_is_off_silences_the_chamber_it_shares(run: Run) -> None:
     """Cylinders 1 and 7 of a Jumo 205 face each other in one chamber."""
     chamber = crankstar.load("jumo-205").chambers[1]

@@ -34,6 +34,7 @@ START = "from crankstar.__main__ import main; main()"
 """What the script of the package does."""
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(("words", "module"), POINTS)
 def test_an_interrupt_at_any_import_ends_the_program_quietly(
     words: list[str], module: str, tmp_path: Path

@@ -206,6 +206,7 @@ def test_impossible_limits_are_refused_with_how_far_they_are_missed() -> None:
         best(four(UNEVEN), [])
 
 
+@pytest.mark.release
 def test_the_written_file_is_the_engine_with_its_sources(run: Run, tmp_path: Path) -> None:
     guess = {"status": "placeholder", "source": "a guess"}
     engine = four(

@@ -68,6 +68,7 @@ def written(tmp_path: Path, tree: dict[str, Any]) -> str:
     return str(path)
 
 
+@pytest.mark.release
 def test_what_a_propeller_damps_is_in_the_record_as_it_is_by_hand(tmp_path: Path, run: Run) -> None:
     ship = written(tmp_path, SHIP)
     row = rows_by_path(json.loads(run("torsion", ship, "--json").out))[
@@ -106,6 +107,7 @@ def test_crankpins_that_new_counterweights_do_not_balance_are_named(
     assert pins.moved.high > 2 * pins.moved.now
 
 
+@pytest.mark.release
 def test_axes_are_as_uncertain_of_an_estimated_block_as_of_a_given_one() -> None:
     from crankstar.analyses.mounts.figures import on_mounts
 

@@ -179,7 +179,7 @@ def test_the_family_is_printed_as_it_is_in_json(
     assert moments_of(text) == {moment}
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("units", "moment"), [((), "kN m"), (("--units", "N m"), "N m"), (("--units", "us"), "lbf ft")]
 )

@@ -109,6 +109,7 @@ def test_rounding_is_no_force(run: Run) -> None:
     assert out["moments"][-1]["force_vertical"] > 0
 
 
+@pytest.mark.release
 def test_without_masses_compensators_are_counted_in_those_of_the_engine(run: Run) -> None:
     asked = ("--compensate", "2: 4.5", "--node", "-20")
     out = json.loads(run("marine", "man-s90mc-c", *asked, "--json").out)
@@ -119,6 +120,7 @@ def test_without_masses_compensators_are_counted_in_those_of_the_engine(run: Run
     assert 2 * one["unbalance"] * 2**2 == pytest.approx(one["force"]["amplitude"])
 
 
+@pytest.mark.release
 def test_the_engine_that_is_saved_has_the_moments_that_were_shown(run: Run, tmp_path: Path) -> None:
     saved = str(tmp_path / "quiet.toml")
     asked = ("--compensate", "2: 4.5 m, -4.5 m", "--first-order", "0.3", "--save", saved)
@@ -139,6 +141,7 @@ def test_the_csv_has_a_row_for_each_order(run: Run, tmp_path: Path) -> None:
     assert [float(row["order"]) for row in moments] == [1, 2, 4, 6]
 
 
+@pytest.mark.release
 def test_the_csv_has_every_table_that_is_printed(run: Run, tmp_path: Path) -> None:
     asked = ("--speeds", "60 rpm, 90 rpm", "--bracing", "5 m, 8 m", "--compensate", "2: 4 m")
     place = written(tmp_path)
@@ -176,6 +179,7 @@ def told(run: Run, *asked: str) -> tuple[list[float], list[float]]:
     )
 
 
+@pytest.mark.release
 def test_orders_choose_the_rows_of_both_tables(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path)
     assert told(run, place, "--orders", "8,12,13") == ([8, 12, 13], [8, 12, 13])
@@ -188,6 +192,7 @@ def test_orders_choose_the_rows_of_both_tables(run: Run, tmp_path: Path) -> None
     assert told(run, place, "--orders", "10") == ([10], [10])
 
 
+@pytest.mark.release
 def test_all_orders_are_all_that_do_not_vanish(run: Run, tmp_path: Path) -> None:
     external, guide = told(run, written(tmp_path), "--orders", "all")
     assert guide == [float(order) for order in range(1, 25)]
@@ -204,6 +209,7 @@ def test_a_row_that_says_nothing_is_left_out(run: Run) -> None:
     assert all(order % 7 == 0 for order in told(run, "man-s90mc-c", "--orders", "all")[1])
 
 
+@pytest.mark.release
 def test_from_which_share_orders_are_told_is_said(run: Run, tmp_path: Path) -> None:
     place, said = written(tmp_path), "those of guide-force moments from 1 % of the greatest"
     assert said in " ".join(run("marine", place).out.split())
@@ -250,6 +256,7 @@ def test_moments_over_speeds_go_with_their_square(run: Run, tmp_path: Path) -> N
     assert fast["m1h"] == 0
 
 
+@pytest.mark.release
 def test_an_estimated_engine_has_ranges(run: Run) -> None:
     out = json.loads(run("marine", "audi-25-tfsi", "--estimate", "--json").out)
     first = out["moments"][0]
@@ -313,6 +320,7 @@ def test_a_saved_engine_never_replaces_what_is_read(
     assert Path(own).read_text() == before
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("options", "said"),
     [
@@ -368,6 +376,7 @@ def test_all_that_is_wrong_is_told_at_once(run: Run, tmp_path: Path) -> None:
     assert "--rated-power" in unknown
 
 
+@pytest.mark.release
 def test_moments_over_the_speeds_are_computed_whatever_orders_are_asked_for(run: Run) -> None:
     """Not asked for is not zero: M_4V goes with the square of the speed like the others."""
     own = ("--set", "cylinder.reciprocating_mass=9 t", "--set", "layout.bore_pitch=1.6 m")

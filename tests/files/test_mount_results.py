@@ -45,6 +45,7 @@ def said(run: Run, *words: str) -> str:
     return " ".join(ran.out.split())
 
 
+@pytest.mark.release
 def test_the_verdict_tells_roll_mode_worst_force_and_worst_shake(run: Run, tmp_path: Path) -> None:
     found = crankstar.mounts(mounted())
     over = found.over

@@ -109,6 +109,7 @@ def test_at_one_speed_the_orders_make_the_whole(run: Run, tmp_path: Path) -> Non
     assert [row["name"] for row in out["mounts_at_speed"]] == ["left", "right", "rear"]
 
 
+@pytest.mark.release
 def test_the_csv_has_a_row_for_each_speed_and_for_each_peak(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path)
     out = run("mounts", place, "--speeds", SPEEDS, "--csv").out
@@ -194,6 +195,7 @@ def test_a_workbook_has_a_sheet_for_each_table(run: Run, tmp_path: Path) -> None
     assert sheets["speeds"].max_row > 90
 
 
+@pytest.mark.release
 def test_readers_are_told_what_is_assumed_and_left_out(run: Run, tmp_path: Path) -> None:
     out = " ".join(run("mounts", written(tmp_path)).out.split())
     assert "mounts.loss_factor" in out

@@ -151,6 +151,7 @@ def test_a_sweep_finds_the_balance_factor_of_a_single(run: Run) -> None:
     assert "force of order 1: █▇▅▇█" in few  # eighths of the greatest: 1, 3/4, 1/2, 3/4, 1
 
 
+@pytest.mark.release
 def test_a_sweep_finds_where_a_right_angled_twin_is_free(run: Run) -> None:
     out = run(
         "sweep",

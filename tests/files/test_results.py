@@ -51,6 +51,7 @@ def test_every_analysis_gives_what_its_command_prints(name: str, five: Any, run:
     assert name in repr(result)
 
 
+@pytest.mark.release
 def test_columns_carry_their_units(twisting: Any) -> None:
     table = twisting.criticals.to_frame()
     assert {"speed_rpm", "torque_N_m", "equilibrium_deg"} <= {*table.columns}
@@ -88,6 +89,7 @@ def test_the_force_in_a_mount_is_that_of_its_deflection(five: Any) -> None:
     assert data.displacement.sel(axis="up").shape == (data.sizes["speed_rpm"], data.sizes["order"])
 
 
+@pytest.mark.release
 def test_parts_are_records_and_rows(twisting: Any) -> None:
     assert twisting.criticals[0] == twisting.value.criticals[0]
     assert len([*twisting.modes]) == len(twisting.modes)
@@ -106,6 +108,7 @@ def test_parts_are_records_and_rows(twisting: Any) -> None:
         crankstar.genset("audi-25-tfsi").to_xarray()
 
 
+@pytest.mark.release
 def test_a_figure_is_that_of_the_question(twisting: Any) -> None:
     own = twisting.plot("response")
     assert own.to_dict() == twisting.plot("torsion-response").to_dict()
@@ -116,6 +119,7 @@ def test_a_figure_is_that_of_the_question(twisting: Any) -> None:
         twisting.plot("nothing")
 
 
+@pytest.mark.release
 def test_a_figure_that_would_show_something_else_is_refused(five: Any) -> None:
     """The figures of torsion know no misfire; a number of modes only chooses what is listed."""
     dead = crankstar.torsion(five, off=[3], speeds="2000..3000 rpm/3")
@@ -171,6 +175,7 @@ def test_the_pressures_of_the_array_make_its_torque() -> None:
     assert whole == pytest.approx(abs(complex(*row["gas"])), rel=1e-9)
 
 
+@pytest.mark.release
 def test_the_loads_of_the_array_are_as_great_as_the_table_says() -> None:
     """Every degree misses a maximum by less than 1 % of it; orders add up to the same load."""
     found = crankstar.bearings("audi-25-tfsi", gas=True, speed="3000 rpm")

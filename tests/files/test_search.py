@@ -203,6 +203,7 @@ def test_pictures_of_the_front_and_of_the_winners(run: Run, tmp_path: Path, char
     assert "1-7-2-5-4-3-6" in text
 
 
+@pytest.mark.release
 def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(
     run: Run, tmp_path: Path
 ) -> None:
@@ -218,7 +219,7 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(
     assert (tmp_path / "kept").exists()
 
 
-@pytest.mark.many(first=38)
+@pytest.mark.many(first=15)
 @pytest.mark.parametrize(
     ("words", "told"),
     [

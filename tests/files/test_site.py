@@ -196,7 +196,7 @@ if __name__ == "__main__":
 """A site whose processes never end what they have begun, and end only when a pipe lets them."""
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("sent", [[signal.SIGINT], [signal.SIGINT] * 3, [signal.SIGTERM]])
 def test_a_site_that_is_interrupted_leaves_nothing(tmp_path: Path, sent: list[int]) -> None:
     """Also while its processes write: an interrupt comes to all of them, as in a terminal."""

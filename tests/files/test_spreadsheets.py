@@ -162,7 +162,7 @@ MISTAKES: dict[str, tuple[Change, str]] = {
 }
 
 
-@pytest.mark.many(first=24)
+@pytest.mark.many(first=14)
 @pytest.mark.parametrize("kind", MISTAKES)
 def test_a_mistake_in_a_spreadsheet_is_one_sentence_with_its_cell(kind: str) -> None:
     change, sentence = MISTAKES[kind]

@@ -31,6 +31,7 @@ def compressed(ratio: float = 10.0) -> float:
     return cycle(crankstar.load("honda-b18c", changes=own), motored=True).peak
 
 
+@pytest.mark.release
 def test_a_value_without_a_result_is_a_gap_and_the_others_are_as_before() -> None:
     made = sweep("honda-b18c", OVER, changes=PEAKED)
     curve = watched(made, "mean_torque")
@@ -78,6 +79,7 @@ def test_where_no_value_has_a_result_there_is_no_sweep() -> None:
         watched(none, "mean_torque")
 
 
+@pytest.mark.release
 def test_a_gap_is_blank_in_every_table_and_told_why(run: Run, tmp_path: Path) -> None:
     words = [*WORDS, "--quantity", "mean_torque,peak_pressure"]
     shown = run(*words)

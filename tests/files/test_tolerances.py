@@ -248,6 +248,7 @@ def test_a_fault_of_a_spreadsheet_names_its_cell() -> None:
         engine_of(workbook_tree(out.getvalue(), "book.xlsx"), name="book.xlsx")
 
 
+@pytest.mark.release
 def test_the_schema_allows_tolerances() -> None:
     tree = json.loads(json.dumps(tree_of(SIX)))
     jsonschema.validate(tree, schema())

@@ -556,6 +556,7 @@ def test_a_mass_at_a_node_is_printed_as_nought() -> None:
     assert first.shape.tolist() == [1.0, 0.0, pytest.approx(-1.0)]
 
 
+@pytest.mark.release
 def test_all_orders_of_a_two_stroke_engine_are_whole(run: Run) -> None:
     told = ("--set", "torsion.inertia=40 t*m^2", "--set", "torsion.stiffness=900 MN*m/rad")
     out = run("torsion", "man-s90mc-c", *told, "--orders", "all", "--json").out

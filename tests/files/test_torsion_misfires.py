@@ -69,6 +69,7 @@ def test_over_a_range_the_same_cylinders_are_off_as_at_one_speed() -> None:
     assert np.allclose(swept.torque[index], alone.torque[0], rtol=1e-6, atol=1e-6)
 
 
+@pytest.mark.release
 def test_it_is_an_option_of_the_command_and_a_fact_of_its_answer(run: Run) -> None:
     words = ("torsion", SIX, "--speed", "1500 rpm", "--json")
     out = json.loads(run(*words, "--off", "3", "--weaker", "5=30%").out)

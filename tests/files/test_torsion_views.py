@@ -118,6 +118,7 @@ def test_compare_leaves_out_engines_without_the_table(run: Run, six: str) -> Non
     assert f"{told[0]['greatest']:.4g}" in table
 
 
+@pytest.mark.release
 def test_a_sweep_of_the_flywheel_gives_the_first_frequency_of_each() -> None:
     made = crankstar.sweep(own(), "torsion.disc[2].inertia=0.05..0.45 kg*m^2/3")
     curve = crankstar.watched(made, "torsion_frequency")
@@ -128,6 +129,7 @@ def test_a_sweep_of_the_flywheel_gives_the_first_frequency_of_each() -> None:
     assert np.all(np.diff(curve.values) < 0)
 
 
+@pytest.mark.release
 def test_a_sweep_gives_the_maximum_stress_and_the_free_end() -> None:
     made = crankstar.sweep(own(), "torsion.disc[2].inertia=0.1..0.3 kg*m^2/2")
     stress = crankstar.watched(made, "torsion_stress")

@@ -56,6 +56,7 @@ def test_missing_masses_are_not_in_a_torque(run: Run) -> None:
     assert rest["status"] == "left out"
 
 
+@pytest.mark.release
 def test_compared_at_an_assumed_speed_forces_go_with_its_square(run: Run) -> None:
     """Of two engines without a speed; the greatest of what moves is a force of inertia."""
     for name in ("one", "two"):
@@ -73,6 +74,7 @@ def test_compared_at_an_assumed_speed_forces_go_with_its_square(run: Run) -> Non
     assert answer["rests_on"][0]["path"] == "speed"
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("quantity", ["peak_pressure", "mean_torque"])
 def test_a_speed_is_not_missed_in_what_does_not_depend_on_it(quantity: str, run: Run) -> None:
     Path("four.json").write_text(json.dumps(FOUR))
@@ -100,6 +102,7 @@ SEVEN: dict[str, Any] = {
 }
 
 
+@pytest.mark.release
 def test_a_missing_speed_is_in_the_record_of_guide_forces_and_of_what_analyze_says(
     run: Run,
 ) -> None:

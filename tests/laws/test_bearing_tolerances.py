@@ -85,6 +85,7 @@ def test_the_law_of_a_bearing_is_the_change_of_its_load(path: str, text: str, st
     assert [*lines] == [f"bearing {number}" for number in range(1, 8)]
 
 
+@pytest.mark.release
 def test_engines_built_one_by_one_scatter_by_the_law() -> None:
     """Pistons and big ends drawn at random, each engine put together and its bearings asked."""
     found = scatter("i4", changes=BOTH, speed=SPEED, orders=ORDERS, count=2000, bearings=True)

@@ -96,6 +96,7 @@ def checked(
     return told
 
 
+@pytest.mark.many(first=9)
 @EVERY_ENGINE
 def test_every_line_of_every_engine_of_the_catalog_comes_to_the_balance(name: str) -> None:
     engine = catalog.load(name)
@@ -218,6 +219,7 @@ def test_closed_forms_are_the_definition_in_fifty_digits(
     )
 
 
+@pytest.mark.release
 @settings(max_examples=6)
 @given(st.data(), short_engines(plain=False), st.sampled_from(QUANTITIES), REFERENCES)
 def test_rods_on_knuckle_pins_and_off_the_centre_push_as_their_motion_says(

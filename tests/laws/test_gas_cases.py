@@ -213,6 +213,7 @@ def test_the_course_of_a_load_has_the_brake_torque(
         assert sums[order] == pytest.approx(share * of_course(order), rel=3e-4)
 
 
+@pytest.mark.release
 def test_friction_that_nobody_gave_counts_with_the_load_and_the_record_says_so() -> None:
     engine = crankstar.load(CASES / "four-pump.toml")
     apart = crankstar.load(CASES / "four-pump.toml", changes={"gas.friction": "spark-ignition"})

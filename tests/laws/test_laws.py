@@ -133,6 +133,7 @@ def added(one: Totals, other: Totals) -> Totals:
     return Totals(*(both(a, b) for a, b in zip(one, other, strict=True)))
 
 
+@pytest.mark.release
 @given(KNOWN, st.lists(number(0.1, 0.9), min_size=1, max_size=7), REFERENCES)
 def test_masses_add(engine: Engine, shares: list[float], reference: Reference) -> None:
     some, rest = cycle(shares), cycle(shares)
@@ -190,6 +191,7 @@ def test_turning_the_whole_engine_turns_its_vectors_only(
     assert_alike(found, expected, sizes(engine, reference))
 
 
+@pytest.mark.release
 @given(KNOWN, REFERENCES)
 def test_in_the_mirror_vectors_change_sides_and_rolls_their_sign(
     engine: Engine, reference: Reference
@@ -266,6 +268,7 @@ def test_the_reference_left_out_is_the_middle_of_the_cylinders(engine: Engine) -
     assert_alike(total(balance(engine, speed=1.0)), felt(engine, middle), sizes(engine, middle))
 
 
+@pytest.mark.release
 @given(KNOWN, FACTORS, FACTORS, SPEEDS, REFERENCES)
 def test_forces_grow_with_mass_length_and_speed_squared(
     engine: Engine, heavier: float, longer: float, speed: float, reference: Reference
@@ -491,6 +494,7 @@ def test_a_shaft_geared_at_a_ratio_does_the_same_at_that_ratio_times_the_orders(
         )
 
 
+@pytest.mark.release
 @given(engines())
 def test_an_engine_written_to_a_file_and_read_again_shakes_as_before(engine: Engine) -> None:
     again = engine_of(tree_of(toml(engine)))

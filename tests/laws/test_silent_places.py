@@ -73,6 +73,7 @@ def test_opposite_pins_at_one_place_are_said_with_the_couple_of_usual_ones() -> 
     assert float(size) == pytest.approx(unit * 0.04, rel=1e-6)
 
 
+@pytest.mark.release
 def test_the_inertia_of_a_drive_that_no_disc_has_is_said_with_what_it_changes() -> None:
     """The first natural frequency is 458.6 Hz without it, and 264.8 Hz with it at the rear."""
     result = crankstar.torsion(engine_of(tree_of(SIX)))
@@ -91,6 +92,7 @@ def test_the_inertia_of_a_drive_that_no_disc_has_is_said_with_what_it_changes() 
         assert crankstar.torsion(engine).modes[0].frequency == pytest.approx(by_hand, rel=1e-6)
 
 
+@pytest.mark.release
 def test_a_drive_whose_inertia_the_discs_have_is_not_mentioned() -> None:
     tree = tree_of(SIX)
     tree["torsion"]["disc"] = [{"name": "rotor", "inertia": "4.2 kg*m^2", "to": "rear"}]

@@ -84,6 +84,7 @@ def test_a_rod_is_shared_between_crank_and_piston_by_its_centre_of_mass():
     assert again.unbalance == pytest.approx(weight.unbalance)
 
 
+@pytest.mark.release
 @settings(max_examples=30)
 @given(st.data())
 def test_throws_turned_carry_their_own_unbalance(data):

@@ -108,6 +108,7 @@ def test_an_assumed_rod_has_the_range_of_its_type() -> None:
     assert (own.moved.now, own.moved.low, own.moved.high) == pytest.approx(second, rel=1e-4)
 
 
+@pytest.mark.release
 def test_what_matters_most_comes_first_and_every_effect_is_a_number() -> None:
     for name in names():
         engine = load(name)
@@ -203,6 +204,7 @@ def test_the_amplitude_at_a_resonance_goes_with_the_assumed_loss_factor() -> Non
         assert size == pytest.approx(degrees(float(peak)), rel=1e-6)
 
 
+@pytest.mark.release
 def test_a_block_without_moments_of_inertia_has_estimated_frequencies() -> None:
     places = [("left", -0.5, 0.0), ("right", 0.5, 0.0), ("rear", 0.0, -0.3)]
     rubber = [
@@ -268,6 +270,7 @@ def test_commands_of_text_alone_say_it_too(run: Run, words: tuple[str, ...]) -> 
     assert "rests on:" in run(*words).out
 
 
+@pytest.mark.release
 def test_what_a_sweep_varies_is_not_in_doubt(run: Run) -> None:
     over = ("--over", "cylinder.rod_length=130..160 mm", "--quantity", "couple")
     rows = json.loads(run("sweep", "audi-25-tfsi", *over, "--json").out)["rests_on"]
@@ -305,6 +308,7 @@ def test_bearings_of_a_single_are_shifted_by_a_share_of_their_distance() -> None
     assert other.bearings == pytest.approx([z + 0.1 * (front - rear) for z in (front, rear)])
 
 
+@pytest.mark.release
 def test_gas_that_is_left_out_is_measured_by_the_greater_of_both() -> None:
     for name in names():
         found = assumptions(load(name))
@@ -374,6 +378,7 @@ def test_usual_counterweights_say_what_they_balance(run: Run) -> None:
     assert "usual ones (all rotating masses and 50 % of the reciprocating masses)" in told
 
 
+@pytest.mark.release
 def test_a_pressure_that_is_assumed_moves_the_roll_beside_which_it_stands(
     run: Run, tmp_path: Path
 ) -> None:
@@ -396,6 +401,7 @@ def test_a_pressure_that_is_assumed_moves_the_roll_beside_which_it_stands(
     assert sorted((own.moved.low, own.moved.high)) == pytest.approx(sorted(sizes[1:]), rel=1e-6)
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(
     ("verb", "begins"),
     [

@@ -457,6 +457,7 @@ def test_every_figure_keeps_to_the_schema_of_vega_lite(name: str, engine: str) -
     assert not vega_lite().is_valid({**tree, part: {"type": "star"}})
 
 
+@pytest.mark.release
 def test_a_notebook_shows_a_figure_without_a_network_or_by_the_renderer_of_altair() -> None:
     chart = charts.crank_star(crankstar.load("v2-90"))
     own = chart._repr_mimebundle_()

@@ -318,6 +318,7 @@ def test_factors_that_are_given_stand_before_those_by_dimensions() -> None:
     assert own.fillets[0].fillet_torsion == pytest.approx(3.0 * plain.fillets[0].torsion)
 
 
+@pytest.mark.release
 def test_torsion_at_barred_speeds_is_left_out() -> None:
     found, free = assessed(six())
     assert found.response is not None
@@ -350,6 +351,7 @@ def test_two_stroke_throws_count_four_fifths_of_their_bending() -> None:
         assert fatigue.fillets[0].bending == pytest.approx(wanted, rel=1e-6)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("engine", "words"),
     [

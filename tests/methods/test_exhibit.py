@@ -163,7 +163,7 @@ def test_arrows_are_what_the_bodies_do_but_for_orders_that_are_left_out(
         assert abs(at(cylinder.force, shown.orders, shown.sense, theta) - expected) < 1e-7 * largest
 
 
-@pytest.mark.many(first=11)
+@pytest.mark.many(first=4)
 @EVERY_ENGINE
 def test_orders_that_are_left_out_are_not_missed(name: str) -> None:
     """The page's force, couple and roll are the negative rates of change of momentum, to 0.1 %.
@@ -255,7 +255,7 @@ def test_turns_bring_every_shaft_and_the_firing_back() -> None:
     assert shown.turns == back[0] == 6
 
 
-@pytest.mark.many(first=7)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", [*SOME, "bmw-r1200", "v2-90"])
 def test_ellipses_of_the_table_are_the_paths_of_the_vectors(name: str) -> None:
     shown = told(name)
@@ -296,7 +296,7 @@ def test_of_each_quantity_the_greatest_order_comes_first_and_what_is_zero_last(n
         assert sizes == sorted(sizes, reverse=True)
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", SOME)
 def test_strokes_are_those_of_the_public_answer(name: str) -> None:
     engine, shown = load(name), told(name)
@@ -473,6 +473,7 @@ def test_before_and_after_stand_on_common_axes() -> None:
     assert "with weights and shafts" in said
 
 
+@pytest.mark.release
 def test_where_nothing_is_fitted_there_is_no_before_and_after() -> None:
     with pytest.raises(NoSuchKeyError, match="needs no counterweights"):
         chart(load("i6"), BEFORE_AND_AFTER)
@@ -583,6 +584,7 @@ def test_nothing_in_a_name_becomes_an_element_of_the_page(small_bundle: str) -> 
     assert gzip.decompress(b64decode(found.scripts[2])).decode() == small_bundle
 
 
+@pytest.mark.release
 def test_the_policy_allows_its_scripts_alone_and_asks_nothing_of_the_network(
     small_bundle: str,
 ) -> None:

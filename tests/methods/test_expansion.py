@@ -106,6 +106,7 @@ def test_every_exact_line_is_true_as_printed(notation: Notation) -> None:
                 assert off.overlaps(acb(arb(0, 1e-20), arb(0, 1e-20))), named(line)
 
 
+@pytest.mark.many(first=7)
 @pytest.mark.parametrize("notation", NOTATIONS.values(), ids=list(NOTATIONS))
 @pytest.mark.parametrize("power", [1, 3, 7, 15])
 def test_every_series_is_what_it_stands_for_to_its_last_term(

@@ -122,6 +122,7 @@ def test_the_bottom_dead_centre_of_an_offset_cylinder_is_not_rounded() -> None:
     assert found.closed - straight.closed == pytest.approx(bottom - pi, abs=1e-12)
 
 
+@pytest.mark.release
 def test_the_greatest_side_thrust_is_not_that_of_the_nearest_degree() -> None:
     engine = load("audi-25-tfsi")
     found = cycle(engine)

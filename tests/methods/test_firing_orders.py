@@ -85,7 +85,7 @@ KNOWN = {
 }
 
 
-@pytest.mark.many(first=11)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("name", KNOWN)
 def test_the_even_orders_are_those_among_all_permutations_that_fire_evenly(name: str) -> None:
     engine = crankstar.load(name)

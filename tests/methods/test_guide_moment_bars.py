@@ -16,6 +16,7 @@ from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.guide_moments import guide_moments
 
 
+@pytest.mark.release
 def test_the_bars_are_the_moments_of_the_analysis() -> None:
     engine = marine_engine()
     found = guide_moments(engine, cycle(engine))
@@ -29,6 +30,7 @@ def test_the_bars_are_the_moments_of_the_analysis() -> None:
     assert {float(row["order"]) for row in rows if row["what"].startswith("H")} == {7, 14, 21}
 
 
+@pytest.mark.release
 def test_without_pitch_there_are_bars_of_h_alone() -> None:
     drawn = charts.guide_moment_chart(crankstar.load("man-s90mc-c"))
     rows = [row for row in rows_of(drawn.to_dict()) if "what" in row]
@@ -43,6 +45,7 @@ def test_an_engine_without_them_has_a_figure_that_says_why(name: str) -> None:
     assert any(words in str(drawn) for words in ("need", "has several"))
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", ["two-stroke seven", "man-s90mc-c", "audi-25-tfsi"])
 def test_the_bars_are_of_the_orders_of_the_table(name: str) -> None:
     engine = marine_engine() if name == "two-stroke seven" else crankstar.load(name)

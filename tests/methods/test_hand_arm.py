@@ -65,6 +65,7 @@ def test_weighted_acceleration_is_that_of_each_order_filtered() -> None:
     assert np.all(rms(over.hand_arm(GRIP)) < rms(over.acceleration(GRIP)))
 
 
+@pytest.mark.release
 def test_acceleration_is_the_second_derivative_of_the_course() -> None:
     over = crankstar.mounts(mounted(), speeds=SPEEDS[:1]).over
     assert over is not None
@@ -77,6 +78,7 @@ def test_acceleration_is_the_second_derivative_of_the_course() -> None:
     assert twice == pytest.approx(wanted, abs=2e-3 * np.abs(wanted).max())
 
 
+@pytest.mark.release
 def test_a_point_of_the_frame_moves_with_the_frame() -> None:
     points = [{"name": "grip", "up": "500 mm", "right": "350 mm", "z": "200 mm"}]
     engine = mounted(foundation={**GROUND, "points": points})
@@ -87,6 +89,7 @@ def test_a_point_of_the_frame_moves_with_the_frame() -> None:
     assert rms(over.displacement(GRIP, of=1)) != pytest.approx(rms(over.displacement(GRIP)))
 
 
+@pytest.mark.release
 def test_stiff_mounts_carry_the_frame_along_with_the_block() -> None:
     stiff = [{**each, "stiffness": "1e6 N/mm", "rubber": []} for each in THREE]
     found = crankstar.mounts(mounted(mounts=stiff, foundation=GROUND), speeds=SPEEDS)

@@ -201,6 +201,7 @@ def test_halves_and_exchanges_come_to_the_same_as_the_list() -> None:
     assert float(np.linalg.norm(whole)) == pytest.approx(split.length)
 
 
+@pytest.mark.release
 def test_twelve_pistons_are_matched_with_proof() -> None:
     """Checked by exchanges: no exchange of two pistons makes it better."""
     chance = np.random.default_rng(6)
@@ -372,6 +373,7 @@ def test_of_more_parts_than_can_be_tried_nothing_is_proved(monkeypatch: pytest.M
     assert exchanged.unbalance == pytest.approx(listed.unbalance, rel=1e-6)
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("whole", [True, False])
 @pytest.mark.parametrize("ends", [("big_end",), ("small_end", "big_end")])
 def test_each_of_several_engines_has_the_least_that_was_asked_for(

@@ -55,6 +55,7 @@ def test_each_row_of_the_modes_is_the_energy_of_a_mode(ground: Any) -> None:
     assert f"{found.modes[0].frequency:.3g} Hz" in drawn
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("quantity", "factor"), [("velocity", 1e3), ("displacement", 1e6), ("force", 1.0)]
 )
@@ -141,6 +142,7 @@ def test_an_engine_without_mounts_is_told_what_is_needed(kind: str) -> None:
     assert "[[mounts]]" in said(charts.CHARTS[kind].draw(crankstar.load("i4")))
 
 
+@pytest.mark.release
 def test_what_is_missing_of_mounts_is_said() -> None:
     still = engine_of(spoilt(SHORT, block=BLOCK, mounts=THREE))
     for chart in (charts.mount_response_chart, charts.transmissibility_chart):

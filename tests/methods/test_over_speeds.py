@@ -109,6 +109,7 @@ def test_an_engine_without_masses_gives_what_it_can_and_names_what_is_missing(ru
     assert [row[1] for row in pitch[2]] == [pytest.approx(0.031623), pytest.approx(3.1623)]
 
 
+@pytest.mark.release
 def test_csv_parquet_json_and_sheets_hold_the_same_amplitudes(
     run: Run, twin: str, tmp_path: Path
 ) -> None:
@@ -145,6 +146,7 @@ def test_csv_parquet_json_and_sheets_hold_the_same_amplitudes(
     assert len(back.cylinders) == 2
 
 
+@pytest.mark.release
 def test_sweeps_as_spreadsheet_and_parquet_hold_every_pair(
     run: Run, twin: str, tmp_path: Path
 ) -> None:

@@ -141,6 +141,7 @@ def _turning(orders: Real) -> Complex:
     return np.exp(1j * np.multiply.outer(orders, THETA))
 
 
+@pytest.mark.release
 def test_modes_are_those_of_the_analysis_with_the_forces_of_their_shape() -> None:
     engine = standing(foundation=FOUNDATION)
     shown, found = sent(engine), mounts(engine)

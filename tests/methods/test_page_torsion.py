@@ -139,6 +139,7 @@ def test_the_torque_of_a_mode_is_that_of_its_holzer_table() -> None:
         assert shown.pieces[0].name == "hub - throw 1"
 
 
+@pytest.mark.release
 def test_throws_are_sent_from_the_front_wherever_the_file_has_them() -> None:
     plain = twisting(CLOCKWISE)
     tree = explicit(plain)
@@ -158,6 +159,7 @@ def test_throws_are_sent_from_the_front_wherever_the_file_has_them() -> None:
     assert theirs == pytest.approx(ours, rel=1e-6)
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     ("discs", "ends"),
     [
@@ -258,6 +260,7 @@ def test_an_engine_without_the_table_is_told_what_to_give() -> None:
     assert torsion_needs(twisting(CLOCKWISE)) == ""
 
 
+@pytest.mark.release
 def test_the_page_of_an_engine_without_the_table_loads_no_linear_algebra() -> None:
     script = (
         "import sys; from crankstar.files.catalog import load\n"

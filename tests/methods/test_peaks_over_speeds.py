@@ -73,6 +73,7 @@ def by_matrices(chain: TorsionChain, push: Excitation, speeds: Real) -> Real:
     return out
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("loss", "greatest", "rpm"), [(None, 29.2303e3, 1018.4), (0.005, 104.1356e3, 1018.6)]
 )
@@ -109,6 +110,7 @@ def test_critical_speeds_and_half_power_points_belong_to_every_grid() -> None:
         assert np.abs(found.speeds / half - 1).min() < 1e-9
 
 
+@pytest.mark.release
 def test_a_coarse_grid_bars_what_a_fine_one_bars() -> None:
     limited = engine_of(spoilt(SIX, torsion__shear_limit="60 MPa"))
     coarse, fine = (

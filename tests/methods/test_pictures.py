@@ -88,7 +88,7 @@ def test_rods_of_a_motion_have_their_length_and_pistons_their_axes(name: str) ->
             assert moving.big_end[row] == pytest.approx(home + pin)
 
 
-@pytest.mark.many(first=36)
+@pytest.mark.many(first=9)
 @EVERY_ENGINE
 @pytest.mark.parametrize("view", SIGHTS)
 def test_nothing_of_a_drawing_is_cut_off(name: str, view: str) -> None:
@@ -232,7 +232,7 @@ main()
 """A film of which no more is drawn once its file has been begun."""
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("sent", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, -15)])
 def test_an_interrupted_film_leaves_no_word_and_no_file(
     tmp_path: Path, sent: int, code: int

@@ -44,6 +44,7 @@ def with_throws(**more: Any) -> Engine:
     return engine_of({**FIVE, **more, "layout": {**FIVE["layout"], "throws": throws}}, name="five")
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("what", ["roll_with_gas", "peak_pressure"])
 def test_a_sweep_of_gas_rests_on_the_engine_with_its_firing_order(what: str) -> None:
     made = sweep(with_throws(), "speed=1000..3000 rpm/3")
@@ -87,6 +88,7 @@ def test_a_crankshaft_is_twisted_by_the_range_of_a_usual_cycle_too() -> None:
         assert here[path].effect > 0.01
 
 
+@pytest.mark.release
 def test_a_resonance_is_computed_where_it_is_though_it_leaves_the_speeds() -> None:
     engine = load("audi-25-tfsi", changes={"torsion": TORSION})
     found = torsion(engine, speeds=np.linspace(200.0, 500.0, 61))
@@ -167,6 +169,7 @@ def test_weights_by_a_factor_go_with_an_estimated_reciprocating_mass(more: dict[
             assert found.get(key, 0.0) == pytest.approx(wanted.get(key, 0.0), rel=1e-9, abs=1e-6)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("imep", ["11.7 bar", "11.9 bar"])
 def test_no_other_value_brings_a_charger_in_or_takes_one_away(imep: str) -> None:
     """At 11.7 bar the air just suffices and the pressure is 1 bar, at 11.9 bar it is 1.68 bar."""

@@ -59,7 +59,7 @@ def added(engine: Engine, found: Fitted) -> list[Fraction]:
     return [shaft.speed_ratio for shaft in found.after.shafts[len(engine.shafts) :]]
 
 
-@pytest.mark.many(first=17)
+@pytest.mark.many(first=9)
 @EVERY_ENGINE
 def test_nothing_is_left_of_what_the_verdict_says_can_be_taken_away(name: str) -> None:
     engine, told, found = crankstar.load(name), cured(name), recommended(crankstar.load(name))

@@ -99,6 +99,7 @@ def test_banks_more_than_half_a_turn_apart_have_an_angle_too() -> None:
     assert again == pytest.approx(bearings)
 
 
+@pytest.mark.release
 def test_every_usual_layout_is_an_engine_that_fires() -> None:
     shown = presets()
     assert [preset.key for preset in shown] == [*USUAL]

@@ -127,6 +127,7 @@ def test_two_groups_are_left_and_right_in_a_file_of_16_bits(name: str, channels:
         assert (file.getframerate(), file.getnframes()) == (RATE, RATE)
 
 
+@pytest.mark.release
 def test_the_samples_of_a_file_are_those_of_the_sound_of_full_scale() -> None:
     heard = steady(CROSS)
     with wave.open(io.BytesIO(wav(heard))) as file:

@@ -716,6 +716,7 @@ def test_more_than_eight_equal_values_are_cut() -> None:
 # Tables
 
 
+@pytest.mark.release
 def test_rows_and_csv_hold_the_values_and_their_units() -> None:
     sweep = of("v2-90", "layout.banks[1].bearing=0..90/91 deg", changes={"balance_factor": 0.5})
     curves = [watched(sweep, "force", order=1), watched(sweep, "roll")]

@@ -63,6 +63,7 @@ def test_a_bank_angle_needs_two_banks_that_are_not_varied_besides() -> None:
             sweep(name, over)
 
 
+@pytest.mark.release
 def test_a_rod_ratio_takes_the_place_of_the_rod_length_of_the_file() -> None:
     assert "rod_length" in tree_of("ford-coyote")[1]["cylinder"]
     ratios = sweep("ford-coyote", "cylinder.rod_ratio=3..4/3")

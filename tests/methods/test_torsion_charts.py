@@ -131,6 +131,7 @@ def test_a_geared_drive_line_is_drawn_referred_to_its_first_mass() -> None:
     assert "referred to the crankshaft" in text_of(charts.mode_shapes(fan_drive()))
 
 
+@pytest.mark.release
 def test_marks_of_the_campbell_diagram_are_the_critical_speeds(six: Any) -> None:
     orders = [3.0, 4.5, 6.0]
     found = torsion(six, orders=orders).criticals
@@ -146,6 +147,7 @@ def test_marks_of_the_campbell_diagram_are_the_critical_speeds(six: Any) -> None
     assert np.argsort(sizes).tolist() == np.argsort(strengths).tolist()
 
 
+@pytest.mark.release
 def test_the_campbell_diagram_names_the_strongest_critical_speed(six: Any) -> None:
     found = torsion(six).criticals
     top = max(found, key=strength)
@@ -283,6 +285,7 @@ def test_a_star_that_closes_has_no_sum() -> None:
     assert float(first.rsplit(" ", 1)[1]) < 1e-3
 
 
+@pytest.mark.release
 def test_without_a_name_the_star_shows_the_orders_that_count(six: Any) -> None:
     heads = [panel["title"]["text"][0] for panel in panels(charts.torsion_star(six))]
     top = max(torsion(six).criticals, key=lambda each: each.equilibrium or 0)

@@ -58,6 +58,7 @@ def arm(place: tuple[float, float, float], centre: np.ndarray) -> np.ndarray:
     return np.array([[1, 0, 0, 0, z, -right], [0, 1, 0, z, 0, up], [0, 0, 1, -right, -up, 0]])
 
 
+@pytest.mark.release
 def test_the_velocity_at_a_resonance_inside_a_range_is_that_of_own_matrices() -> None:
     engine, speed = plain(), 1300 * pi / 30
     own = of(engine, felt(engine, MISFIRE, speed=speed), "block.inertia")
@@ -202,6 +203,7 @@ def test_a_usual_cycle_of_a_file_without_gas_moves_no_force_on_its_mounts() -> N
     assert burning["mount force", None] == before
 
 
+@pytest.mark.release
 def test_a_place_that_is_put_in_has_the_figures_that_its_range_has() -> None:
     """The point is the centre of mass where none is named: it moves along, as in a run by hand."""
     engine, speed = plain(), 900 * pi / 30

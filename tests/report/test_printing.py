@@ -47,6 +47,7 @@ def pages(content: bytes) -> int:
     return len(re.findall(rb"/Type\s*/Page\b(?!s)", content))
 
 
+@pytest.mark.release
 def test_a_page_becomes_a_pdf_with_its_pages_and_title_and_without_a_date(chromium: str) -> None:
     content = pdf(PAGE, by=chromium)
     assert content.startswith(b"%PDF")
@@ -56,6 +57,7 @@ def test_a_page_becomes_a_pdf_with_its_pages_and_title_and_without_a_date(chromi
     assert pdf(PAGE, by=chromium) == content
 
 
+@pytest.mark.release
 def test_a_page_is_printed_without_a_network(chromium: str) -> None:
     assert "--host-resolver-rules=MAP * ~NOTFOUND" in printing.OPTIONS
     assert pages(pdf('<img src="http://localhost:9/x.png">', by=chromium)) == 1

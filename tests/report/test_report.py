@@ -203,7 +203,7 @@ def test_the_verdict_and_every_source_are_in_it(name: str) -> None:
     ]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ENGINES)
 def test_numbers_that_are_read_have_true_minus_signs_and_raised_powers(name: str) -> None:
     read = Reader(written(name))
@@ -239,6 +239,7 @@ def test_a_long_table_may_run_over_pages_and_a_lone_cylinder_has_no_millimetres(
     assert Reader(written("jumo-205")).table("Shafts")[7][0] == "second, -1000 mm up, 0 mm right"
 
 
+@pytest.mark.release
 def test_values_that_nobody_vouches_for_are_marked_beside_them() -> None:
     page = written("audi-25-tfsi")
     assert (
@@ -268,6 +269,7 @@ def test_derivations_are_there_with_what_is_proved_to_be_zero(name: str) -> None
     assert "<math" in page
 
 
+@pytest.mark.release
 def test_orders_that_are_named_are_derived_in_full() -> None:
     page = report(subject("i4", orders=(4.0,)))
     assert page.count('<section class="derivation">') == 2  # of the force and the couple
@@ -313,6 +315,7 @@ def test_another_engine_stands_beside_it() -> None:
     )  # 4√2 A2 beside 4 A2
 
 
+@pytest.mark.release
 def test_an_engine_without_a_firing_order_has_no_strokes_but_a_sentence() -> None:
     tree = {
         key: value

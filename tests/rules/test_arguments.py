@@ -157,10 +157,10 @@ def test_an_analysis_takes_an_engine_its_name_its_path_and_its_keys(
     engine = crankstar.load(BURNING, changes=changes)
     path.write_text(crankstar.files.toml(engine), encoding="utf-8")
     tree = tomllib.loads(path.read_text(encoding="utf-8"))
-    own, read, *others = (function(given).to_dict() for given in (engine, path, str(path), tree))
+    own, read, *others = (function(given).tables for given in (engine, path, str(path), tree))
     assert all(read == other for other in others)
     assert read.keys() == own.keys()
-    named = function(BURNING, changes=changes).to_dict()
+    named = function(BURNING, changes=changes).tables
     assert named.keys() == own.keys()
     for given in (None, 5, {3: "i4"}, b"i4"):
         with pytest.raises(

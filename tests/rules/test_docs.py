@@ -118,7 +118,7 @@ def test_screens_fit_the_column_of_their_page(page: Path) -> None:
                 assert line.startswith("$ ") or len(line) <= int(screens.WIDTH), command
 
 
-@pytest.mark.many(first=47)
+@pytest.mark.many(first=3)
 @EVERY_PAGE
 def test_every_python_example_prints_what_it_says(
     page: Path, monkeypatch: pytest.MonkeyPatch

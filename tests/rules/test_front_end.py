@@ -57,6 +57,7 @@ def test_the_bundle_is_made_from_the_sources_that_are_there() -> None:
     assert MAKER["fresh"](), "run: make bundle"
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize(
     "changed",
     [

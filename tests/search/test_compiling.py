@@ -58,6 +58,7 @@ print(first(Point(42.0)), "scipy.linalg" in sys.modules)
 """
 
 
+@pytest.mark.release
 def test_code_that_is_kept_is_loaded_without_numba_learning_scipy_and_outlives_a_renaming(
     tmp_path: Path,
 ):

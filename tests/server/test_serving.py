@@ -72,6 +72,7 @@ def ignores(process: int, number: signal.Signals) -> bool:
 KILLED = pytest.param(signal.SIGKILL, marks=pytest.mark.release)
 
 
+@pytest.mark.release
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="counts processes by /proc")
 @pytest.mark.parametrize("number", [signal.SIGTERM, KILLED])
 def test_it_ends_without_a_word_and_leaves_no_process(number: signal.Signals) -> None:
@@ -86,6 +87,7 @@ def test_it_ends_without_a_word_and_leaves_no_process(number: signal.Signals) ->
         awaited(lambda: not any(map(alive, workers)))
 
 
+@pytest.mark.release
 def test_an_interrupt_from_the_keyboard_which_every_process_gets_ends_it_just_so() -> None:
     with serving("i4", alone=True) as server:
         os.killpg(server.process.pid, signal.SIGINT)
@@ -113,6 +115,7 @@ def test_an_interrupt_while_it_is_busy_ends_it_without_a_word() -> None:
         assert "".join(server.said) == HINT
 
 
+@pytest.mark.release
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="reads the signals ignored from /proc")
 def test_an_interrupt_that_the_parent_ignores_does_not_end_it() -> None:
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -191,6 +194,7 @@ def test_without_the_extra_it_says_what_to_install(tmp_path: Path) -> None:
     assert 'pip install "crankstar[server]"' in said
 
 
+@pytest.mark.release
 def test_it_says_so_when_other_machines_can_reach_it() -> None:
     with serving("--host", "0.0.0.0") as server:  # noqa: S104  # that is what is asked
         address = server.address.replace("0.0.0.0", "127.0.0.1")  # noqa: S104

@@ -78,6 +78,7 @@ def test_a_process_that_takes_too_long_or_is_lost_is_replaced_and_the_next_task_
     assert lost == (503, "question.lost", {})
 
 
+@pytest.mark.release
 def test_a_task_is_ended_by_its_processor_time_and_not_because_it_had_to_wait(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -94,6 +95,7 @@ def test_a_task_is_ended_by_its_processor_time_and_not_because_it_had_to_wait(
     assert with_workers(work) == (503, "question.too-long", {"seconds": 0.2})
 
 
+@pytest.mark.release
 def test_a_process_that_cannot_say_what_it_found_is_replaced_without_a_word(
     tmp_path: Path, capfd: Any
 ) -> None:
@@ -131,6 +133,7 @@ def test_a_process_that_is_just_being_started_when_all_ends_is_ended_too(
     assert pool.workers[0].child is None
 
 
+@pytest.mark.release
 def test_refusals_come_through_and_mistakes_of_ours_are_told_without_the_words_of_the_machine(
     capfd: Any,
 ) -> None:
@@ -148,6 +151,7 @@ def test_refusals_come_through_and_mistakes_of_ours_are_told_without_the_words_o
     assert "secret.py" in capfd.readouterr().err  # for the one who started the server
 
 
+@pytest.mark.release
 def test_a_process_works_on_while_another_is_busy(pipe: Path) -> None:
     async def work(pool: Workers) -> bytes:
         slow = asyncio.ensure_future(pool.do(chores.held, str(pipe)))

@@ -32,6 +32,7 @@ def exact(order: int, length: float, offset: float) -> complex:
         return complex(2 * order**2 * mpmath.fsum(terms) / count)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(("length", "offset"), [(10.0, 0.0), (4.0, 0.0), (4.0, 0.3), (2.5, 1.2)])
 def test_harmonics_are_true_to_twelve_figures_however_small(length: float, offset: float) -> None:
     found = piston_harmonics(crank_radius=1.0, rod_length=length, offset=offset)

@@ -9,7 +9,7 @@ from playwright.sync_api import Browser, Page
 from tests.web.browsing import too_wide, watched
 
 
-@pytest.mark.many(first=3)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("script", "complaint"),
     [

@@ -71,7 +71,7 @@ def assert_clear(drawings: dict[str, str], page: Page) -> list[Measured]:
     return seen
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ENGINES)
 def test_no_text_of_a_chart_stands_on_another_or_is_cut(name: str, page: Page) -> None:
     assert_clear(pictures(crankstar.load(name)), page)
@@ -284,6 +284,7 @@ def test_sizes_that_cannot_be_printed_are_refused(
     assert not [*tmp_path.iterdir()]
 
 
+@pytest.mark.release
 def test_names_of_faults_and_of_tolerances_are_not_cut(page: Page) -> None:
     masses = {"cylinder.reciprocating_mass": "500 g +- 3 g", "cylinder.stroke": "90 mm"}
     found = crankstar.scatter("i6", changes=masses | {"speed": "6000 rpm"}, count=1000)

@@ -145,7 +145,7 @@ def gaps(picture: Measured, ring: tuple[float, float, float, float]) -> list[flo
     ]
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize(
     "over", [["balance_factor=0.5..1", "speed=1000..6000 rpm"], ["balance_factor=0.5..1"]]

@@ -113,6 +113,7 @@ def test_a_bare_number_takes_the_unit_that_was_there(editing: Page) -> None:
     expect(field(editing, BEARING)).to_have_value("60 deg")
 
 
+@pytest.mark.release
 def test_of_changes_that_come_faster_than_answers_the_last_is_on_the_stage(editing: Page) -> None:
     editing.evaluate(
         """id => {
@@ -369,6 +370,7 @@ def test_what_is_saved_is_what_is_on_the_stage(editing: Page, tmp_path: Path) ->
     assert files.engine_of(tree, name="saved.toml").name == "V8, cross-plane crank, 90 deg, edited"
 
 
+@pytest.mark.release
 def test_a_hostile_name_is_text_everywhere(editing: Page) -> None:
     editing.on("dialog", lambda dialog: pytest.fail(f"the page says {dialog.message}"))
     tree = on_stage(editing)["file"]

@@ -100,6 +100,7 @@ def test_a_gallery_turns_and_is_whole_without_a_script(site: Path, browser: Brow
         context.close()
 
 
+@pytest.mark.release
 def test_a_gallery_of_a_site_fits_a_telephone(site: Path, page: Page) -> None:
     """What axe looks for is looked for in the same gallery on the server."""
     page.set_viewport_size({"width": 390, "height": 800})

@@ -186,6 +186,7 @@ def test_the_server_says_what_cannot_be_estimated_or_shown(server: Server) -> No
     assert "stone" in wrong.json["problems"][0]["message"]
 
 
+@pytest.mark.release
 def test_the_kernel_answers_in_units_and_estimates() -> None:
     name, tree = tree_of("toyota-2jz")
     subject = Subject(engine_of(tree, name=name), tree, name)
