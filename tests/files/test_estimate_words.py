@@ -12,9 +12,11 @@ from tests.commands import Run
 from tests.files.test_estimate_one_range import TWIN
 
 import crankstar
+from crankstar.engine.gas import Gas
 from crankstar.engine.proportions import inferred, look_of
 from crankstar.language.kept import values_kept
 from crankstar.language.numbers import number
+from crankstar.mechanics.operating_points import ignition
 from crankstar.tables.ranges import sentence, sentences
 
 SHAFTS = (
@@ -171,3 +173,52 @@ def test_the_reason_for_a_type_is_what_decided(
     }
     Path("four.json").write_text(json.dumps(tree))
     assert reason in " ".join(run("estimate", "four.json").out.split())
+
+
+@pytest.mark.parametrize("linked", [True, False])
+def test_a_star_is_one_type_and_ignites_as_it_does_with_slave_rods_or_without(
+    run: Run, *, linked: bool
+) -> None:
+    """Of a bore of 130 mm and a piston speed of 10.3 m/s, which only a star has with a spark."""
+    rows = [{"cylinders": [1, 2, 3, 4, 5, 6, 7], "master": 1}]
+    tree: dict[str, Any] = {
+        "name": "seven",
+        "firing_order": [1, 3, 5, 7, 2, 4, 6],
+        "speed": "2200 rpm",
+        "cylinder": {"bore": "130 mm", "stroke": "140 mm", "reciprocating_mass": "2.4 kg"},
+        "layout": {"type": "radial", "rows": rows}
+        | ({"knuckle_radius": "55 mm"} if linked else {}),
+    }
+    Path("seven.json").write_text(json.dumps(tree))
+    assert json.loads(run("estimate", "seven.json", "--json").out)["type"] == "aero"
+    told = " ".join(run("analyze", "seven.json").out.split())
+    assert "With a usual cycle (spark ignition, imep" in told
+    engine = crankstar.load("seven.json")
+    assert ignition(engine, Gas())[0] == ignition(engine, Gas(imep=9e5))[0] == "spark"
+
+
+@pytest.mark.parametrize(
+    ("bore", "stroke", "rpm", "cylinders", "kind", "fires"),
+    [
+        (90, 78, 4500, 1, "motorcycle", "spark"),
+        (90, 78, 4500, 4, "diesel-car", "compression"),
+        (90, 78, 5500, 1, "petrol", "spark"),
+        (130, 150, 1900, 6, "diesel", "compression"),
+        (80, 80, 2400, 1, "diesel", "compression"),
+    ],
+)
+def test_what_ignites_a_cycle_is_what_the_type_of_an_estimate_has(
+    run: Run, bore: int, stroke: int, rpm: int, cylinders: int, kind: str, fires: str
+) -> None:
+    """A table of gas that says nothing of ignition changes neither."""
+    tree: dict[str, Any] = {
+        "name": "some",
+        "speed": f"{rpm} rpm",
+        "cylinder": {"bore": f"{bore} mm", "stroke": f"{stroke} mm", "reciprocating_mass": "1 kg"},
+        "layout": {"type": "inline", "throws": [0] * cylinders, "bore_pitch": "200 mm"},
+    }
+    for gas in ({}, {"gas": {"imep": "9 bar"}}):
+        Path("some.json").write_text(json.dumps({**tree, **gas}))
+        assert json.loads(run("estimate", "some.json", "--json").out)["type"] == kind
+        engine = crankstar.load("some.json")
+        assert ignition(engine, engine.gas or Gas()) == (fires, False)

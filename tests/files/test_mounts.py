@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from math import pi
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ import pytest
 from tests.commands import Run
 from tests.texts import SHORT, spoilt
 
+import crankstar
 from crankstar import mounts
 from crankstar.files import EngineFileError, engine_of, toml, tree_of, tree_text
 from crankstar.files.catalog import load
@@ -254,6 +256,49 @@ def test_a_doubtful_mass_of_the_block_is_tried_at_that_of_cars() -> None:
     )
     assert (doubt["low"], doubt["high"]) == pytest.approx((40e3 * volume, 130e3 * volume), rel=5e-3)
     assert doubt["moves"]["low"] < doubt["moves"]["high"]
+
+
+@pytest.mark.parametrize(("mass", "doubted"), [(185, True), (120, False), (800, True)])
+def test_the_mass_of_a_motorcycle_is_no_mass_of_its_engine(
+    run: Run, tmp_path: Path, mass: int, *, doubted: bool
+) -> None:
+    """185 kg on 0.496 l are 373 kg per litre; the weight is tried at 20 to 65 kg."""
+    block = {**BLOCK, "mass": f"{mass} kg"}
+    for key in INERTIAS:
+        block.pop(key, None)
+    tree: dict[str, Any] = {
+        "name": "single",
+        "firing_order": [1],
+        "speed": "4500 rpm",
+        "cylinder": {
+            "bore": "90 mm", "stroke": "78 mm", "rod_length": "140 mm",
+            "reciprocating_mass": "520 g", "rotating_mass": "600 g",
+        },
+        "layout": {"type": "inline", "throws": [0]},
+        "block": block,
+        "mounts": THREE,
+    }  # fmt: skip
+    own = engine_of(tree)
+    assert ["doubt.block-mass"] * doubted == [fault.code for fault in body_doubts(own)]
+    path = tmp_path / "single.json"
+    path.write_text(json.dumps(tree))
+    litres = pi / 4 * 0.9**2 * 0.78
+    assert ("kg per litre" in run("check", str(path)).out) == doubted
+    rows = json.loads(run("analyze", str(path), "--json").out)["rests_on"]
+    found = [each for each in rows if each["path"] == "block.mass"]
+    assert len(found) == doubted
+    on_mounts = [each for each in mounts(own).to_dict()["rests_on"] if each["path"] == "block.mass"]
+    assert len(on_mounts) == doubted
+    if doubted:
+        moves = found[0]["moves"]
+        force = crankstar.spectra.peak(
+            crankstar.total(crankstar.balance(own, speed=own.speed)).force
+        ).value
+        weights = [9.80665 * each for each in (mass, 130 * litres, 40 * litres)]
+        assert [moves["now"], moves["low"], moves["high"]] == pytest.approx(
+            [force / weight for weight in weights], rel=5e-3
+        )
+        assert on_mounts[0]["moves"]["effect"] > 0.01
 
 
 @pytest.mark.release

@@ -5,10 +5,9 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
-from itertools import combinations, pairwise
-from math import cos, radians
+from itertools import pairwise
+from math import radians
 from typing import Any
 
 from crankstar.analysis.changed_masses import Vary, with_pistons_balanced, with_weights_along
@@ -17,85 +16,12 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas, OperatingPoint
 from crankstar.engine.main_bearings import main_bearings
-from crankstar.engine.records import Cylinder, Shaft, Valves
+from crankstar.engine.records import Shaft, Valves
 from crankstar.engine.torsion import Disc
 from crankstar.mechanics.gas import Cycle
 
-PAIR = 2
-"""Rods on one crankpin that stand side by side, or as fork and blade."""
-OPPOSITE = -1 + 1e-9
-"""Cosine of the angle between crankpins below which they are opposite."""
 INERTIAS = ("inertia_up", "inertia_right", "inertia_z")
 """The moments of inertia of a block, by their keys."""
-
-
-def rods_at_one_place(engine: Engine) -> list[tuple[Cylinder, Cylinder]]:
-    """Pairs of cylinders whose rods, none articulated, stand on one crankpin at the same z."""
-    on: dict[tuple[str, int], list[Cylinder]] = {}
-    for cylinder in engine.cylinders:
-        on.setdefault((cylinder.shaft, cylinder.throw), []).append(cylinder)
-    pairs = [(own[0], own[1]) for own in on.values() if len(own) == PAIR]
-    return [
-        (one, other)
-        for one, other in pairs
-        if one.z == other.z and one.articulated is None and other.articulated is None
-    ]
-
-
-def with_rods_apart(engine: Engine, apart: float) -> Engine:
-    """The engine with the first rod of each such pair `apart` (mm) in front of the second."""
-    places: dict[int, float] = {}
-    for one, other in rods_at_one_place(engine):
-        places |= {one.number: one.z + apart / 2e3, other.number: other.z - apart / 2e3}
-    cylinders = [with_values(own, z=places.get(own.number, own.z)) for own in engine.cylinders]
-    return with_values(engine, cylinders=tuple(cylinders))
-
-
-def pins_at_one_place(engine: Engine) -> list[tuple[Cylinder, Cylinder]]:
-    """Pairs of cylinders, each alone on its crankpin, whose pins are opposite and at the same z."""
-    alone = Counter((own.shaft, own.throw) for own in engine.cylinders)
-    single = [own for own in engine.cylinders if alone[own.shaft, own.throw] == 1]
-    return [
-        (one, other)
-        for one, other in combinations(single, 2)
-        if one.shaft == other.shaft
-        and one.z == other.z
-        and engine.throw(one).z == engine.throw(other).z
-        and cos(engine.throw(one).angle - engine.throw(other).angle) < OPPOSITE
-    ]
-
-
-def with_pins_apart(engine: Engine, apart: float) -> Engine:
-    """The engine with the first pin of each such pair, its rod on it, `apart` (mm) in front."""
-    moved: dict[int, float] = {}
-    for one, other in pins_at_one_place(engine):
-        moved |= {one.number: apart / 2e3, other.number: -apart / 2e3}
-    at = {(own.shaft, own.throw): moved.get(own.number, 0.0) for own in engine.cylinders}
-    shafts = [
-        with_values(
-            shaft,
-            throws=tuple(
-                with_values(throw, z=throw.z + at.get((shaft.name, number), 0.0))
-                for number, throw in enumerate(shaft.throws, 1)
-            ),
-        )
-        for shaft in engine.shafts
-    ]
-    cylinders = [with_values(own, z=own.z + moved.get(own.number, 0.0)) for own in engine.cylinders]
-    return with_values(engine, cylinders=tuple(cylinders), shafts=tuple(shafts))
-
-
-def with_rods_of(engine: Engine, ratio: float) -> Engine:
-    """The engine with rods of l/r = `ratio` on its throws; slave rods stay."""
-    return with_values(
-        engine,
-        cylinders=tuple(
-            cylinder
-            if cylinder.articulated
-            else with_values(cylinder, rod_length=ratio * engine.throw(cylinder).radius)
-            for cylinder in engine.cylinders
-        ),
-    )
 
 
 def with_rod_inertias(numbers: Collection[int]) -> Vary:

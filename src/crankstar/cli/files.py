@@ -81,13 +81,14 @@ def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
     from crankstar.engine.firing_angles import firing_doubts
     from crankstar.files.forms import is_explicit
     from crankstar.files.read import in_file
+    from crankstar.mechanics.central_rods import central_doubts
     from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
 
     rods = any(cylinder.rod is not None for cylinder in engine.cylinders)
     if engine.gas is engine.drive is engine.torsion is None and not rods:
         # libraries of cycles stay unread
         own = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
-        own += [*piston_doubts(engine), *body_doubts(engine)]
+        own += [*central_doubts(engine), *piston_doubts(engine), *body_doubts(engine)]
     else:
         from crankstar.mechanics.doubts import doubts
 

@@ -24,12 +24,11 @@ import numpy as np
 from crankstar.dynamics.whirl import Body, body
 from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import ALONG, Mount
+from crankstar.engine.quantities import GRAVITY
 from crankstar.engine.rigid_block import gathered, held, mass_matrix
 from crankstar.language.messages import MessageError
 from crankstar.spectra import Complex, Real
 
-GRAVITY = 9.80665
-"""m/s^2, standard."""
 SIX = 6
 
 

@@ -124,7 +124,7 @@ class Gas(Load):
         description=(
             "spark or compression: what is assumed of combustion and friction; if left out, "
             "compression where the process is diesel or limited-pressure, the compression ratio "
-            "is above 14 or, without one, the bore is above 180 mm"
+            "is above 14 or, without one, size and speed are those of engines that do"
         ),
     )
     compression_ratio: Ratio | None = Field(

@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from itertools import pairwise
 from math import exp, log, pi
 from typing import NamedTuple
 
@@ -181,6 +182,15 @@ def piston_speed(kind: EngineType) -> tuple[float, float, float]:
     return typical / SPEED_SPREAD, typical, typical * SPEED_SPREAD
 
 
+def pins_of_cylinder(engine: Assembly) -> float:
+    """The crankpins of an engine over its cylinders: what each has of the mass of one pin.
+
+    1 of an in-line engine, 1/2 of a V whose rods share pins, 1/9 of a radial of nine cylinders.
+    """
+    pins = {(cylinder.shaft, cylinder.throw) for cylinder in engine.cylinders}
+    return len(pins) / len(engine.cylinders)
+
+
 def rod_inertia(*, mass: float, rod_length: float, small_end: float) -> tuple[float, float, float]:
     """Moment of inertia about the centre of mass, kg m^2: lowest, typical, highest.
 
@@ -215,11 +225,31 @@ def look_of(engine: Assembly, gas: Gas | None) -> Look | None:
         stroke=stroke,
         cycle=engine.cycle,
         cylinders=len(engine.chambers),
-        radial=any(cylinder.articulated for cylinder in engine.cylinders),
+        radial=is_radial(engine),
         opposed=len(engine.chambers) < len(engine.cylinders),
         speed=fastest(engine, gas),
         ignition=said_ignition(gas)[0],
     )
+
+
+def is_radial(engine: Assembly) -> bool:
+    """Whether rods are articulated, or the cylinders of a crankpin stand all round it.
+
+    Four that do are an X, whose type its size tells.
+
+    >>> from crankstar.files.catalog import load
+    >>> [is_radial(load(name)) for name in ("radial-9", "v8-cross-plane")]
+    [True, False]
+    """
+    on: dict[tuple[str, int], list[float]] = {}
+    for own in engine.cylinders:
+        on.setdefault((own.shaft, own.throw), []).append(own.bearing % (2 * pi))
+    for bearings in on.values():
+        ordered = sorted(bearings)
+        gaps = [after - before for before, after in pairwise([*ordered, ordered[0] + 2 * pi])]
+        if len(bearings) > FEW_ROUND and len(bearings) != X and max(gaps) < pi * (1 - 1e-9):
+            return True
+    return any(own.articulated for own in engine.cylinders)
 
 
 def fastest(engine: Assembly, gas: Gas | None) -> float | None:
@@ -230,6 +260,8 @@ def fastest(engine: Assembly, gas: Gas | None) -> float | None:
     return max((speed for speed in known if speed is not None), default=None)
 
 
+FEW_ROUND, X = 2, 4
+"""Cylinders of a crankpin that are no star: two, and four, which are an X."""
 GREATEST_TRUNK = 0.65
 """Bore (m) above which no trunk-piston engine is built."""
 SLOW = 2.0
@@ -238,6 +270,8 @@ CAR = 0.115
 """Greatest bore of car engines, m."""
 HIGH_SPEED = 900.0
 """Speed, rad/s (8600 rpm), above that of road cars."""
+FEW_CYLINDERS = 2
+"""Cylinders of which cars have more, of motorcycles with a slow piston speed or a fast one."""
 SLOW_CAR = 490.0
 """Speed, rad/s (4700 rpm), below the rated speed of petrol cars."""
 
@@ -283,9 +317,12 @@ def _small(look: Look, mean_speed: float | None) -> tuple[EngineType, str]:
         return "motorcycle", "small-two-stroke"
     if look.speed is not None and look.speed > HIGH_SPEED:
         return "motorcycle", "high-speed"
-    if look.cylinders <= 2 and (mean_speed is None or mean_speed > PISTON_SPEEDS["petrol"]):
+    few = look.cylinders <= FEW_CYLINDERS
+    if few and (mean_speed is None or mean_speed > PISTON_SPEEDS["petrol"]):
         return "motorcycle", "few-cylinders" if mean_speed is None else "few-fast-cylinders"
     if slow and look.ignition != "spark":
+        if few and not heavy:
+            return "motorcycle", "few-slow-cylinders"
         return ("diesel", "slow") if heavy else ("diesel-car", "slow-piston-speed")
     if slow:
         return "petrol", "spark"

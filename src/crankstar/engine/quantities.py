@@ -18,6 +18,8 @@ from pydantic_core import core_schema
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import CONTROL, seen
 
+GRAVITY = 9.80665
+"""Standard acceleration of free fall, m/s^2."""
 GREATEST_TEETH = 1000
 """Greatest numerator and denominator of a speed ratio: teeth of a gear."""
 GREATEST_LENGTH = 100.0

@@ -21,6 +21,8 @@ from crankstar.engine.proportions import (
     Proportion,
     fastest,
     inferred,
+    is_radial,
+    pins_of_cylinder,
     piston_speed,
     proportion,
     rod_inertia,
@@ -96,7 +98,7 @@ def estimated(
         stroke=stroke or guess,
         cycle=laid_out.cycle,
         cylinders=chambers,
-        radial=any(c.articulated for c in laid_out.cylinders) or _kind_of(tree) == "radial",
+        radial=is_radial(laid_out),
         opposed=opposed,
         speed=fastest(laid_out, laid_out.gas),
         ignition=said_ignition(laid_out.gas)[0],
@@ -147,11 +149,6 @@ def _block(filling: Filling) -> None:
     source = "a homogeneous box of that mass and outer size; an ellipsoid in it, or its walls alone"
     for key, *sizes in zip(INERTIAS, own.low, own.typical, own.high, strict=True):
         filling.fill(f"block.{key}", sizes, source)
-
-
-def _kind_of(tree: Tree) -> Any:
-    layout = tree.get("layout")
-    return layout.get("type") if isinstance(layout, dict) else None
 
 
 def _type(kind: str) -> str:
@@ -280,7 +277,11 @@ def _masses(filling: Filling, laid_out: Engine, bore: float, given: Mapping[str,
     groups = proportion("piston group", kind)
     cube = bore**3
     about = f"{{part}} {{k:.3g}} kg/m3 x bore^3, {_type(kind)}"
+    shared = pins_of_cylinder(laid_out)
+    pin_masses = [shared * k * cube for k in pins.sizes]
     pin_text = about.format(part="crank pin", k=pins.typical)
+    if shared < 1:
+        pin_text += f", shared by {1 / shared:.3g} cylinders"
     has_pins = not any(c.articulated for c in laid_out.cylinders)
     if is_explicit(tree):
         masses = [g + s * r for g, r, s in zip(groups.sizes, rods.sizes, share.sizes, strict=True)]
@@ -294,7 +295,7 @@ def _masses(filling: Filling, laid_out: Engine, bore: float, given: Mapping[str,
         if has_pins:
             filling.fill("cylinder.rotating_mass", ends, text)
             if "throw_mass" not in cylinder:
-                filling.fill("cylinder.throw_mass", [k * cube for k in pins.sizes], pin_text)
+                filling.fill("cylinder.throw_mass", pin_masses, pin_text)
         return
     if not known:
         text = about.format(part="piston group", k=groups.typical)
@@ -304,7 +305,7 @@ def _masses(filling: Filling, laid_out: Engine, bore: float, given: Mapping[str,
         text = about.format(part="rod", k=rods.typical)
         _rod(filling, [k * cube for k in rods.sizes], text, share, given)
     if has_pins and not {"rotating_mass", "throw_mass"} & cylinder.keys():
-        filling.fill("cylinder.throw_mass", [k * cube for k in pins.sizes], pin_text)
+        filling.fill("cylinder.throw_mass", pin_masses, pin_text)
 
 
 def _rod(

@@ -106,6 +106,12 @@ SENTENCES: dict[str, str | Plural] = {
         "have less than {least}; if {value} is meant as rod length over stroke, rod_ratio is "
         "{meant}"
     ),
+    "doubt.central-rods": N_(
+        "{where} is not given: {count} rods turn about one crankpin in one plane, where two can at "
+        "most, and a master that is named has no effect; engines with more have one master "
+        "rod, and the others on its knuckle pins, {low} to {high} crank radii from the crankpin "
+        "(our judgement)"
+    ),
     "doubt.pin-split": N_(
         "{where} makes firing less even: it fires at intervals of {intervals} deg, and without the "
         "split at {without} deg"

@@ -74,8 +74,8 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "doubt.block-mass": N_(
         "{where} is {value} kg, {share} kg per litre of the {litres} l of the engine; engines have "
-        "{low} to {high}, those of cars {car_low} to {car_high}: is it the whole engine, and the "
-        "unit right?"
+        "{low} to {high}, those of cars {car_low} to {car_high}: is it the whole engine, that "
+        "alone, and the unit right?"
     ),
     "doubt.foundation-mass": N_(
         "{where} is {value} kg, less than the pistons and rods that shake it, {moving} kg: is the "

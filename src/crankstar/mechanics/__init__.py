@@ -23,6 +23,7 @@
 | `pressures` | the pressure at one operating point, with the heat that gives its load |
 | `maxima` | where curves on a grid have their maxima and cross their limits |
 | `gas` | the pressure in every chamber over a cycle |
+| `central_rods` | rods of one crankpin in one plane, and where there are more than can be |
 | `mass_doubts` | the same of masses and bodies, without gas or speed |
 | `doubts` | values that hardly any engine has: slips of unit and of thought |
 | `gas_torque` | gas torque of every chamber by order; the roll of the block with it |

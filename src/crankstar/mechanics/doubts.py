@@ -28,6 +28,7 @@ from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import CrankDimensions, Torsion
 from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
+from crankstar.mechanics.central_rods import central_doubts
 from crankstar.mechanics.charge_air import CHARGED, STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
@@ -93,8 +94,8 @@ FIRED = {"inertia", "gas", "valves"}
 def doubts(engine: Engine) -> tuple[Fault, ...]:
     """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
     found = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
-    found += [*piston_doubts(engine), *scale_doubts(engine), *body_doubts(engine)]
-    found += [*inertia_doubts(engine), *torsion_doubts(engine)]
+    found += [*central_doubts(engine), *piston_doubts(engine), *scale_doubts(engine)]
+    found += [*body_doubts(engine), *inertia_doubts(engine), *torsion_doubts(engine)]
     gas = engine.gas
     if gas is not None:
         loaded = any(getattr(gas, name) is not None for name in LOADS) or not gas.points
@@ -120,7 +121,7 @@ def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> 
     """
     found: list[Fault] = []
     if FIRED & {*uses}:
-        found += firing_doubts(engine)
+        found += [*firing_doubts(engine), *central_doubts(engine)]
     if "inertia" in uses:
         found += [*size_doubts(engine), *rod_doubts(engine)]
         found += [*piston_doubts(engine), *scale_doubts(engine), *inertia_doubts(engine)]

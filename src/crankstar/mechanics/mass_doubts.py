@@ -23,12 +23,13 @@ CROSSHEAD_RADIUS = 0.5
 """m: of a crank whose piston has a crosshead in a two-stroke engine."""
 LEAST_STROKE, MOST_STROKE = 0.25, 8.0
 """Over the bore: racing engines have 0.4, the longest ship's engines 5."""
-LIGHTEST, HEAVIEST = 19.5e3, 2000e3
+LIGHTEST, HEAVIEST = 19.5e3, 250e3
 """Mass of an engine over its displacement, kg/m^3.
 
 Aircraft engines have 20 to 30 kg per litre (a flat four of 5.9 l 117 kg), racing engines of cars 30
-and more, a motorcycle with all of its frame 300, an old single for a pump 450. Our judgement, from
-weights that makers publish.
+and more, a single of 125 cm3 with its gearbox 180, a slow stationary Diesel of one cylinder with
+its flywheels 240. A motorcycle with all of its frame has 300 and more, and of old engines for pumps
+some have 450: these are asked about. Our judgement, from weights that makers publish.
 """
 OF_CARS = (40.0, 130.0)
 """The same of engines of cars, in kg per litre."""

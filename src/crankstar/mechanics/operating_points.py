@@ -31,8 +31,6 @@ from crankstar.language.messages import MessageError
 
 CRANKCASE = 101_325.0
 """Pa: the standard atmosphere behind the pistons."""
-SPARK_BORE = 0.18
-"""Greatest bore, m, of an engine that is taken for one with spark ignition."""
 SCAVENGING = 1.1
 """Intake over exhaust pressure of a two-stroke chamber where one of them is assumed."""
 _COMMON: dict[str, Any] = {
@@ -289,7 +287,7 @@ def default_point(gas: Gas) -> str:
 def ignition(engine: Engine, gas: Gas) -> tuple[Ignition, bool]:
     """How an engine ignites, and whether its file says so or only its sizes do.
 
-    Of a file without gas its speed counts too, as for the estimate of its masses.
+    Where it does not say so, as its type of engine does (`proportions.inferred`).
 
     >>> from crankstar.files.catalog import load
     >>> ignition(load("audi-25-tfsi"), Gas()), ignition(load("man-s90mc-c"), Gas())
@@ -298,11 +296,11 @@ def ignition(engine: Engine, gas: Gas) -> tuple[Ignition, bool]:
     said, told = said_ignition(gas)
     if said is not None:
         return said, told
-    if engine.gas is None and (look := look_of(engine, None)) is not None:
+    look = look_of(engine, gas)
+    if look is not None:
         return ("spark" if inferred(look)[0] in SPARK else "compression"), False
-    large = (engine.first.bore or 0.0) > SPARK_BORE and "radius" not in engine.relative
     facing = len(engine.chambers) < len(engine.cylinders)  # pistons that face each other
-    return ("compression" if large or facing else "spark"), False
+    return ("compression" if facing else "spark"), False
 
 
 def _assumed(

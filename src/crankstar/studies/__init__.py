@@ -9,9 +9,11 @@
 | `sums` | the sums of batches of engines, over speeds and closed ranges |
 | `study` | what is varied, in which units and about which point |
 | `gas_results` | torque, roll, pressure and irregularity of each engine of a sweep |
+| `assumed_rods` | what is assumed of where rods stand, of their length and of master rods |
 | `assumed_masses` | what a file leaves out of the masses that inertia forces come from |
 | `assumed_gas` | what is assumed of gas and valves, and what gas an answer leaves out |
 | `gas_alone` | what a file lacks for its gas or the inertia beside it: a bore, masses, a speed |
+| `assumed_doubts` | doubts, tried at what may be meant |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |
 | `answer_parts` | answers about fewer quantities, and several as one |
 | `response_answers` | what shakes a block with faults, by figures |

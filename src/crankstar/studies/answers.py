@@ -45,6 +45,7 @@ from crankstar.studies.answer_parts import (
     usual_gas,
     without_speed,
 )
+from crankstar.studies.assumed_doubts import doubted_weight
 from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.gas_alone import gas_alone, lacking_gas, usual_speeds, with_speed
 
@@ -94,6 +95,7 @@ def amplitudes(
     choices = [*lacking]
     if both and without is not None and not {"mass", "radius"} & {*engine.relative}:
         choices += gas_alone(engine, without, figures, ["roll with gas"])
+    choices += doubted_weight(engine, speed) if both else []
     return Answer(
         figures=figures,
         unit=unit,

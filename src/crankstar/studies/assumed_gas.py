@@ -272,7 +272,7 @@ def _choice(engine: Engine, own: Cycle, name: str, value: str) -> Assumption:
     other = next(each for each in CHOICES[name] if each != value)
     reason = N_("usual for such engines")
     if name == "ignition":
-        reason = N_("as compression ratio or bore say")
+        reason = N_("as compression ratio, size and speed say")
     elif _rubs_with_load(engine, own):
         other, reason = value, N_("counted with the load, as the file gives no friction")
     return Assumption(

@@ -8,26 +8,23 @@ import numpy as np
 
 from crankstar.analysis.assumptions import Assumption
 from crankstar.analysis.changed_masses import by_factor, with_part, with_turning_masses
-from crankstar.analysis.changed_values import (
-    pins_at_one_place,
-    rods_at_one_place,
-    with_pins_apart,
-    with_rods_apart,
-    with_rods_of,
-)
-from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.cylinder_parts import ENDS
 from crankstar.engine.engine import Engine
-from crankstar.engine.proportions import Look, Proportion, dressed, inferred, look_of, proportion
+from crankstar.engine.proportions import (
+    Look,
+    Proportion,
+    dressed,
+    inferred,
+    look_of,
+    pins_of_cylinder,
+    proportion,
+)
 from crankstar.engine.records import Cylinder
 from crankstar.engine.weighed import EngineType
 from crankstar.language.messages import N_
 from crankstar.remedy.fitting import quiet_cranks
+from crankstar.studies.assumed_rods import rods
 
-ROD_WIDTH = 0.3
-"""Width of a big end over the bore, at most: 0.2 to 0.3 in vehicles. Our judgement."""
-STAGGER = (0.35, 0.65)
-"""Distance of opposite pins over the bore, a rod and a web of each. Our judgement."""
 CROSSHEAD = ((0.3, 0.65, 1.0), (0.3, 0.75, 1.2))
 """Big end of the rod, and crank throw, of an engine with crossheads in its reciprocating mass.
 
@@ -83,10 +80,9 @@ def masses(engine: Engine, *, fitted: bool = False, pins: bool = True) -> Iterat
     """
     look = look_of(engine, engine.gas)
     kind = None if look is None else inferred(look)[0]
-    yield from _rods(engine, kind)
+    yield from rods(engine, kind)
     yield from _unweighed(engine, kind)
     yield from _turning(engine, kind, look, fitted=fitted, own=pins)
-    yield from _beside(engine)
     if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
         yield _weights(engine)
 
@@ -151,28 +147,6 @@ def _usual_part(
     return (share.low * rod.low * group, share.high * rod.high * group) if group else None
 
 
-def _beside(engine: Engine) -> Iterator[Assumption]:
-    """Rods of one crankpin, or opposite crankpins, at the same place."""
-    if {"radius", "pitch"} & {*engine.relative}:
-        return
-    bore = max(own.bore or 2 * engine.throw(own).radius for own in engine.cylinders)
-    if pins_at_one_place(engine):
-        low, high = (1e3 * share * bore for share in STAGGER)
-        yield Assumption(
-            "missing", "layout.bank_offset",
-            N_("opposite crankpins stand at the same place, as none can"),
-            None, "mm", low, high, vary=with_pins_apart,
-        )  # fmt: skip
-    if not rods_at_one_place(engine):
-        return
-    width = ROD_WIDTH * bore
-    yield Assumption(
-        "assumed", "layout.bank_offset",
-        N_("two rods on one crankpin stand at the same place, as only fork-and-blade rods do"),
-        None, "mm", -1e3 * width, 1e3 * width, vary=with_rods_apart,
-    )  # fmt: skip
-
-
 def _weights(engine: Engine) -> Assumption:
     """The counterweights that a file leaves out: usual ones remove what turns with its cranks."""
     usual, factor = quiet_cranks(engine)
@@ -209,9 +183,6 @@ def _turning(
     path = "cylinder.rotating_mass" if no_ends else "cylinder.throw_mass"
     reason = _turning_reason(engine, kind, ends=no_ends, pins=no_pins, weighted=weighted)
     ends, pins = _usual_turning(engine, kind, look)
-    if any(cylinder.articulated for cylinder in engine.cylinders):  # a row has one pin
-        throws = sum(len(shaft.throws) for shaft in engine.shafts)
-        pins = [each * throws / len(engine.cylinders) for each in pins]
     if not no_ends:
         yield Assumption(
             "missing", path, reason, 0.0, unit, pins[0], pins[-1],
@@ -235,12 +206,13 @@ def _usual_turning(
 ) -> tuple[Sequence[float], Sequence[float]]:
     """The big ends and the crankpins of a cylinder as engines of a type have them, ascending.
 
-    In kg, or in the unit of masses of an engine that has none.
+    Cylinders that share a crankpin share its mass. In kg, or in the unit of masses of an engine
+    that has none.
     """
-    first = engine.first
+    first, share = engine.first, pins_of_cylinder(engine)
     if kind == "crosshead":
-        ends, pins = ([share * first.reciprocating for share in own] for own in CROSSHEAD)
-        return ends, pins
+        ends, pins = ([part * first.reciprocating for part in own] for own in CROSSHEAD)
+        return ends, [share * own for own in pins]
     names = ("rod", "small end", "crank pin", "piston group")
     rod, small, pin, piston = (proportion(name, kind or "petrol") for name in names)
     if "mass" in engine.relative or look is None or first.bore is None:
@@ -248,10 +220,9 @@ def _usual_turning(
     else:
         scale = first.bore**3
     ends = [
-        (1 - share) * own * scale
-        for share, own in zip(reversed(small.sizes), rod.sizes, strict=True)
+        (1 - part) * own * scale for part, own in zip(reversed(small.sizes), rod.sizes, strict=True)
     ]
-    return ends, [own * scale for own in pin.sizes]
+    return ends, [share * own * scale for own in pin.sizes]
 
 
 def _turning_reason(
@@ -282,24 +253,3 @@ def _turning_reason(
             "counterweights"
         )
     return N_("no rotating mass in the file (big ends, crankpins), counted as zero")
-
-
-def _rods(engine: Engine, kind: EngineType | None) -> Iterator[Assumption]:
-    """Rod lengths that are assumed, l = 4 r, with the range of the type."""
-    for path, origin in engine.provenance.items():
-        if origin.status != "placeholder" or not origin.source.endswith(ROD_SOURCE):
-            continue
-        radius = engine.throw(engine.first).radius
-        usual = None if kind is None else _usual("rod length", kind)
-        ends = (3.2, 4.8) if usual is None else (usual.low, usual.high)
-        yield Assumption(
-            "assumed",
-            path,
-            N_("neither rod length nor l/r in the file"),
-            value=engine.first.rod_length / radius,
-            unit="r",
-            low=min(ends[0], engine.first.rod_length / radius),
-            high=max(ends[1], engine.first.rod_length / radius),
-            vary=with_rods_of,
-        )
-        return

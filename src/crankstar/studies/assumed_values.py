@@ -7,10 +7,10 @@ else what is wide enough for engines of one kind.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from math import pi
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from crankstar.analysis.assumptions import Answer, Assumption
 from crankstar.analysis.changed_values import (
@@ -22,24 +22,20 @@ from crankstar.analysis.changed_values import (
     with_block_product,
     with_block_value,
     with_disc_damping,
-    with_gas_value,
     with_mount_loss,
     with_rear_disc,
-    with_rod_inertias,
-    with_rods_of,
     with_torsion_value,
 )
 from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.block import inertia_in_box
 from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
-from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL
-from crankstar.language.faults import Fault, where
 from crankstar.language.messages import N_
 from crankstar.mechanics.doubts import doubts_of
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import gas_torque
+from crankstar.studies.assumed_doubts import doubtful
 from crankstar.studies.assumed_gas import gas_values, valves, without_gas, without_reaction
 from crankstar.studies.assumed_masses import masses
 
@@ -48,8 +44,6 @@ if TYPE_CHECKING:
 
 DOUBTFUL = ("unverified", "placeholder")
 """Statuses of values of a file that nobody has read in a source."""
-OF_RODS = ("doubt.rod-without-inertia", "doubt.rod-inertia")
-"""Doubts on moments of inertia of rods."""
 FLYWHEELS = {
     "running": Assumption("left out", "drive.inertia", N_("no flywheel in the file")),
     "sized": Assumption(
@@ -104,8 +98,6 @@ PRODUCTS = {
 
 A gearbox that hangs behind an engine has most of up and z. Our judgement.
 """
-GAS_DEPTH = 2
-"""Keys of the path of a value of the table [gas]; operating points stand deeper."""
 SHIFT = 10.0
 """By how many per cent of the least distance between two a main bearing may lie elsewhere."""
 
@@ -114,9 +106,7 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     """All that is lacking or doubtful of what an answer uses, in no order."""
     if not {*answer.uses} <= TIMING:
         yield from _not_modelled(engine)
-    doubts = doubts_of(engine, answer.uses, answer.gas)
-    yield from _rod_inertias(engine, [each for each in doubts if each.code in OF_RODS])
-    yield from (_doubt(each) for each in doubts if each.code not in OF_RODS)
+    yield from doubtful(engine, doubts_of(engine, answer.uses, answer.gas))
     yield from answer.choices
     if "inertia" in answer.uses:
         pins = "cylinder.throw_mass" not in answer.given
@@ -153,55 +143,6 @@ def _not_modelled(engine: Engine) -> Iterator[Assumption]:
         yield Assumption(
             "not modelled", f"left_out[{number}]",
             N_("the engine has it, its file does not describe it: no number includes it"), part,
-        )  # fmt: skip
-
-
-def _doubt(fault: Fault) -> Assumption:
-    """A doubt, tried at what may be meant where that is known."""
-    path = where(fault.path)
-    if fault.code == "doubt.charge":
-        value, meant = fault.values["intake"], fault.values["enough"]
-        point = fault.path[2] if len(fault.path) > GAS_DEPTH else None
-        assert not isinstance(point, str)  # noqa: S101  # it numbers the operating points
-        vary = with_gas_value("intake_pressure", 1e5, point=point)
-        return Assumption("doubtful", path, fault.sentence, value, "bar", meant, meant, vary=vary)
-    if fault.code == "doubt.block-mass":
-        low, high = (fault.values["litres"] * fault.values[f"car_{end}"] for end in ("low", "high"))
-        own = fault.values["value"]
-        return Assumption(
-            "doubtful", path, fault.sentence, own, "kg", low, high, vary=with_block_mass
-        )
-    if fault.code != "doubt.rod-ratio" or fault.cylinder is not None:
-        return Assumption("doubtful", path, fault.sentence)
-    value, meant = fault.values["value"], fault.values["meant"]
-    return Assumption("doubtful", path, fault.sentence, value, "r", meant, meant, vary=with_rods_of)
-
-
-def _rod_inertias(engine: Engine, faults: Sequence[Fault]) -> Iterator[Assumption]:
-    """Moments of inertia of rods that are implied or doubted, one for all rods alike.
-
-    One that is not given lies where those of rods do, m c (l - c) over TWO_MASSES; one that is
-    given beside them is tried at the mean of theirs.
-    """
-    alike: dict[tuple[Any, ...], list[Fault]] = {}
-    for fault in faults:
-        alike.setdefault((fault.code, *fault.values.values()), []).append(fault)
-    for first, *others in alike.values():
-        fault = first
-        if others:
-            every = len(others) + 1 == len(engine.cylinders)
-            table = "cylinder" if every else "cylinders"
-            fault = first._replace(path=(table, *first.path[2:]), cylinder=None)
-        cylinder = engine.cylinders[int(first.path[1])]
-        rod = cylinder.rod
-        assert rod is not None  # noqa: S101  # the doubt is about it
-        ends = rod.mass * rod.centre * (cylinder.rod_length - rod.centre)
-        least, mean, most = TWO_MASSES
-        low, high = (ends / most, ends / least) if rod.inertia is None else 2 * (ends / mean,)
-        numbers = {engine.cylinders[int(each.path[1])].number for each in (first, *others)}
-        yield Assumption(
-            "doubtful", where(fault.path), fault.sentence, rod.turning_inertia(cylinder.rod_length),
-            "kg*m^2", low, high, vary=with_rod_inertias(numbers),
         )  # fmt: skip
 
 

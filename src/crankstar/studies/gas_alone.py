@@ -13,11 +13,13 @@ from crankstar.analysis.assumptions import Assumption
 from crankstar.analysis.tried_values import Figures
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import Gas
 from crankstar.engine.proportions import inferred, look_of, piston_speed, proportion
 from crankstar.files import engine_of, explicit
 from crankstar.files.references import absolute
 from crankstar.language.messages import N_
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
+from crankstar.mechanics.operating_points import ignition
 
 ALTERNATING = ("roll", "torque", "roll with gas", "H moment", "X moment")
 """Quantities to which gas and inertia both belong."""
@@ -113,9 +115,15 @@ def usual_bores(engine: Engine) -> tuple[float, float] | None:
 
 
 def with_bore(engine: Engine, bore: float) -> Engine:
-    """The engine with a bore (mm) of all cylinders."""
+    """The engine with a bore (mm) of all cylinders, ignited as before."""
     cylinders = [with_values(own, bore=bore / 1e3) for own in engine.cylinders]
-    return with_values(engine, cylinders=tuple(cylinders))
+    return with_values(engine, cylinders=tuple(cylinders), gas=_ignited(engine))
+
+
+def _ignited(engine: Engine) -> Gas | None:
+    """The gas of an engine, which ignites as it does whatever its size and speed."""
+    gas = engine.gas
+    return None if gas is None else with_values(gas, ignition=ignition(engine, gas)[0])
 
 
 def usual_masses(engine: Engine) -> tuple[float, float] | None:
@@ -154,5 +162,5 @@ def usual_speeds(engine: Engine) -> tuple[float, float] | None:
 
 
 def with_speed(engine: Engine, rpm: float) -> Engine:
-    """The engine with a speed of its own."""
-    return with_values(engine, speed=rpm * pi / 30)
+    """The engine with a speed of its own, ignited as before."""
+    return with_values(engine, speed=rpm * pi / 30, gas=_ignited(engine))

@@ -27,6 +27,7 @@ FIGURES = {
     "X moment": N_("X moment of order {order}"),
     "end bending": N_("maximum bending moment in the end bearings"),
     "main bending": N_("maximum bending moment in all main bearings"),
+    "share of weight": N_("peak force over the weight of the block"),
     "mean torque": N_("mean torque"),
     "brake torque": N_("brake torque"),
     "peak pressure": N_("peak pressure"),

@@ -39,6 +39,7 @@ REASONS = {
     "high-speed": N_("a speed above that of road cars"),
     "few-cylinders": N_("few cylinders, and no speed in the file"),
     "few-fast-cylinders": N_("few cylinders at a high piston speed"),
+    "few-slow-cylinders": N_("few cylinders, at a piston speed as of cars"),
     "slow": N_("a low rated speed and a low piston speed"),
     "slow-piston-speed": N_("a low rated speed at a piston speed as of cars"),
     "compression": N_("compression ignition and a bore as of cars"),

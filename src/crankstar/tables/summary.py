@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from crankstar.analysis.document import Remarks
 from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import GRAVITY
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number, order_text
@@ -18,9 +19,6 @@ from crankstar.tables.gas_rolls import largest_sentence
 from crankstar.tables.peaks import FELT, part_peaks
 from crankstar.tables.roll_cures import largest_roll
 from crankstar.tables.verdict import largest_sentences
-
-GRAVITY = 9.80665
-"""Standard acceleration of free fall, m/s^2."""
 
 PEAKS = {
     "vertical": N_("vertical {size}"),

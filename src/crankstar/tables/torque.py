@@ -60,8 +60,8 @@ VALUES = {
 IGNITIONS = {
     "spark": N_("Ignition: by spark, as sizes say; gas.ignition says it for certain."),
     "compression": N_(
-        "Ignition: by compression, as compression ratio or bore say; gas.ignition says it for "
-        "certain."
+        "Ignition: by compression, as compression ratio, size and speed say; gas.ignition says it "
+        "for certain."
     ),
 }
 PROCESSES = {
