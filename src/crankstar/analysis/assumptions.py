@@ -33,11 +33,12 @@ Status = Literal[
 ]
 """What is not modelled the engine has and its file leaves out: no figure can say how it matters."""
 Uses = Literal[
-    "inertia", "gas", "running", "sized", "bearings", "torsion", "mounts", "valves", "fitted"
+    "inertia", "gas", "running", "sized", "set", "bearings", "torsion", "mounts", "valves", "fitted"
 ]
 """What an answer is made of: what of it may be lacking differs; weights that were fitted to it.
 
-Of uneven running there is a flywheel in it, or one is sized for it."""
+Of uneven running there is a flywheel in it, or one is sized for it; it may be of a generating set.
+"""
 TRIAL = 0.01
 """Share by which a value without ends is varied."""
 SIGNIFICANT = 1e-3

@@ -14,6 +14,7 @@ from typing import Any
 from crankstar.analysis.changed_masses import Vary, with_pistons_balanced, with_weights_along
 from crankstar.engine.block import Block
 from crankstar.engine.copies import with_values
+from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas, OperatingPoint
 from crankstar.engine.main_bearings import main_bearings
@@ -198,6 +199,11 @@ def with_disc_damping(index: int) -> Vary:
         return with_values(engine, torsion=with_values(own, discs=tuple(discs)))
 
     return vary
+
+
+def with_drive_inertia(engine: Engine, inertia: float) -> Engine:
+    """The engine with another inertia of its drive, kg m^2."""
+    return with_values(engine, drive=with_values(engine.drive or Drive(), inertia=inertia))
 
 
 def with_rear_disc(engine: Engine, inertia: float) -> Engine:

@@ -22,6 +22,7 @@ from crankstar.analysis.changed_values import (
     with_block_product,
     with_block_value,
     with_disc_damping,
+    with_drive_inertia,
     with_gas_value,
     with_mount_loss,
     with_rear_disc,
@@ -29,6 +30,7 @@ from crankstar.analysis.changed_values import (
     with_rods_of,
     with_torsion_value,
 )
+from crankstar.dynamics.uneven_doubts import uneven_doubts
 from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.block import inertia_in_box
 from crankstar.engine.engine import Engine
@@ -114,7 +116,7 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     """All that is lacking or doubtful of what an answer uses, in no order."""
     if not {*answer.uses} <= TIMING:
         yield from _not_modelled(engine)
-    doubts = doubts_of(engine, answer.uses, answer.gas)
+    doubts = _doubts(engine, answer)
     yield from _rod_inertias(engine, [each for each in doubts if each.code in OF_RODS])
     yield from (_doubt(each) for each in doubts if each.code not in OF_RODS)
     yield from answer.choices
@@ -147,6 +149,16 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     yield from _unverified(engine, answer)
 
 
+def _doubts(engine: Engine, answer: Answer) -> list[Fault]:
+    """What is doubtful of what an answer uses; of the flywheel what has a size of effect."""
+    found = [*doubts_of(engine, answer.uses, answer.gas)]
+    if answer.gas is None or not {*FLYWHEELS} & {*answer.uses}:
+        return found
+    uneven = uneven_doubts(engine, answer.gas, generating="set" in answer.uses)
+    own = [each for each in found if not uneven or each.code != "doubt.flywheel"]
+    return [*uneven, *own]
+
+
 def _not_modelled(engine: Engine) -> Iterator[Assumption]:
     """Parts that the engine has and its file leaves out."""
     for number, part in enumerate(engine.left_out, 1):
@@ -165,6 +177,12 @@ def _doubt(fault: Fault) -> Assumption:
         assert not isinstance(point, str)  # noqa: S101  # it numbers the operating points
         vary = with_gas_value("intake_pressure", 1e5, point=point)
         return Assumption("doubtful", path, fault.sentence, value, "bar", meant, meant, vary=vary)
+    if fault.code in ("doubt.uneven", "doubt.uneven-set"):
+        value, enough = fault.values["value"], fault.values["enough"]
+        vary = with_drive_inertia
+        return Assumption(
+            "doubtful", path, fault.sentence, value, "kg*m^2", enough, enough, vary=vary
+        )
     if fault.code == "doubt.block-mass":
         low, high = (fault.values["litres"] * fault.values[f"car_{end}"] for end in ("low", "high"))
         own = fault.values["value"]
