@@ -53,7 +53,12 @@ DOUBTFUL = ("unverified", "placeholder")
 OF_RODS = ("doubt.rod-without-inertia", "doubt.rod-inertia")
 """Doubts on moments of inertia of rods."""
 FLYWHEELS = {
-    "running": Assumption("left out", "drive.inertia", N_("no flywheel in the file")),
+    "running": Assumption(
+        "left out",
+        "drive.inertia",
+        N_("no flywheel in the file"),
+        sentence=N_("Not in the file, which takes away the uneven running alone: {paths}."),
+    ),
     "sized": Assumption(
         "missing", "drive.inertia", N_("no flywheel beside the one that is sized"), explained=True
     ),
@@ -150,13 +155,14 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
 
 
 def _doubts(engine: Engine, answer: Answer) -> list[Fault]:
-    """What is doubtful of what an answer uses; of the flywheel what has a size of effect."""
-    found = [*doubts_of(engine, answer.uses, answer.gas)]
-    if answer.gas is None or not {*FLYWHEELS} & {*answer.uses}:
-        return found
-    uneven = uneven_doubts(engine, answer.gas, generating="set" in answer.uses)
-    own = [each for each in found if not uneven or each.code != "doubt.flywheel"]
-    return [*uneven, *own]
+    """What is doubtful of what an answer uses, of a flywheel with a size of effect if it has one."""
+    found = doubts_of(engine, answer.uses, answer.gas)
+    runs = not {*FLYWHEELS}.isdisjoint(answer.uses)
+    uneven: tuple[Fault, ...] = ()
+    if runs and answer.gas is not None:
+        uneven = uneven_doubts(engine, answer.gas, generating="set" in answer.uses)
+    turns = (runs and not uneven) or "torsion" in answer.uses
+    return [*uneven, *(each for each in found if turns or each.code != "doubt.flywheel")]
 
 
 def _not_modelled(engine: Engine) -> Iterator[Assumption]:
