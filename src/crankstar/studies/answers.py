@@ -208,6 +208,7 @@ def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:
         unit=lambda _quantity, _engine: "N*m",
         uses=("inertia", "gas"),
         gas=found,
+        without_reaction=found,
         given=TURNING,
         choices=[*gas_alone(engine, found, figures)],
     )

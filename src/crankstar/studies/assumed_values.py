@@ -155,7 +155,7 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
 
 
 def _doubts(engine: Engine, answer: Answer) -> list[Fault]:
-    """What is doubtful of what an answer uses, of a flywheel with a size of effect if it has one."""
+    """What is doubtful of what an answer uses, of a flywheel with a size of effect if known."""
     found = doubts_of(engine, answer.uses, answer.gas)
     runs = not {*FLYWHEELS}.isdisjoint(answer.uses)
     uneven: tuple[Fault, ...] = ()
