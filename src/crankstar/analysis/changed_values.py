@@ -11,7 +11,12 @@ from itertools import combinations, pairwise
 from math import cos, radians
 from typing import Any
 
-from crankstar.analysis.changed_masses import Vary, with_pistons_balanced, with_weights_along
+from crankstar.analysis.changed_masses import (
+    Vary,
+    by_factor,
+    with_pistons_balanced,
+    with_weights_along,
+)
 from crankstar.engine.block import Block
 from crankstar.engine.copies import with_values
 from crankstar.engine.drive import Drive
@@ -310,12 +315,72 @@ def _all(field: str) -> Vary:
 
 
 def _bore(engine: Engine, factor: float) -> Engine:
-    """The change of the bores by a factor; masses and lengths that were estimated by them stay."""
+    """The change of the bores by a factor, and of masses that were estimated by their cube."""
     cylinders = [
         own if own.bore is None else with_values(own, bore=own.bore * factor)
         for own in engine.cylinders
     ]
+    changed = with_values(engine, cylinders=tuple(cylinders))
+    for path in BY_BORE:
+        if _estimated(engine, path):
+            changed = SCALED[path](changed, factor**3)
+    if _estimated(engine, "cylinder.rod.mass"):
+        changed = _rods(changed, mass=factor**3)
+    return changed
+
+
+def _rods(engine: Engine, *, mass: float = 1.0, length: float = 1.0) -> Engine:
+    """The rods, each a rigid body of the same shape, with these multiples of mass and length."""
+    cylinders = [
+        own
+        if own.rod is None
+        else with_values(
+            own,
+            rod=with_values(
+                own.rod,
+                mass=own.rod.mass * mass,
+                centre=own.rod.centre * length,
+                inertia=None if own.rod.inertia is None else own.rod.inertia * mass * length**2,
+            ),
+        )
+        for own in engine.cylinders
+    ]
     return with_values(engine, cylinders=tuple(cylinders))
+
+
+BY_BORE = ("cylinder.reciprocating_mass", "cylinder.rotating_mass", "cylinder.throw_mass")
+"""What `estimate` takes as a coefficient times the cube of the bore."""
+
+
+def _estimated(engine: Engine, path: str) -> bool:
+    origin = engine.provenance.get(path)
+    return origin is not None and origin.status == "estimated" and origin.range is not None
+
+
+def _stroke(engine: Engine, factor: float) -> Engine:
+    """The change of the strokes by a factor, and of rod lengths that were estimated by them.
+
+    Weights of a balance factor balance masses at the crank radius: they change along.
+    """
+    changed = _of_throws("radius")(engine, factor)
+    if any(_estimated(engine, f"cylinder.{name}") for name in ("rod_length", "rod_ratio")):
+        changed = SCALED["cylinder.rod_length"](changed, factor)
+        if _estimated(engine, "cylinder.rod.mass"):
+            changed = _rods(changed, length=factor)
+    if not by_factor(engine):
+        return changed
+    shafts = [
+        with_values(
+            shaft,
+            weights=tuple(
+                with_values(own, unbalance=own.unbalance * factor) for own in shaft.weights
+            ),
+        )
+        if shaft.throws
+        else shaft
+        for shaft in changed.shafts
+    ]
+    return with_values(changed, shafts=tuple(shafts))
 
 
 def _reciprocating(engine: Engine, factor: float) -> Engine:
@@ -368,6 +433,7 @@ def _gas_value(name: str) -> Vary:
 SCALED: Mapping[str, Vary] = {
     "speed": _speed,
     "cylinder.bore": _bore,
+    "cylinder.stroke": _stroke,
     "cylinder.rod_length": _all("rod_length"),
     "cylinder.rod_ratio": _all("rod_length"),
     "cylinder.reciprocating_mass": _reciprocating,
