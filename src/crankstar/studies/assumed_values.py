@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 from crankstar.analysis.assumptions import Answer, Assumption
 from crankstar.analysis.changed_values import (
-    SCALED,
     point_value,
     with_bearings_moved,
     with_block_inertia,
@@ -30,6 +29,7 @@ from crankstar.analysis.changed_values import (
     with_rods_of,
     with_torsion_value,
 )
+from crankstar.analysis.scaled_values import SCALED
 from crankstar.dynamics.uneven_doubts import uneven_doubts
 from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.block import inertia_in_box
