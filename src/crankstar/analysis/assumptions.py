@@ -33,15 +33,18 @@ Status = Literal[
 ]
 """What is not modelled the engine has and its file leaves out: no figure can say how it matters."""
 Uses = Literal[
-    "inertia", "gas", "running", "sized", "bearings", "torsion", "mounts", "valves", "fitted"
+    "inertia", "gas", "running", "sized", "set", "bearings", "torsion", "mounts", "valves", "fitted"
 ]
 """What an answer is made of: what of it may be lacking differs; weights that were fitted to it.
 
-Of uneven running there is a flywheel in it, or one is sized for it."""
+Of uneven running there is a flywheel in it, or one is sized for it; it may be of a generating set.
+"""
 TRIAL = 0.01
 """Share by which a value without ends is varied."""
 SIGNIFICANT = 1e-3
 """Effect below which an assumption does not matter to an answer."""
+UNMOVED = 1e-9
+"""The same below which nothing depends on it: rounding errors."""
 TOLD = 0.01
 """Effect from which an assumption has a sentence of its own."""
 ROUNDING = 1e-9
@@ -83,7 +86,8 @@ class Assumption:
     `explained` says that it stands also where no figure does, as it says what to do; `named` that
     it is one of two choices, tried at the `other` in `values`, without a range; `sentence` is one
     on all of its kind, with their {paths}, instead of that of their status; `figures` are computed
-    of the changed engine where those of the answer leave out what changes, others stay as they are.
+    of the changed engine where those of the answer leave out what changes, others stay as they are;
+    `alone` is the same without the values that go along, told where those move nothing.
     """
 
     status: Status
@@ -100,6 +104,7 @@ class Assumption:
     moved: Moved | None = None
     vary: Vary | None = None
     figures: Callable[[Engine], Figures] | None = None
+    alone: Assumption | None = None
 
     @property
     def effect(self) -> float:
@@ -144,7 +149,7 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
     """The assumptions with what each moves most, the largest first; without those of no effect.
 
     Parts that are not modelled stand first, then what is doubtful; what cannot be varied stays,
-    behind those that can.
+    behind those that can. A doubt that moves little stays too, but not where nothing depends on it.
     """
     now = answer.figures(engine)
     least = dict(answer.least(engine))
@@ -152,11 +157,23 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
     for each in found:
         most = each.moved if each.vary is None else _moved(engine, each, (now, least), answer)
         if most is not None and most.effect < SIGNIFICANT and not most.lifting:
-            if each.status != "doubtful":
+            if each.status != "doubtful" or most.effect < UNMOVED:
                 continue
             most = None
-        out.append(replace(each, moved=most))
+        told = each
+        if each.alone is not None and most is not None and _goes_alone(engine, each, most, answer):
+            told = each.alone
+        out.append(replace(told, moved=most))
     return tuple(sorted(out, key=_rank))
+
+
+def _goes_alone(engine: Engine, each: Assumption, most: Moved, answer: Answer) -> bool:
+    """Whether the figure that an assumption moves most is the same without what goes along."""
+    assert each.alone is not None  # noqa: S101  # asked before
+    key, end = (most.quantity, most.order), float(each.high or 0)
+    ways = [way for way in (each.vary, each.alone.vary) if way is not None]
+    sizes = [answer.figures(way(engine, end)).get(key, 0.0) for way in ways]
+    return max(sizes) - min(sizes) <= UNMOVED * max(map(abs, sizes))
 
 
 def _rank(each: Assumption) -> tuple[bool, bool, float]:

@@ -1,18 +1,19 @@
 """An engine with one of its values changed: by a factor, or to what it is usually.
 
-`SCALED` multiplies a value of a file by its key path; the others set a value.
+Those that multiply one by its key path are in `scaled_values`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from itertools import pairwise
 from math import radians
 from typing import Any
 
-from crankstar.analysis.changed_masses import Vary, with_pistons_balanced, with_weights_along
+from crankstar.analysis.changed_masses import Vary
 from crankstar.engine.block import Block
 from crankstar.engine.copies import with_values
+from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas, OperatingPoint
 from crankstar.engine.main_bearings import main_bearings
@@ -126,6 +127,11 @@ def with_disc_damping(index: int) -> Vary:
     return vary
 
 
+def with_drive_inertia(engine: Engine, inertia: float) -> Engine:
+    """The engine with another inertia of its drive, kg m^2."""
+    return with_values(engine, drive=with_values(engine.drive or Drive(), inertia=inertia))
+
+
 def with_rear_disc(engine: Engine, inertia: float) -> Engine:
     """The engine with one more disc (kg m^2), rigid at the rear of its shaft that twists."""
     own = engine.torsion
@@ -212,89 +218,3 @@ def point_value(name: str, gas: Cycle | None, number: int | None = None) -> Vary
         return with_values(engine, gas=with_values(own, points=tuple(points)))
 
     return vary
-
-
-def _all(field: str) -> Vary:
-    """The change of one number of every cylinder by a factor."""
-
-    def vary(engine: Engine, factor: float) -> Engine:
-        return with_values(
-            engine,
-            cylinders=tuple(
-                with_values(own, **{field: getattr(own, field) * factor})
-                for own in engine.cylinders
-            ),
-        )
-
-    return vary
-
-
-def _bore(engine: Engine, factor: float) -> Engine:
-    """The change of the bores by a factor; masses and lengths that were estimated by them stay."""
-    cylinders = [
-        own if own.bore is None else with_values(own, bore=own.bore * factor)
-        for own in engine.cylinders
-    ]
-    return with_values(engine, cylinders=tuple(cylinders))
-
-
-def _reciprocating(engine: Engine, factor: float) -> Engine:
-    """The change of the reciprocating masses by a factor, with the weights of a balance factor.
-
-    What they balance beyond all that turns is a share of what reciprocates, rods included; that of
-    the pistons changes along.
-    """
-    return with_pistons_balanced(engine, _all("reciprocating_mass")(engine, factor))
-
-
-def _of_throws(field: str) -> Vary:
-    """The change of one number of every throw by a factor."""
-
-    def vary(engine: Engine, factor: float) -> Engine:
-        shafts = [
-            with_values(
-                shaft,
-                throws=tuple(
-                    with_values(throw, **{field: getattr(throw, field) * factor})
-                    for throw in shaft.throws
-                ),
-            )
-            if shaft.throws
-            else shaft
-            for shaft in engine.shafts
-        ]
-        return with_weights_along(engine, with_values(engine, shafts=tuple(shafts)))
-
-    return vary
-
-
-def _speed(engine: Engine, factor: float) -> Engine:
-    if engine.speed is None:
-        return engine
-    return with_values(engine, speed=engine.speed * factor)
-
-
-def _gas_value(name: str) -> Vary:
-    def vary(engine: Engine, factor: float) -> Engine:
-        gas = engine.gas
-        value = None if gas is None else getattr(gas, name)
-        if gas is None or value is None:
-            return engine
-        return with_values(engine, gas=with_values(gas, **{name: value * factor}))
-
-    return vary
-
-
-SCALED: Mapping[str, Vary] = {
-    "speed": _speed,
-    "cylinder.bore": _bore,
-    "cylinder.rod_length": _all("rod_length"),
-    "cylinder.rod_ratio": _all("rod_length"),
-    "cylinder.reciprocating_mass": _reciprocating,
-    "cylinder.rotating_mass": _of_throws("rotating_mass"),
-    "cylinder.throw_mass": _of_throws("throw_mass"),
-    "gas.compression_ratio": _gas_value("compression_ratio"),
-    "gas.intake_pressure": _gas_value("intake_pressure"),
-    "gas.gamma": _gas_value("gamma"),
-}
-"""How the engine changes where a value of its file is multiplied by a factor."""

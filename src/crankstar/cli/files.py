@@ -90,9 +90,10 @@ def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
         own = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
         own += [*central_doubts(engine), *piston_doubts(engine), *body_doubts(engine)]
     else:
+        from crankstar.dynamics.uneven_doubts import doubts_of_points
         from crankstar.mechanics.doubts import doubts
 
-        own = [*doubts(engine)]
+        own = [*doubts(engine), *doubts_of_points(engine)]
     found = in_file(dict(tree), own, explicit=is_explicit(dict(tree)))
     return [f"  {fault.sentence}" for fault in found]
 

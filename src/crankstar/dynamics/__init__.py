@@ -8,6 +8,7 @@
 | `wear` | where journals and pins are pressed most and least |
 | `oil_film` | the orbit of a journal in its oil, and the least film |
 | `uneven` | the speed of the crankshaft over a cycle, and the flywheel that evens it |
+| `uneven_doubts` | a drive inertia with which hardly any engine runs |
 | `generator_angle` | how far a generator runs ahead of its mean turn and behind it |
 | `load_reaction` | what a driven machine does to the frame that it is fixed to |
 | `uneven_forces` | what the uneven speed changes in force and couple |

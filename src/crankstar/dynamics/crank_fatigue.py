@@ -48,6 +48,7 @@ from crankstar.engine.torsion import FACTORS, CrankDimensions, CrankFatigue
 from crankstar.language.messages import MessageError
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.kinetic import throws_from_front
+from crankstar.mechanics.lacking import KEYS, lacking_keys
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Real
 
@@ -56,11 +57,6 @@ ACCEPTED = 1.15
 """The acceptability factor from which on a crankshaft is accepted."""
 SAMPLES = 720
 """Crank angles in a turn."""
-KEYS = {
-    "mass": "cylinder.reciprocating_mass",
-    "radius": "cylinder.stroke",
-    "pitch": "layout.bore_pitch",
-}
 TWO_STROKE = 0.8
 """K_e of two-stroke engines: neighbouring cranks and bearings hold the throw."""
 
@@ -152,7 +148,7 @@ def crank_fatigue(engine: Engine, found: TorsionAnalysis) -> Fatigue:
     own = engine.torsion
     if own is None or own.fatigue is None or own.dimensions is None:
         raise FatigueError("fatigue needs fillets and material: give the table [torsion.fatigue]")
-    unknown = ", ".join(KEYS[name] for name in KEYS if name in engine.relative)
+    unknown = ", ".join(lacking_keys(engine, 0.0, sizes=KEYS))
     if unknown:
         raise FatigueError(
             "fatigue needs the forces on the crankshaft in N: give {keys}", keys=unknown

@@ -277,6 +277,21 @@ def driven(engine: Engine, cycle: Cycle, *, flywheel: float | None = None) -> Ru
     return _driven_by(engine, cycle).with_(own)
 
 
+def fluctuation(engine: Engine, cycle: Cycle) -> tuple[float, float]:
+    """The greatest change of kinetic energy (J) and the mean inertia of what moves (kg m^2).
+
+    Of an engine with the load of its file; neither depends on its flywheel.
+
+    >>> from crankstar import cycle, load
+    >>> five = load("audi-25-tfsi")
+    >>> idle = cycle(five, speed="800 rpm", imep="2 bar")
+    >>> fluctuation(five, idle)[0] == driven(five, idle, flywheel=0.3).fluctuation
+    True
+    """
+    bare = _driven_by(engine, cycle)
+    return bare.fluctuation, bare.mean
+
+
 def _driven_by(engine: Engine, cycle: Cycle) -> _WithoutFlywheel:
     """The engine with the load of its file."""
     exponent = (engine.drive or Drive()).load_exponent

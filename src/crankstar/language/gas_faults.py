@@ -154,6 +154,16 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} kg m², less than the pistons and rods have, {moving} kg m²: crankshaft "
         "and flywheel together have more"
     ),
+    "doubt.uneven-set": N_(
+        "{where} is {value} kg m², with which the speed at {rpm} rpm varies by one part in about "
+        "{parts}, and with {enough} kg m² by one in 100; generating sets have one part in 75 to "
+        "300, and none is as uneven under load: are flywheel and rotor not in it?"
+    ),
+    "doubt.uneven": N_(
+        "{where} is {value} kg m², with which the speed at {rpm} rpm varies by one part in about "
+        "{parts}, and with {enough} kg m² by one in 30; at full speed engines have one part in 20 "
+        "or more, and none, we judge, is as uneven: are flywheel and what is driven not in it?"
+    ),
     "drive.lengths": N_("{where} has {count} values for {angles} angles; give as many"),
     "drive.no-load": N_(
         "{where} takes no work: its mean over the angle of the cycle is {mean} % of its maximum; "

@@ -30,8 +30,8 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "block.point-twice": N_("{where} is {value} twice; give each point its own name"),
     "mounts.relative": N_(
-        "{where} are given for an engine without masses or sizes, which cannot be set against "
-        "stiffness: give {keys}"
+        "{where} are given for an engine of which not all masses and sizes are known, which cannot "
+        "be set against stiffness: give {keys}"
     ),
     "mounts.same-name": N_("{where} is {value} twice; give each mount its own name"),
     "mounts.length": N_(

@@ -193,7 +193,18 @@ def rotors(machine: Mechanism, columns: Columns) -> Vectors:
 
 
 def _sum(pieces: Sequence[Vectors]) -> Vectors:
-    return Vectors(*(reduce(np.add, values) for values in zip(*pieces, strict=True)))
+    """The sum of the pieces of a body, its moment without rounding errors.
+
+    That of the mass of a rod and that of its inertia cancel where it is two masses at its ends;
+    harmonics are known to TAIL of their greatest.
+    """
+    whole = Vectors(*(reduce(np.add, values) for values in zip(*pieces, strict=True)))
+    if len(pieces) == 1:
+        return whole
+    pushed = reduce(np.add, [np.abs(piece.moment) for piece in pieces])
+    least = len(pieces) * motion.TAIL * pushed.max(axis=-1, keepdims=True, initial=0.0)
+    noise = np.maximum(spectra.ROUNDING * pushed, least)
+    return whole._replace(moment=np.where(np.abs(whole.moment) > noise, whole.moment, 0.0))
 
 
 def _stacked(arrays: list, *, axis: int) -> np.ndarray:

@@ -66,6 +66,18 @@ def lacking_words(engine: Engine, speed: float | None, sizes: Collection[str] = 
     return names if speed is not None else [*names, _("a speed (see --speed)")]
 
 
+def is_explicit(engine: Engine) -> bool:
+    """Whether the values come from a file in the explicit form, as far as their origins say.
+
+    Its numbers count in what its key `relative` names; a short file gives what it lacks by `KEYS`.
+
+    >>> from crankstar.files.catalog import load
+    >>> is_explicit(load("audi-25-tfsi"))
+    False
+    """
+    return any(path.startswith(("shaft", "cylinders.throw")) for path in engine.provenance)
+
+
 def without_running(engine: Engine, speed: float | None, flywheel: float | None = None) -> str:
     """What keeps the speed over a cycle from being known; empty where nothing does.
 

@@ -210,6 +210,7 @@ def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:
         unit=lambda _quantity, _engine: "N*m",
         uses=("inertia", "gas"),
         gas=found,
+        without_reaction=found,
         given=TURNING,
         choices=[*gas_alone(engine, found, figures)],
     )
@@ -274,8 +275,8 @@ def torques(
     """The rolling moment of gas and inertia by order, mean and brake torque, the peak pressure.
 
     With `running` the degree of irregularity where the `flywheel` (kg m^2) is known, and the one
-    for a degree of `irregularity`. With `sums` force, couple and roll besides, as several engines
-    have them with what they drive on their frame, not the torques; without gas too.
+    for a degree of `irregularity`. With `sums` force, couple and roll besides, as generating sets
+    have them on their frame, not the torques; without gas too.
     """
     found = make(engine)
     if sums and found is None:
@@ -299,6 +300,7 @@ def torques(
 
     units = {"peak pressure": "bar", "irregularity": "", "flywheel": "kg*m^2"}
     turning: Uses = "running" if irregularity is None else "sized"
+    uneven: tuple[Uses, ...] = (turning, "set") if sums else (turning,)
     return Answer(
         figures=figures,
         unit=lambda quantity, each: (
@@ -306,7 +308,7 @@ def torques(
             if quantity in ("force", "couple")
             else units.get(quantity, "N*m")
         ),
-        uses=("inertia", "gas", *((turning,) if running and flywheel is None else ())),
+        uses=("inertia", "gas", *(uneven if running and flywheel is None else ())),
         gas=found,
         without_reaction=None if sums else found,
         choices=[] if found is None else [*gas_alone(engine, found, figures)],

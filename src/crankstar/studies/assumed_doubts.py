@@ -9,7 +9,12 @@ from typing import Any
 from crankstar import spectra
 from crankstar.analysis.assumptions import Answer, Assumption, moved
 from crankstar.analysis.changed_rods import with_knuckles, with_rods_of
-from crankstar.analysis.changed_values import with_block_mass, with_gas_value, with_rod_inertias
+from crankstar.analysis.changed_values import (
+    with_block_mass,
+    with_drive_inertia,
+    with_gas_value,
+    with_rod_inertias,
+)
 from crankstar.analysis.tried_values import Figures
 from crankstar.engine.engine import Engine
 from crankstar.engine.proportions import TWO_MASSES
@@ -59,6 +64,12 @@ def _doubt(engine: Engine, fault: Fault) -> Assumption:
         assert not isinstance(point, str)  # noqa: S101  # it numbers the operating points
         vary = with_gas_value("intake_pressure", 1e5, point=point)
         return Assumption("doubtful", path, fault.sentence, value, "bar", meant, meant, vary=vary)
+    if fault.code in ("doubt.uneven", "doubt.uneven-set"):
+        value, enough = fault.values["value"], fault.values["enough"]
+        vary = with_drive_inertia
+        return Assumption(
+            "doubtful", path, fault.sentence, value, "kg*m^2", enough, enough, vary=vary
+        )
     if fault.code == "doubt.block-mass":
         low, high = (fault.values["litres"] * fault.values[f"car_{end}"] for end in ("low", "high"))
         own = fault.values["value"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -192,13 +193,18 @@ def _turning(
 
     def vary(each: Engine, mass: float) -> Engine:
         pin = float(np.interp(mass, ends[:: len(ends) - 1], pins[:: len(pins) - 1]))
-        return with_turning_masses(each, mass, pin if no_pins else None)
+        return with_turning_masses(each, mass, pin)
 
-    yield Assumption(
+    found = Assumption(
         "missing", path, reason, 0.0, unit, ends[0], ends[-1],
-        values=(("pins", (pins[0], pins[-1])),) if no_pins else (),
-        vary=vary,
+        vary=lambda each, mass: with_turning_masses(each, mass, None),
     )  # fmt: skip
+    if not no_pins:
+        yield found
+        return
+    bare = _turning_reason(engine, kind, ends=True, pins=False, weighted=weighted)
+    along = (("pins", (pins[0], pins[-1])),)
+    yield replace(found, values=along, vary=vary, alone=replace(found, reason=bare))
 
 
 def _usual_turning(

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 
 from crankstar.analysis.assumptions import Answer, Assumption
 from crankstar.analysis.changed_values import (
-    SCALED,
     point_value,
     with_bearings_moved,
     with_block_inertia,
@@ -26,11 +25,14 @@ from crankstar.analysis.changed_values import (
     with_rear_disc,
     with_torsion_value,
 )
+from crankstar.analysis.scaled_values import SCALED
+from crankstar.dynamics.uneven_doubts import uneven_doubts
 from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.block import inertia_in_box
 from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL
+from crankstar.language.faults import Fault
 from crankstar.language.messages import N_
 from crankstar.mechanics.doubts import doubts_of
 from crankstar.mechanics.gas import Cycle
@@ -45,7 +47,12 @@ if TYPE_CHECKING:
 DOUBTFUL = ("unverified", "placeholder")
 """Statuses of values of a file that nobody has read in a source."""
 FLYWHEELS = {
-    "running": Assumption("left out", "drive.inertia", N_("no flywheel in the file")),
+    "running": Assumption(
+        "left out",
+        "drive.inertia",
+        N_("no flywheel in the file"),
+        sentence=N_("Not in the file, which takes away the uneven running alone: {paths}."),
+    ),
     "sized": Assumption(
         "missing", "drive.inertia", N_("no flywheel beside the one that is sized"), explained=True
     ),
@@ -106,7 +113,7 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     """All that is lacking or doubtful of what an answer uses, in no order."""
     if not {*answer.uses} <= TIMING:
         yield from _not_modelled(engine)
-    yield from doubtful(engine, doubts_of(engine, answer.uses, answer.gas))
+    yield from doubtful(engine, _doubts(engine, answer))
     yield from answer.choices
     if "inertia" in answer.uses:
         pins = "cylinder.throw_mass" not in answer.given
@@ -135,6 +142,17 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     if "valves" in answer.uses and engine.firing_order:
         yield from (replace(each, vary=None) for each in valves(engine))  # they are the figure
     yield from _unverified(engine, answer)
+
+
+def _doubts(engine: Engine, answer: Answer) -> list[Fault]:
+    """What is doubtful of what an answer uses, of a flywheel with a size of effect if known."""
+    found = doubts_of(engine, answer.uses, answer.gas)
+    runs = not {*FLYWHEELS}.isdisjoint(answer.uses)
+    uneven: tuple[Fault, ...] = ()
+    if runs and answer.gas is not None:
+        uneven = uneven_doubts(engine, answer.gas, generating="set" in answer.uses)
+    turns = (runs and not uneven) or "torsion" in answer.uses
+    return [*uneven, *(each for each in found if turns or each.code != "doubt.flywheel")]
 
 
 def _not_modelled(engine: Engine) -> Iterator[Assumption]:

@@ -15,6 +15,7 @@ from crankstar.language.messages import N_
 from crankstar.mechanics.gas import Cycle, computable, cycle_or_reason
 from crankstar.studies.answer_parts import gas_of, usual_gas
 from crankstar.studies.assumed_gas import usual_load
+from crankstar.studies.gas_alone import lacking_gas
 
 MakeCycle = Callable[[Engine], Cycle | None]
 GAS_OPTION = N_("--gas adds it")
@@ -79,7 +80,9 @@ def _unburnt(
     usual = usual_gas(engine, speed=speed)[0]
     if usual is not None:
         return replace(usual_load(usual, with_gas, IN_LOADS), reason=USUAL_CYCLE)
-    if gas_of(engine, speed=speed)[0] is None or {"mass", "radius"} & {*engine.relative}:
+    if gas_of(engine, speed=speed)[0] is None:
+        return lacking_gas(engine, with_gas, IN_LOADS, speed=speed)
+    if {"mass", "radius"} & {*engine.relative}:
         return None
     return Assumption(
         "left out", "gas", GAS_OPTION, low=1.0, high=1.0, explained=True, sentence=IN_LOADS,

@@ -34,6 +34,7 @@ from crankstar.mechanics.excitation import Reference, Totals, part_spectra, tota
 from crankstar.mechanics.gas import chambers_of
 from crankstar.mechanics.gas_loads import gas_over_speeds, vibrating_state
 from crankstar.mechanics.gas_torque import gas_roll
+from crankstar.mechanics.lacking import KEYS, is_explicit, lacking_keys
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.mechanics.operating_points import OperatingState
@@ -156,12 +157,20 @@ def usual_orders(engine: Engine) -> list[float]:
 
 
 def known(engine: Engine) -> Engine:
-    """The engine, where forces in N can be told. Raises DiagnosisError."""
-    if engine.relative:
+    """The engine, where forces in N and moments in N m can be told. Raises DiagnosisError."""
+    if engine.relative and is_explicit(engine):
         raise DiagnosisError(
-            "the engine file gives no masses or sizes, so that forces in N are not known; add what "
-            "relative names: {names}",
+            "forces in N and moments in N m are not known; replace relative {names} in the engine "
+            "file",
             names=", ".join(engine.relative),
+        )
+    lacking = lacking_keys(engine, 0.0, sizes=KEYS)
+    if lacking and engine.gas is not None and any(own.bore is None for own in engine.cylinders):
+        lacking.append("cylinder.bore")
+    if lacking:
+        raise DiagnosisError(
+            "forces in N and moments in N m are not known; give {keys} in the engine file",
+            keys=", ".join(lacking),
         )
     return engine
 

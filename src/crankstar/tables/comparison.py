@@ -108,7 +108,7 @@ def _with_gas(compared: _Compared) -> tuple[Table, ...]:
         return ()
     from crankstar.tables.gas_comparison import gas_comparison
 
-    return gas_comparison(engines, compared.names, _speeds(compared))
+    return gas_comparison(engines, compared.names, _speeds(compared), orders=_asked(compared))
 
 
 def _of_analyses(compared: _Compared) -> tuple[Table, ...]:
@@ -127,6 +127,12 @@ def _speeds(compared: _Compared) -> list[float | None]:
     return [shown.speed if shown.real is None else shown.real.speed for shown in compared.shown]
 
 
+def _asked(compared: _Compared) -> tuple[float, ...]:
+    """The orders that were asked for; none where those that matter are shown."""
+    first = compared.shown[0]
+    return first.orders if first.asked else ()
+
+
 def _gas_rows(compared: _Compared) -> tuple[list[tuple[Value, ...]], dict[str, Any]]:
     """The same as rows for machines, and the speed and operating point of each engine."""
     engines = [shown.engine for shown in compared.shown]
@@ -137,7 +143,7 @@ def _gas_rows(compared: _Compared) -> tuple[list[tuple[Value, ...]], dict[str, A
     cycles = gas_cycles(engines, _speeds(compared))
     rows: list[tuple[Value, ...]] = [
         ("torque_with_gas", order, name, rpm_of(own), cell, "N*m", _share(cell, cells[0], 1))
-        for order, cells in gas_sizes(engines, compared.names, cycles)
+        for order, cells in gas_sizes(engines, compared.names, cycles, _asked(compared))
         for name, own, cell in zip(compared.names, cycles, cells, strict=True)
     ]
     return rows, {"gas": gas_state_facts(compared.names, cycles)} if cycles else {}

@@ -10,7 +10,7 @@ from crankstar.engine.proportions import TWO_MASSES, inferred, look_of
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, unit_mass
-from crankstar.mechanics.lacking import KEYS, SIZES, lacking_keys, pitch_key
+from crankstar.mechanics.lacking import KEYS, SIZES, is_explicit, lacking_keys, pitch_key
 from crankstar.tables.scales import scales
 
 OF_TORQUE = ("gas", "drive")
@@ -51,7 +51,7 @@ def unit_sentence(engine: Engine, result: Balance) -> str:
         return passage((speed, _pitch_sentence(engine)))
     if not {*SIZES} & {*engine.relative}:
         return _(UNITS["speed"])
-    if _is_explicit(engine):
+    if is_explicit(engine):
         sentence = UNITS["explicit"]
         return _(sentence, keys=", ".join(engine.relative))
     keys = lacking_keys(engine, 0.0, sizes=KEYS) + (["speed"] if engine.speed is None else [])
@@ -68,7 +68,7 @@ def missing_sentence(engine: Engine) -> str:
     """
     if not {*SIZES} & {*engine.relative}:
         return _pitch_sentence(engine)
-    if _is_explicit(engine):
+    if is_explicit(engine):
         sentence = UNITS["explicit masses"]
         return _(sentence, keys=", ".join(engine.relative))
     return _(UNITS["masses"], keys=", ".join(lacking_keys(engine, 0.0, sizes=KEYS)))
@@ -77,7 +77,7 @@ def missing_sentence(engine: Engine) -> str:
 def _pitch_sentence(engine: Engine) -> str:
     if "pitch" not in engine.relative:
         return ""
-    if _is_explicit(engine):
+    if is_explicit(engine):
         sentence = UNITS["explicit pitch"]
         return _(sentence)
     return _(UNITS["pitch"], keys=pitch_key(engine))
@@ -94,11 +94,6 @@ def can_be_estimated(engine: Engine) -> bool:
     missing = {"mass", *(("pitch",) if several else ())} & {*engine.relative}
     look = look_of(engine, engine.gas)
     return look is not None and bool(missing) and inferred(look)[0] != "crosshead"
-
-
-def _is_explicit(engine: Engine) -> bool:
-    """Whether the values come from a file in the explicit form, as far as their origins say."""
-    return any(path.startswith(("shaft", "cylinders.throw")) for path in engine.provenance)
 
 
 def unverified(engine: Engine) -> list[str]:

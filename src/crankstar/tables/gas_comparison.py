@@ -33,17 +33,26 @@ def gas_cycles(engines: Sequence[Engine], speeds: Sequence[float | None]) -> lis
 
 
 def gas_sizes(
-    engines: Sequence[Engine], names: Sequence[str], cycles: Sequence[Cycle]
+    engines: Sequence[Engine],
+    names: Sequence[str],
+    cycles: Sequence[Cycle],
+    asked: Sequence[float] = (),
 ) -> list[tuple[float, list[float]]]:
-    """The amplitude of gas and inertia torque by order, engine by engine, N m; empty of none."""
+    """The amplitude of gas and inertia torque by order, engine by engine, N m; empty of none.
+
+    Of the orders that are `asked` for, else of those that are more than next to nothing.
+    """
     found = [torque_of(engine, own) for engine, own in zip(engines, cycles, strict=False)]
-    orders = sorted({order for spectrum in found for order in spectrum.orders.tolist()})
-    if not orders:
+    occurring = {order for spectrum in found for order in spectrum.orders.tolist()}
+    if not occurring:
         return []
+    orders = sorted({*asked} or occurring)
     sizes = np.array(
         [np.abs(spectra.amplitude(spectra.selected(spectrum, orders))) for spectrum in found]
     )
     noted = sizes.max(axis=0) > NOTED * sizes.max(initial=0.0)
+    if asked:
+        noted[:] = True
     shown = of_any(("gas", *names), [o for o, kept in zip(orders, noted, strict=True) if kept])
     return [
         (order, sizes[:, place].tolist()) for place, order in enumerate(orders) if order in shown
@@ -64,11 +73,18 @@ def rpm_of(own: Cycle) -> float | None:
 
 
 def gas_comparison(
-    engines: Sequence[Engine], names: Sequence[str], speeds: Sequence[float | None]
+    engines: Sequence[Engine],
+    names: Sequence[str],
+    speeds: Sequence[float | None],
+    *,
+    orders: Sequence[float] = (),
 ) -> tuple[Table, ...]:
-    """The torque of gas and inertia by order, engine by engine; none where one has no cycle."""
+    """The torque of gas and inertia by order, engine by engine; none where one has no cycle.
+
+    Of these orders if any are asked for.
+    """
     cycles = gas_cycles(engines, speeds)
-    found = gas_sizes(engines, names, cycles)
+    found = gas_sizes(engines, names, cycles, orders)
     if not found:
         return ()
     shares = [

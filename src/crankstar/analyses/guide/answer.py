@@ -14,8 +14,8 @@ from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import scales
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.options.refusals import not_compiled
-from crankstar.studies.answer_parts import friction_of_power, gas_of
-from crankstar.studies.gas_alone import gas_alone
+from crankstar.studies.answer_parts import IN_GUIDES, friction_of_power, gas_of
+from crankstar.studies.gas_alone import gas_alone, lacking_gas
 
 if TYPE_CHECKING:
     from crankstar.analyses.guide.engine_family import Member
@@ -86,6 +86,8 @@ def answer(engine: Engine, question: Question) -> Answer:
     choices = [*friction_of_power(engine, found)]
     if found is not None:
         choices += gas_alone(engine, found, figures, guided)
+    lacking = lacking_gas(engine, figures, IN_GUIDES, speed=question.speed, point=question.point)
+    choices += [] if lacking is None else [lacking]
     turning = operating_state(engine, point=question.point, speed=question.speed).speed
     return Answer(
         figures=figures,

@@ -14,7 +14,7 @@ from crankstar.mechanics.guide_moments import GuideMoments
 from crankstar.options.refusals import refuse_unused
 from crankstar.studies.answer_parts import IN_GUIDES, friction_of_power, usual_gas
 from crankstar.studies.assumed_gas import usual_load
-from crankstar.studies.gas_alone import gas_alone
+from crankstar.studies.gas_alone import gas_alone, lacking_gas
 
 
 def compute(engine: Engine, question: Question) -> MarineAnalysis:
@@ -65,6 +65,10 @@ def answer(engine: Engine, question: Question) -> Answer:
     choices = [usual_load(usual, figures, IN_GUIDES)] if usual and one_shaft else []
     if whole.cycle is not None:
         choices += gas_alone(engine, whole.cycle, figures)
+    elif one_shaft:
+        asked = {"point": question.point, "speed": question.speed}
+        lacking = lacking_gas(engine, figures, IN_GUIDES, **asked)
+        choices += [] if lacking is None else [lacking]
     return Answer(
         figures=figures,
         unit=lambda quantity, each: (
@@ -72,6 +76,7 @@ def answer(engine: Engine, question: Question) -> Answer:
         ),
         uses=("inertia", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
+        without_reaction=whole.cycle,
         choices=[*choices, *friction_of_power(engine, whole.cycle)],
     )
 

@@ -24,7 +24,7 @@ from crankstar.mechanics.mass_doubts import body_doubts
 from crankstar.spectra import Complex
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.gas_words import range_facts, range_words, state_facts, state_words
-from crankstar.tables.headings import heading
+from crankstar.tables.headings import heading_lines
 from crankstar.tables.mount_points import FREEDOM_NAMES, point_tables, told_point
 
 RPM = 30 / pi
@@ -36,7 +36,7 @@ def document(engine: Engine, found: MountAnalysis, asked: Question) -> Document:
 
     Orders of which next to nothing is left are told where orders are asked for.
     """
-    parts: list[Table | Remarks] = [heading(engine)]
+    parts: list[Table | Remarks] = [Remarks((*heading_lines(engine), *_asked(engine, found)))]
     parts += [_mount_table(found), _mode_table(found), _axis_table(found)]
     parts += () if found.over is None else speed_tables(found, found.over)
     parts += point_tables(engine, found)
@@ -233,7 +233,7 @@ def _force_table(own: MountResponse) -> Table:
 
 
 def _notes(engine: Engine, found: MountAnalysis) -> tuple[Remarks, ...]:
-    """What it rests on, of which point motion is told, and what is left out."""
+    """What it rests on, and what is left out."""
     sag = quantity_text(float(f"{-found.sag[0] * MM:.4g}"), "mm")
     lines = [_("Under its weight the block sits down by {sag} at its centre of mass.", sag=sag)]
     if found.over is None and found.at is None:
@@ -249,18 +249,32 @@ def _notes(engine: Engine, found: MountAnalysis) -> tuple[Remarks, ...]:
         lines.append(state_words(engine, found.state))
     if found.over is not None and not found.over.excitation.without_gas:
         lines.append(range_words(engine, found.operating_point))
+    lines.append(
+        _(
+            "The block is rigid, its motion small; the crankshaft runs on evenly. The mean torque, "
+            "what the driveline does, and the gyroscopic moment of the crankshaft are left out."
+        )
+    )
+    return remarks(*lines, kind="note")
+
+
+def _asked(engine: Engine, found: MountAnalysis) -> list[str]:
+    """Of which point the vibration is, and over which speeds where they are assumed."""
+    if found.over is None and found.at is None:
+        return []
     point = told_point(engine, found.point)
-    told = _("Vibration is that of the point {point}; see --at.", point=point)
-    assumed = _("The range of speeds is taken about the one that is known; see --speeds.")
-    left_out = _(
-        "The block is rigid, its motion small; the crankshaft runs on evenly. The mean torque, "
-        "what the driveline does, and the gyroscopic moment of the crankshaft are left out."
-    )
-    return (
-        *remarks(*lines, kind="note"),
-        *remarks(told, kind="note", key="point"),
-        *remarks(assumed if found.range_assumed else "", left_out, kind="note"),
-    )
+    lines = [_("Vibration is that of the point {point}; see --at.", point=point)]
+    if found.over is not None and found.range_assumed:
+        low, high = (number(float(found.over.speeds[place]) * RPM) for place in (0, -1))
+        lines.append(
+            _(
+                "The speeds {low} to {high} rpm are assumed, about the one that is known; see "
+                "--speeds.",
+                low=low,
+                high=high,
+            )
+        )
+    return lines
 
 
 def _doubts(engine: Engine, found: MountAnalysis) -> list[str]:

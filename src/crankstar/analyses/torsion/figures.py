@@ -19,6 +19,7 @@ from crankstar.dynamics.torsion_response import Response, response
 from crankstar.engine.engine import Engine
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import IN_VIBRATION, gas_as_in
+from crankstar.studies.gas_alone import lacking_gas
 
 OF_TORSION = {
     "natural frequency": "Hz",
@@ -69,6 +70,7 @@ def twist(
     def natural(each: Engine) -> list[float]:
         return [mode.speed for mode in torsion_modes(torsion_chain(each))]
 
+    lacking = lacking_gas(engine, figures, IN_VIBRATION, speed=speed, point=point)
     tunings = []
     if ends and whole.response is not None:
         orders = whole.response.orders.tolist()
@@ -78,9 +80,10 @@ def twist(
         unit=lambda quantity, _engine: OF_TORSION[quantity],
         uses=("inertia", "torsion", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
-        gasless=IN_VIBRATION,
+        gasless="" if lacking else IN_VIBRATION,
         why_gasless="" if engine.gas is None else whole.without_gas,
         least=least,
+        choices=[lacking] if lacking else [],
         tunings=tunings,
     )
 
