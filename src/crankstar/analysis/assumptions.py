@@ -11,7 +11,8 @@ F being the maximum of the same quantity over all orders, at least what the answ
 least to measure by, so that what is hardly there does not lead. Of a range [low, high] both ends
 are tried, the value as it is or the middle, where a resonance is met, and where that figure has an
 extreme in between (`tried_values` says how they are found): its least and its greatest value are
-those of the range. A value without ends (an unverified one) is varied by `TRIAL` up and down.
+those of the range. Where an end is no engine the range is that of the values that are one. A value
+without ends (an unverified one) is varied by `TRIAL` up and down.
 """
 
 from __future__ import annotations
@@ -60,7 +61,8 @@ class Moved:
 
     `now` is its value as given, `low` and `high` its least and its greatest over the range; `trial`
     says that the value has no range and was varied by TRIAL up and down. `lifting` are the mounts
-    that bear a weight now and pull somewhere in the range.
+    that bear a weight now and pull somewhere in the range; `beyond` has the ends that were meant of
+    a range and make no engine, each with the reason.
     """
 
     quantity: str
@@ -72,6 +74,7 @@ class Moved:
     effect: float
     trial: bool = False
     lifting: tuple[str, ...] = ()
+    beyond: tuple[tuple[float, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -150,12 +153,13 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
     least = dict(answer.least(engine))
     out: list[Assumption] = []
     for each in found:
-        most = each.moved if each.vary is None else _moved(engine, each, (now, least), answer)
+        own = each if each.vary is None else _varied(engine, each, (now, least), answer)
+        most = own.moved
         if most is not None and most.effect < SIGNIFICANT and not most.lifting:
             if each.status != "doubtful":
                 continue
             most = None
-        out.append(replace(each, moved=most))
+        out.append(replace(own, moved=most))
     return tuple(sorted(out, key=_rank))
 
 
@@ -163,10 +167,13 @@ def _rank(each: Assumption) -> tuple[bool, bool, float]:
     return each.status != "not modelled", each.status != "doubtful", -each.effect
 
 
-def _moved(
+def _varied(
     engine: Engine, each: Assumption, known: tuple[Figures, Mapping[str, float]], answer: Answer
-) -> Moved | None:
-    """The figure that one assumption moves most; None where an end is no engine."""
+) -> Assumption:
+    """One assumption with the figure that it moves most, its ends those of what makes an engine.
+
+    Without a figure where no other value than that as it is makes one.
+    """
     assert each.vary is not None  # noqa: S101  # asked before
     now, least = known
     trial = each.low is None or each.high is None
@@ -182,10 +189,10 @@ def _moved(
             value=1.0 if trial else value if isinstance(value, float) else None,
         )
     except (EngineError, MessageError):
-        return None
+        return replace(each, moved=None)
     if not any(tried.known.values()):  # nothing moves: no figure is left of the answer
-        return Moved("", None, "", 0.0, 0.0, 0.0, 0.0)
-    if not trial and ends[0] < ends[1]:
+        return replace(each, moved=Moved("", None, "", 0.0, 0.0, 0.0, 0.0))
+    if not trial and tried.ends[0] < tried.ends[1]:
         tried.add_meetings(answer.tunings)
         key, effect, top = _most(tried, now, least)
         if effect >= TOLD and answer.tunings:
@@ -195,7 +202,7 @@ def _moved(
             tried.add_extremes(key, top=top)
     (quantity, order), effect, _top = _most(tried, now, least)
     sizes = [size for _x, size in tried.sizes((quantity, order))]
-    return Moved(
+    change = Moved(
         quantity=quantity,
         order=order,
         unit=answer.unit(quantity, engine),
@@ -205,7 +212,10 @@ def _moved(
         effect=effect,
         trial=trial,
         lifting=() if trial else _lifting(tried, now),
+        beyond=() if trial else tuple(tried.beyond),
     )
+    low, high = tried.ends if change.beyond else (each.low, each.high)
+    return replace(each, moved=change, low=low, high=high)
 
 
 def _most(tried: Tried, now: Figures, least: Mapping[str, float]) -> tuple[Figure, float, float]:
