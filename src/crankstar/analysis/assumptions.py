@@ -146,8 +146,8 @@ class Answer:
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:
     """The assumptions with what each moves most, the largest first; without those of no effect.
 
-    Parts that are not modelled stand first, then what is doubtful; what cannot be varied stays,
-    behind those that can.
+    Parts that are not modelled stand first, then what is doubtful and of no known size; what else
+    cannot be varied stays, behind those that can.
     """
     now = answer.figures(engine)
     least = dict(answer.least(engine))
@@ -155,16 +155,15 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
     for each in found:
         own = each if each.vary is None else _varied(engine, each, (now, least), answer)
         most = own.moved
-        if most is not None and most.effect < SIGNIFICANT and not most.lifting:
-            if each.status != "doubtful":
-                continue
-            most = None
-        out.append(replace(own, moved=most))
+        slight = most is not None and most.effect < SIGNIFICANT and not most.lifting
+        if each.status == "doubtful" or not slight:
+            out.append(own)
     return tuple(sorted(out, key=_rank))
 
 
 def _rank(each: Assumption) -> tuple[bool, bool, float]:
-    return each.status != "not modelled", each.status != "doubtful", -each.effect
+    unsized = each.status == "doubtful" and each.moved is None
+    return each.status != "not modelled", not unsized, -each.effect
 
 
 def _varied(

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import inf
 from typing import Any
 
-from crankstar.analysis.assumptions import TOLD, Assumption, Moved
+from crankstar.analysis.assumptions import SIGNIFICANT, TOLD, Assumption, Moved
 from crankstar.analysis.document import Remarks
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number
@@ -82,15 +82,16 @@ def _is_absent(found: Sequence[Assumption]) -> bool:
 def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     """The sentences, each with the assumptions that it is about.
 
-    Choices of two follow what has a range: their other one is another kind of engine.
+    Parts that are not modelled and doubts of no known size stand first, then all by its effect; a
+    doubt has a sentence whatever its effect is.
     """
-    doubtful = [each for each in found if each.status == "doubtful"]
+    doubtful = [each for each in found if each.status == "doubtful" and each.moved is None]
     parts = _together(found, "not modelled")
     large = [each for each in found if each not in doubtful]
-    large = [each for each in large if each.effect >= TOLD or _lifts(each)]
-    most = [each for each in large if not each.named][:MOST_TOLD]
-    told = [each for each in large if each.named or each in most]
-    lines = [*parts, *((_doubted(each), [each]) for each in doubtful)]
+    large = [each for each in large if each.effect >= TOLD or _lifts(each) or _is_doubt(each)]
+    most = [each for each in large if not each.named and not _is_doubt(each)][:MOST_TOLD]
+    told = [each for each in large if each.named or _is_doubt(each) or each in most]
+    lines = [*parts, *((_line(each), [each]) for each in doubtful)]
     rest = [each for each in found if each not in (*told, *doubtful)]
     whole = [line for status in FIRST for line in _together(rest, status)]
     lines += [(_line(each), [each]) for each in told[:1]]
@@ -110,7 +111,7 @@ FIRES = {"spark": N_("spark ignition"), "compression": N_("compression ignition"
 def _doubted(each: Assumption) -> str:
     """A doubt, with what may be meant and the figure that it moves most, where that is known."""
     reason = _ended(each.reason)
-    if each.moved is None:
+    if each.moved is None or each.effect < SIGNIFICANT:
         return reason
     words = _words(each, each.moved)
     if each.low != each.high:
@@ -139,6 +140,10 @@ def _together(found: Sequence[Assumption], status: str) -> list[tuple[str, list[
     for each in own:
         kinds.setdefault(each.sentence or OTHERS[status], []).append(each)
     return [(_(kind, paths=_paths(alike)), alike) for kind, alike in kinds.items()]
+
+
+def _is_doubt(each: Assumption) -> bool:
+    return each.status == "doubtful"
 
 
 def _lifts(each: Assumption) -> bool:
@@ -172,7 +177,7 @@ def _line(each: Assumption) -> str:
     With the ends that were meant and make no engine.
     """
     own = each.moved
-    said = [_moving(each)]
+    said = [_doubted(each) if _is_doubt(each) else _moving(each)]
     names = "" if own is None else ", ".join(own.lifting)
     if names:
         said.append(_("Somewhere in that range a mount lifts off: {names}.", names=names))
@@ -406,7 +411,8 @@ def side_by_side(
 ) -> tuple[tuple[Remarks, ...], tuple[Remarks, ...]]:
     """What matters most of each engine, for the first screen, and for the end the rest of it.
 
-    On the first screen are the largest effect of all and a speed that is not that of the file, too.
+    On the first screen are the largest effect of all and a speed that is not that of the file, too;
+    what is not there at all, of no known size, gives way to what has one.
     """
     first, rest = [], []
     most = PAIRED if len(names) <= 2 else 1
@@ -414,8 +420,10 @@ def side_by_side(
     for own, name in zip(found, names, strict=True):
         told = _told(own)
         count = most + any(each.status == "not modelled" for each in own)
+        first_ones = sorted(range(len(told)), key=lambda place: _is_absent(told[place][1]))[:count]
         leads = [
-            place < count or any(each.path == "speed" or each.effect == largest > 0 for each in of)
+            place in first_ones
+            or any(each.path == "speed" or each.effect == largest > 0 for each in of)
             for place, (_line, of) in enumerate(told)
         ]
         leading, others = (
