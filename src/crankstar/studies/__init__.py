@@ -10,6 +10,7 @@
 | `study` | what is varied, in which units and about which point |
 | `gas_results` | torque, roll, pressure and irregularity of each engine of a sweep |
 | `assumed_masses` | what a file leaves out of the masses that inertia forces come from |
+| `gas_ends` | between which ends a value lies that is assumed of a cycle |
 | `assumed_gas` | what is assumed of gas and valves, and what gas an answer leaves out |
 | `gas_alone` | what a file lacks for its gas or the inertia beside it: a bore, masses, a speed |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |
