@@ -12,7 +12,9 @@ from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.gas import cycle
+from crankstar.studies.answers import rests_on, torques
 from crankstar.studies.assumed_gas import gas_values
+from crankstar.tables.assumptions import assumption_lines
 
 FOUR: dict[str, Any] = {
     "name": "four",
@@ -104,3 +106,26 @@ def test_no_end_is_doubted(base: dict[str, Any], point: str, path: str) -> None:
         changed = row.vary(engine, end)
         again = cycle(changed, point=point)
         assert {each.code for each in point_doubts(changed, again)} <= known, end
+
+
+@pytest.mark.parametrize("base", [FOUR, {**TWO, "gas": {"bmep": "10 bar"}}])
+def test_a_friction_beyond_its_correlation_has_a_size(base: dict[str, Any]) -> None:
+    engine = engine_with(base)
+    answer = torques(engine, cycle)
+    [row] = [each for each in rests_on(engine, answer) if each.path.endswith("friction_pressure")]
+    usual = 0.97 + 0.15 * 7 + 0.05 * 7**2  # Barnes-Moss at 7000 rpm
+    assert (row.status, row.low, row.high) == (
+        "doubtful",
+        pytest.approx(usual, rel=1e-9),
+        pytest.approx(usual, rel=1e-9),
+    )
+    assert row.moved is not None
+    again = engine_with(base, friction_pressure=f"{usual} bar")
+    load = float(base["gas"].get("bmep", "12 bar").split()[0])
+    assert cycle(again).imep / 1e5 == pytest.approx(load + usual, rel=1e-6)
+    key = row.moved.quantity, row.moved.order
+    assert row.moved.high == pytest.approx(torques(again, cycle).figures(again)[key], rel=1e-9)
+    assert row.moved.high == row.moved.low != row.moved.now
+    [line] = assumption_lines([row])
+    assert "measured up to 7000 rpm, where it gives 4.47 bar, gives" in line
+    assert "With 4.47 bar the" in line

@@ -50,6 +50,8 @@ DOUBTFUL = ("unverified", "placeholder")
 """Statuses of values of a file that nobody has read in a source."""
 OF_RODS = ("doubt.rod-without-inertia", "doubt.rod-inertia")
 """Doubts on moments of inertia of rods."""
+OF_POINTS = {"doubt.charge": ("intake", "enough"), "doubt.friction": ("value", "usual")}
+"""Doubts on pressures of operating points: the value and what is tried, bar, by their names."""
 FLYWHEELS = {
     "running": Assumption("left out", "drive.inertia", N_("no flywheel in the file")),
     "sized": Assumption(
@@ -159,18 +161,16 @@ def _not_modelled(engine: Engine) -> Iterator[Assumption]:
 def _doubt(fault: Fault) -> Assumption:
     """A doubt, tried at what may be meant where that is known."""
     path = where(fault.path)
-    if fault.code == "doubt.charge":
-        value, meant = fault.values["intake"], fault.values["enough"]
+    if fault.code in OF_POINTS:
+        value, meant = (fault.values[key] for key in OF_POINTS[fault.code])
         point = fault.path[2] if len(fault.path) > GAS_DEPTH else None
         assert not isinstance(point, str)  # noqa: S101  # it numbers the operating points
-        vary = with_gas_value("intake_pressure", 1e5, point=point)
+        vary = with_gas_value(str(fault.path[-1]), 1e5, point=point)
         return Assumption("doubtful", path, fault.sentence, value, "bar", meant, meant, vary=vary)
     if fault.code == "doubt.block-mass":
         low, high = (fault.values["litres"] * fault.values[f"car_{end}"] for end in ("low", "high"))
-        own = fault.values["value"]
-        return Assumption(
-            "doubtful", path, fault.sentence, own, "kg", low, high, vary=with_block_mass
-        )
+        own = ("doubtful", path, fault.sentence, fault.values["value"], "kg", low, high)
+        return Assumption(*own, vary=with_block_mass)
     if fault.code != "doubt.rod-ratio" or fault.cylinder is not None:
         return Assumption("doubtful", path, fault.sentence)
     value, meant = fault.values["value"], fault.values["meant"]
