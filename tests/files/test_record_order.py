@@ -10,7 +10,9 @@ from typing import Any
 
 import pytest
 
-from crankstar.analysis.assumptions import Assumption, Moved
+from crankstar.analysis.assumptions import Answer, Assumption, Moved
+from crankstar.analysis.assumptions import moved as vary_all
+from crankstar.engine.copies import with_values
 from crankstar.files import engine_of
 from crankstar.studies.answers import amplitudes, rests_on
 from crankstar.tables.assumptions import assumption_lines, leading_lines, side_by_side
@@ -78,3 +80,35 @@ def test_two_of_each_engine_that_matter_most() -> None:
     assert [paths(each.lines) for each in first] == [["a", "b"], ["e", "f"]]
     assert [paths(each.lines) for each in rest] == [["c", "d"], ["Not"]]
     assert leading_lines(one)[0][0] == "a is odd."
+
+
+@pytest.mark.parametrize(
+    ("turn", "told"), [(1.55, "resonant amplitude"), (9.0, "torsional amplitude")]
+)
+def test_a_resonance_is_told_before_the_turn_of_the_whole_shaft(turn: float, told: str) -> None:
+    """0.3 to 0.45 deg is a share of 1/3 of the greater, 1 to 1.55 deg one of 0.35.
+
+    The turn of the whole leads where it moves more than twice as much: 1 to 9 is 8/9.
+    """
+    engine = engine_of(TRIPLE, name="triple")
+    now = {("torsional amplitude", None): 1.0, ("resonant amplitude", 9.0): 0.3}
+    then = {("torsional amplitude", None): turn, ("resonant amplitude", 9.0): 0.45}
+    answer = Answer(
+        figures=lambda own: now if own is engine else then, unit=lambda _name, _own: "deg"
+    )
+    meant = Assumption(
+        "doubtful",
+        "x",
+        "odd",
+        1.0,
+        "bar",
+        2.0,
+        2.0,
+        vary=lambda own, _x: with_values(own, name="x"),
+    )
+    [found] = vary_all(engine, [meant], answer)
+    assert found.moved is not None
+    assert found.moved.quantity == told
+    assert found.effect == pytest.approx({"resonant amplitude": 1 / 3}.get(told, 8 / 9))
+    name = "at the resonance of order 9" if told[0] == "r" else "greatest turn of the free end over"
+    assert name in assumption_lines([found])[0]

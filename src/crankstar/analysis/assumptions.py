@@ -47,7 +47,7 @@ TOLD = 0.01
 """Effect from which an assumption has a sentence of its own."""
 ROUNDING = 1e-9
 """Share of the maximum load of a mount below which one bears nothing."""
-LEADING, TWICE = ("force", "couple", "main bearing"), 2.0
+LEADING, TWICE = ("force", "couple", "main bearing", "resonant amplitude"), 2.0
 """Quantities that an answer says first, and how much more another moves that is told instead."""
 LOAD_OF = "load of mount "
 """What a mount bears upward at rest, as a quantity: before its name."""
