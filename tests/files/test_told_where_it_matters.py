@@ -73,7 +73,9 @@ def test_a_bobweight_has_no_inertia_of_rods(run: Run, tmp_path: Path) -> None:
     big_end = 0.38 * (112 - 32) / 112
     small_end = 0.29 + 0.38 * 32 / 112
     for told in (found, other):
-        assert told["bobweights"][0]["bobweight"] == pytest.approx(big_end + small_end / 2, rel=1e-9)
+        assert told["bobweights"][0]["bobweight"] == pytest.approx(
+            big_end + small_end / 2, rel=1e-9
+        )
     rows = _told(run, tmp_path, THREE, "analyze")["rests_on"]
     assert "cylinder.rod.inertia" in [row["path"] for row in rows]
 

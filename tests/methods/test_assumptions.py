@@ -445,15 +445,13 @@ def test_half_of_what_turns_is_not_all_of_it(given: str, missing: str) -> None:
 
 
 @pytest.mark.parametrize("command", ["analyze", "verdict", "bearings", "balance", "torque"])
-def test_a_rod_that_hardly_any_engine_has_is_doubted_first_everywhere(
-    run: Run, command: str
-) -> None:
+def test_a_rod_that_hardly_any_engine_has_is_doubted_everywhere(run: Run, command: str) -> None:
     """Rod length over stroke taken for that over crank radius: 2.2 times the secondary force."""
     said = " ".join(
         run(command, "audi-25-tfsi", "--set", "cylinder.rod_length=75.632 mm").out.split()
     )
     rests = said.partition("This rests on: ")[2]
-    assert rests.startswith("cylinder.rod_ratio: the rod is 1.63 times as long as the crank radius")
+    assert "cylinder.rod_ratio: the rod is 1.63 times as long as the crank radius" in rests
     assert "rod_ratio is 3.26" in rests
 
 

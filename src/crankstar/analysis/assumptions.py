@@ -11,7 +11,8 @@ F being the maximum of the same quantity over all orders, at least what the answ
 least to measure by, so that what is hardly there does not lead. Of a range [low, high] both ends
 are tried, the value as it is or the middle, where a resonance is met, and where that figure has an
 extreme in between (`tried_values` says how they are found): its least and its greatest value are
-those of the range. A value without ends (an unverified one) is varied by `TRIAL` up and down.
+those of the range. Where an end is no engine the range is that of the values that are one. A value
+without ends (an unverified one) is varied by `TRIAL` up and down.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ TOLD = 0.01
 """Effect from which an assumption has a sentence of its own."""
 ROUNDING = 1e-9
 """Share of the maximum load of a mount below which one bears nothing."""
-LEADING, TWICE = ("force", "couple", "main bearing"), 2.0
+LEADING, TWICE = ("force", "couple", "main bearing", "resonant amplitude"), 2.0
 """Quantities that an answer says first, and how much more another moves that is told instead."""
 LOAD_OF = "load of mount "
 """What a mount bears upward at rest, as a quantity: before its name."""
@@ -63,7 +64,8 @@ class Moved:
 
     `now` is its value as given, `low` and `high` its least and its greatest over the range; `trial`
     says that the value has no range and was varied by TRIAL up and down. `lifting` are the mounts
-    that bear a weight now and pull somewhere in the range.
+    that bear a weight now and pull somewhere in the range; `beyond` has the ends that were meant of
+    a range and make no engine, each with the reason.
     """
 
     quantity: str
@@ -75,6 +77,7 @@ class Moved:
     effect: float
     trial: bool = False
     lifting: tuple[str, ...] = ()
+    beyond: tuple[tuple[float, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -148,28 +151,29 @@ class Answer:
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:
     """The assumptions with what each moves most, the largest first; without those of no effect.
 
-    Parts that are not modelled stand first, then what is doubtful; what cannot be varied stays,
-    behind those that can. A doubt that moves little stays too, but not where nothing depends on it.
+    Parts that are not modelled stand first, then what is doubtful and of no known size; what else
+    cannot be varied stays, behind those that can. A doubt that moves little stays too, but not
+    where nothing depends on it.
     """
     now = answer.figures(engine)
     least = dict(answer.least(engine))
     out: list[Assumption] = []
     for each in found:
-        most = each.moved if each.vary is None else _moved(engine, each, (now, least), answer)
+        own = each if each.vary is None else _varied(engine, each, (now, least), answer)
+        most = own.moved
         if most is not None and most.effect < SIGNIFICANT and not most.lifting:
             if each.status != "doubtful" or most.effect < UNMOVED:
                 continue
-            most = None
-        told = each
-        if each.alone is not None and most is not None and _goes_alone(engine, each, most, answer):
-            told = each.alone
-        out.append(replace(told, moved=most))
+        elif most is not None and _goes_alone(engine, each, most, answer):
+            own = replace(each.alone or each, moved=most)
+        out.append(own)
     return tuple(sorted(out, key=_rank))
 
 
 def _goes_alone(engine: Engine, each: Assumption, most: Moved, answer: Answer) -> bool:
     """Whether the figure that an assumption moves most is the same without what goes along."""
-    assert each.alone is not None  # noqa: S101  # asked before
+    if each.alone is None:
+        return False
     key, end = (most.quantity, most.order), float(each.high or 0)
     ways = [way for way in (each.vary, each.alone.vary) if way is not None]
     sizes = [answer.figures(way(engine, end)).get(key, 0.0) for way in ways]
@@ -177,13 +181,17 @@ def _goes_alone(engine: Engine, each: Assumption, most: Moved, answer: Answer) -
 
 
 def _rank(each: Assumption) -> tuple[bool, bool, float]:
-    return each.status != "not modelled", each.status != "doubtful", -each.effect
+    unsized = each.status == "doubtful" and each.moved is None
+    return each.status != "not modelled", not unsized, -each.effect
 
 
-def _moved(
+def _varied(
     engine: Engine, each: Assumption, known: tuple[Figures, Mapping[str, float]], answer: Answer
-) -> Moved | None:
-    """The figure that one assumption moves most; None where an end is no engine."""
+) -> Assumption:
+    """One assumption with the figure that it moves most, its ends those of what makes an engine.
+
+    Without a figure where no other value than that as it is makes one.
+    """
     assert each.vary is not None  # noqa: S101  # asked before
     now, least = known
     trial = each.low is None or each.high is None
@@ -199,10 +207,10 @@ def _moved(
             value=1.0 if trial else value if isinstance(value, float) else None,
         )
     except (EngineError, MessageError):
-        return None
+        return replace(each, moved=None)
     if not any(tried.known.values()):  # nothing moves: no figure is left of the answer
-        return Moved("", None, "", 0.0, 0.0, 0.0, 0.0)
-    if not trial and ends[0] < ends[1]:
+        return replace(each, moved=Moved("", None, "", 0.0, 0.0, 0.0, 0.0))
+    if not trial and tried.ends[0] < tried.ends[1]:
         tried.add_meetings(answer.tunings)
         key, effect, top = _most(tried, now, least)
         if effect >= TOLD and answer.tunings:
@@ -212,7 +220,7 @@ def _moved(
             tried.add_extremes(key, top=top)
     (quantity, order), effect, _top = _most(tried, now, least)
     sizes = [size for _x, size in tried.sizes((quantity, order))]
-    return Moved(
+    change = Moved(
         quantity=quantity,
         order=order,
         unit=answer.unit(quantity, engine),
@@ -222,7 +230,10 @@ def _moved(
         effect=effect,
         trial=trial,
         lifting=() if trial else _lifting(tried, now),
+        beyond=() if trial else tuple(tried.beyond),
     )
+    low, high = tried.ends if change.beyond else (each.low, each.high)
+    return replace(each, moved=change, low=low, high=high)
 
 
 def _most(tried: Tried, now: Figures, least: Mapping[str, float]) -> tuple[Figure, float, float]:

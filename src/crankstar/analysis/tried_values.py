@@ -2,7 +2,8 @@
 
 Between the ends of a range a figure may be greater or smaller than at both. Tried are
 
-* both ends, and the value as it is where it lies between them, else their middle;
+* both ends, and the value as it is where it lies between them, else their middle; where an end is
+  no engine, the last value towards it that is one, by halving to NEAR of the range;
 * the values at which a natural frequency meets an order of the speeds of the answer, where it does
   so at none of these: w_i(x) = n W, with w_i by eigenvalues at five values of the range alone, and
   one step of the secant;
@@ -46,6 +47,8 @@ GAIN = 0.01
 """Share of the greatest by which a vertex must promise more than is known."""
 WIDE = 0.2
 """Share of the range from which a gap beside an extreme is divided where no parabola has one."""
+NEAR = 0.01
+"""Share of the range within which the last value that makes an engine is known."""
 SAME = 1e-6
 """Share by which natural frequencies must differ at both ends for anything to meet in between."""
 
@@ -66,7 +69,9 @@ class Tried:
     """The figures of an answer at values of a range, more and more of them.
 
     `at` gives the engine with a value, `now` the figures as they are, at `value` if that is inside.
-    Raises EngineError or MessageError where an end is no engine.
+    Where an end is no engine, `ends` has the last value that is one instead, and `beyond` says of
+    what end there is none and why. Raises EngineError or MessageError where no other value makes
+    one.
     """
 
     def __init__(
@@ -81,14 +86,35 @@ class Tried:
         self._at, self._figures, self.ends = at, figures, ends
         low, high = ends
         self.known: dict[float, Figures] = {}
+        self.beyond: list[tuple[float, str]] = []
         if value is not None and low <= value <= high:
             self.known[value] = now
+        failed: dict[float, EngineError | MessageError] = {}
         for end in dict.fromkeys(ends):
             if end not in self.known:
-                self.known[end] = figures(at(end))
+                try:
+                    self.known[end] = figures(at(end))
+                except (EngineError, MessageError) as error:
+                    failed[end] = error
+        for end, error in failed.items():
+            if not self.known:
+                raise error
+            self.beyond.append((end, _why(error)))
+            self._halve(min(self.known, key=lambda x: abs(x - end)), end)
+            if len(self.known) == 1:
+                raise error
+        self.ends = low, high = min(self.known), max(self.known)
         aside = ASIDE * (high - low)
         if low < high and not any(low + aside < x < high - aside for x in self.known):
             self.add([(low + high) / 2])
+
+    def _halve(self, good: float, bad: float) -> None:
+        """Try values between one that makes an engine and one that makes none, to NEAR."""
+        near = NEAR * (self.ends[1] - self.ends[0])
+        while abs(bad - good) > near:
+            middle = (good + bad) / 2
+            self.add([middle])
+            good, bad = (middle, bad) if middle in self.known else (good, middle)
 
     def add(self, values: Iterable[float]) -> None:
         """Try more values; one that makes no engine is left out."""
@@ -153,6 +179,11 @@ class Tried:
                 self.add([] if more is None else [more])
                 if len(self.known) == len(sizes):
                     break
+
+
+def _why(error: EngineError | MessageError) -> str:
+    """The first reason why a value makes no engine, without a full stop."""
+    return str(error).partition("\n")[0].rstrip(".。")
 
 
 def _crossing(

@@ -94,7 +94,7 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "doubt.friction": N_(
         "{where} is not given, and at {rpm} rpm the correlation of friction, measured up to "
-        "{bound} rpm, gives {value} bar, which may be far too much"
+        "{bound} rpm, where it gives {usual} bar, gives {value} bar, which may be far too much"
     ),
     "doubt.load-course": N_(
         "{where} has a mean over the angle of the cycle of only {mean} % of its maximum; "

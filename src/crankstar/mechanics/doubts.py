@@ -30,6 +30,7 @@ from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
 from crankstar.mechanics.central_rods import central_doubts
 from crankstar.mechanics.charge_air import CHARGED, STOICHIOMETRIC
+from crankstar.mechanics.friction import friction_of
 from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
 from crankstar.mechanics.mass_doubts import (
@@ -268,7 +269,8 @@ def cycle_doubts(cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
         yield Fault((*path, "friction_pressure"), "doubt.great-friction", bound)
     limit = FRICTIONS.get(cycle.values.get("friction", ""))
     if rpm is not None and limit is not None and not known and rpm > limit:
-        bound = {"rpm": rpm, "bound": limit, "value": cycle.friction / 1e5}
+        usual = friction_of({**cycle.values, "speed": limit * pi / 30}) or 0.0
+        bound = {"rpm": rpm, "bound": limit, "value": cycle.friction / 1e5, "usual": usual / 1e5}
         yield Fault((*path, "friction_pressure"), "doubt.friction", bound)
 
 

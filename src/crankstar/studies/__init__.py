@@ -11,6 +11,7 @@
 | `gas_results` | torque, roll, pressure and irregularity of each engine of a sweep |
 | `assumed_rods` | what is assumed of where rods stand, of their length and of master rods |
 | `assumed_masses` | what a file leaves out of the masses that inertia forces come from |
+| `gas_ends` | between which ends a value lies that is assumed of a cycle |
 | `assumed_gas` | what is assumed of gas and valves, and what gas an answer leaves out |
 | `gas_alone` | what a file lacks for its gas or the inertia beside it: a bore, masses, a speed |
 | `assumed_doubts` | doubts, tried at what may be meant |

@@ -33,7 +33,7 @@ from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import brake_torque, gas_torque
-from crankstar.mechanics.operating_points import GasError, operating_state
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Spectrum
 from crankstar.studies.answer_parts import (
@@ -85,8 +85,7 @@ def amplitudes(
         inertia = _inertia_sizes(each, speed, reference, highest)
         if without is None or not both:
             return inertia
-        again = cycle_or_reason(each, point=point, speed=speed)[0]
-        return inertia if again is None else inertia | _rolls("roll with gas", each, again)
+        return inertia | _rolls("roll with gas", each, cycle(each, point=point, speed=speed))
 
     def unit(quantity: str, each: Engine) -> str:
         return "N*m" if quantity == "roll with gas" else _inertia_unit(speed, quantity, each)
@@ -202,8 +201,7 @@ def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:
     def figures(each: Engine) -> Figures:
         from crankstar.studies.gas_results import torque_of
 
-        again = cycle_or_reason(each, speed=speed)[0]
-        return {} if again is None else _by_order("torque", torque_of(each, again))
+        return _by_order("torque", torque_of(each, cycle(each, speed=speed)))
 
     made = Answer(
         figures=figures,
@@ -241,11 +239,8 @@ def outlook(
         return amplitudes(engine, point=point, speed=speed, reference=reference, highest=highest)
 
     def figures(each: Engine) -> Figures:
-
+        again = cycle(each, point=point, speed=speed)
         inertia = _inertia_sizes(each, speed, reference, highest)
-        again = cycle_or_reason(each, point=point, speed=speed)[0]
-        if again is None:
-            return inertia
         plain = {key: size for key, size in inertia.items() if key[0] != "roll"}
         return plain | _rolls("roll", each, again)
 
@@ -265,7 +260,7 @@ def outlook(
 
 def torques(
     engine: Engine,
-    make: MakeCycle,
+    make: Callable[[Engine], Cycle],
     *,
     running: bool = True,
     flywheel: float | None = None,
@@ -276,16 +271,12 @@ def torques(
 
     With `running` the degree of irregularity where the `flywheel` (kg m^2) is known, and the one
     for a degree of `irregularity`. With `sums` force, couple and roll besides, as generating sets
-    have them on their frame, not the torques; without gas too.
+    have them on their frame, not the torques. Raises GasError.
     """
     found = make(engine)
-    if sums and found is None:
-        return amplitudes(engine)
 
     def figures(each: Engine) -> Figures:
         again = make(each)
-        if again is None:  # an engine whose gas cannot be computed is no end of a range
-            raise GasError("the engine file has no table [gas]")
         rolls = _rolls("roll", each, again, one_frame=sums)
         if running:
             rolls |= _evenness(each, again, flywheel, irregularity)
@@ -304,14 +295,14 @@ def torques(
     return Answer(
         figures=figures,
         unit=lambda quantity, each: (
-            _inertia_unit(None if found is None else found.speed, quantity, each)
+            _inertia_unit(found.speed, quantity, each)
             if quantity in ("force", "couple")
             else units.get(quantity, "N*m")
         ),
         uses=("inertia", "gas", *(uneven if running and flywheel is None else ())),
         gas=found,
         without_reaction=None if sums else found,
-        choices=[] if found is None else [*gas_alone(engine, found, figures)],
+        choices=[*gas_alone(engine, found, figures)],
     )
 
 

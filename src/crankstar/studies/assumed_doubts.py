@@ -25,6 +25,8 @@ from crankstar.mechanics.mass_doubts import body_doubts
 
 GAS_DEPTH = 2
 """Keys of the path of a value of the table [gas]; operating points stand deeper."""
+OF_POINTS = {"doubt.charge": ("intake", "enough"), "doubt.friction": ("value", "usual")}
+"""Doubts on pressures of operating points: the value and what is tried, bar, by their names."""
 OF_RODS = ("doubt.rod-without-inertia", "doubt.rod-inertia")
 """Doubts on moments of inertia of rods."""
 
@@ -58,11 +60,11 @@ def doubted_weight(engine: Engine, speed: float | None) -> list[Assumption]:
 def _doubt(engine: Engine, fault: Fault) -> Assumption:
     """A doubt, tried at what may be meant where that is known."""
     path = where(fault.path)
-    if fault.code == "doubt.charge":
-        value, meant = fault.values["intake"], fault.values["enough"]
+    if fault.code in OF_POINTS:
+        value, meant = (fault.values[key] for key in OF_POINTS[fault.code])
         point = fault.path[2] if len(fault.path) > GAS_DEPTH else None
         assert not isinstance(point, str)  # noqa: S101  # it numbers the operating points
-        vary = with_gas_value("intake_pressure", 1e5, point=point)
+        vary = with_gas_value(str(fault.path[-1]), 1e5, point=point)
         return Assumption("doubtful", path, fault.sentence, value, "bar", meant, meant, vary=vary)
     if fault.code in ("doubt.uneven", "doubt.uneven-set"):
         value, enough = fault.values["value"], fault.values["enough"]

@@ -31,11 +31,11 @@ from crankstar.engine.quantities import Cycle as Strokes
 from crankstar.engine.valves import timing
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance, total
-from crankstar.mechanics.charge_air import CHARGED, RICHEST, STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import added, gas_torque, roll_with_gas
-from crankstar.mechanics.operating_points import ASSUMED, GasError
+from crankstar.mechanics.operating_points import GasError
 from crankstar.mechanics.remains import summed
+from crankstar.studies.gas_ends import GAS_ENDS, charged, gas_ends, throttled, usual_ends
 
 OF_TRACE = (
     *("combustion_start", "combustion_duration", "wiebe_a", "wiebe_m"),
@@ -44,30 +44,6 @@ OF_TRACE = (
 """What is in a measured pressure."""
 CHARGE = ("intake_pressure", "exhaust_pressure", "peak_pressure")
 """What is assumed together, by the load: an engine that needs a charger for it has one."""
-GAS_ENDS: Mapping[str, tuple[float, float]] = {
-    "compression_ratio": (0.85, 1.15),
-    "gamma": (0.97, 1.03),
-    "imep": (0.7, 1.3),
-    "intake_pressure": (0.9, 1.2),
-    "exhaust_pressure": (0.95, 1.3),
-    "crankcase_pressure": (0.97, 1.03),
-    "intake_temperature": (0.9, 1.1),
-    "peak_pressure": (0.8, 1.25),
-    "combustion_duration": (0.75, 1.3),
-    "wiebe_a": (0.73, 1.38),
-    "wiebe_m": (0.5, 1.5),
-}
-"""Ends of what is assumed of a cycle, as multiples of the assumed value.
-
-Those of wiebe_a are 5 and 6.9 of one another; the others are wide enough for engines of one kind.
-Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9, for the order of
-size; the ends themselves are our judgement.
-"""
-CHARGED_IMEP = 2.4
-"""High end of the assumed load of an engine that ignites by compression, as a multiple.
-
-Ship's and truck engines with a charger have 20 to 24 bar, those without one 7 to 9.
-"""
 CHOICES: Mapping[str, tuple[str, str]] = {
     "ignition": ("spark", "compression"),
     "friction": ("spark-ignition", "diesel"),
@@ -92,13 +68,6 @@ VALVE_ENDS: Mapping[Strokes, Mapping[str, tuple[float, float]]] = {
 Of four-stroke engines those of road and industrial engines; of two-stroke ones from the ports and
 the exhaust valve of a ship's engine to the ports of a small one.
 """
-NEAR = 1.1
-"""Of the pressure around an engine: below, a load may be that of one without a charger."""
-LEANEST = 1.5
-"""Air-fuel ratio over the stoichiometric one from which a homogeneous mixture does not burn.
-
-Our judgement: petrol engines run up to 1.3 to 1.6 before they misfire.
-"""
 AT_SAME_CHARGE = N_("usual for such engines; at the same charge pressure")
 LOADS = 9
 """Loads of a usual cycle at which its roll is tried: near the inertia's it has a minimum inside."""
@@ -121,7 +90,7 @@ def without_gas(engine: Engine, found: Cycle) -> Assumption:
     if engine.gas is None:
         reason = N_("no table [gas] in the file")
         with suppress(MessageError):
-            low, high = _ends("imep", found.values["imep"], found)
+            low, high = usual_ends("imep", found.values["imep"], found)
             loads = np.linspace(low, high, LOADS).tolist()
             runs += [cycle(engine, speed=found.speed, imep=load) for load in loads]
             ends = low / 1e5, high / 1e5
@@ -184,7 +153,7 @@ def usual_load(own: Cycle, figures: Callable[[Engine], Figures], sentence: str) 
 
     `sentence` as of an `Assumption`.
     """
-    low, high = (end / 1e5 for end in _ends("imep", own.values["imep"], own))
+    low, high = (end / 1e5 for end in usual_ends("imep", own.values["imep"], own))
     fires = own.values["ignition"]
 
     def vary(engine: Engine, load: float) -> Engine:
@@ -242,19 +211,16 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
                 vary=held(name, radians(1.0)),
             )  # fmt: skip
         elif name in GAS_ENDS and isinstance(value, float):
-            low, high = _ends(name, value, own)
             unit = UNITS_OF_GAS.get(name, "")
             factor = FACTORS.get(unit, 1.0)
+            vary = held(name, factor)
+            low, high = gas_ends(engine, own, name, value, vary=vary)
             reason = N_("usual for such engines")
-            if name == "intake_pressure":
-                low, high = _charged_or_not(own, value, low, high)
-            closed = _throttled(own) if name == "intake_pressure" else 1.0
-            if closed < 1.0:
-                low = min(low, closed * value)
+            if name == "intake_pressure" and throttled(own) < 1.0:
                 reason = N_("as with the throttle open, which burns too lean for a spark")
             yield Assumption(
                 "assumed", path, reason, value / factor, unit,
-                low / factor, high / factor, vary=held(name, factor),
+                low / factor, high / factor, vary=vary,
             )  # fmt: skip
         elif name in CHOICES and value in CHOICES[name]:
             yield _choice(engine, own, name, str(value))
@@ -287,14 +253,6 @@ def _rubs_with_load(engine: Engine, own: Cycle) -> bool:
     return not own.friction_said and bool(drive.load_torque or drive.load_exponent)
 
 
-def _ends(name: str, value: float, own: Cycle) -> tuple[float, float]:
-    """The ends of an assumed value of a cycle."""
-    low, high = GAS_ENDS[name]
-    if name == "imep" and own.values.get("ignition") == "compression":
-        high = CHARGED_IMEP
-    return low * value, high * value
-
-
 def valves(engine: Engine) -> Iterator[Assumption]:
     """The timing of valves or ports that a file does not give."""
     own = timing(engine.valves, cycle=engine.cycle)
@@ -323,7 +281,7 @@ class _Held:
             again = cycle(self.vary(engine, value), point=self.own.name, speed=self.own.speed)
         except GasError:
             return False
-        return _charged(again) != _charged(self.own)
+        return charged(again) != charged(self.own)
 
     def __call__(self, engine: Engine, value: float) -> Engine:
         """The changed engine."""
@@ -345,40 +303,6 @@ def _held(own: Cycle, vary: Vary | None) -> Vary | None:
 def _set(gas: Gas) -> Mapping[str, float]:
     """What a file gives of the charge itself."""
     return {key: size for key in CHARGE if (size := getattr(gas, key)) is not None}
-
-
-def _charged(own: Cycle) -> bool:
-    """Whether a charger is assumed."""
-    return own.values["intake_pressure"] > ASSUMED[own.values["ignition"]]["intake_pressure"]
-
-
-def _charged_or_not(own: Cycle, value: float, low: float, high: float) -> tuple[float, float]:
-    """The ends of an assumed charge pressure, with a charger and without one.
-
-    Where its air suffices but is less than a charger gives, there may be one; where it all but
-    suffices, there may be none.
-    """
-    ratio, fires = own.air_fuel_ratio, own.values.get("ignition")
-    if ratio is None or fires is None or RICHEST[fires] == CHARGED[fires]:
-        return low, high
-    least, usual = (share[fires] * STOICHIOMETRIC[fires] for share in (RICHEST, CHARGED))
-    if not _charged(own):
-        return low, max(high, value * usual / ratio)
-    enough = value * least / ratio
-    near = enough < NEAR * ASSUMED[fires]["intake_pressure"]
-    return (min(low, enough) if near else low), high
-
-
-def _throttled(own: Cycle) -> float:
-    """Share of the assumed charge with which a spark-ignited load burns without a rest of air.
-
-    1 where the mixture is no leaner than one that burns (LEANEST).
-    """
-    ratio = own.air_fuel_ratio
-    complete = STOICHIOMETRIC["spark"]
-    if ratio is None or own.values.get("ignition") != "spark" or ratio <= LEANEST * complete:
-        return 1.0
-    return complete / ratio
 
 
 def _values_of_points(engine: Engine, own: Cycle) -> Mapping[str, Any]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from crankstar.analysis.assumptions import Answer
@@ -9,9 +11,9 @@ from crankstar.analysis.tried_values import Figures
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.remains import pushed
 from crankstar.studies.answer_parts import TURNING
-from crankstar.studies.answers import MakeCycle
 
 
 def vectors(
@@ -35,15 +37,12 @@ def vectors(
     return Answer(figures=figures, unit=unit)
 
 
-def pressed(engine: Engine, make: MakeCycle) -> Answer:
+def pressed(engine: Engine, make: Callable[[Engine], Cycle]) -> Answer:
     """The greatest side thrust of a piston, of gas and, where masses are known, inertia."""
     from crankstar.mechanics.side_thrust import side_thrust
 
     def figures(each: Engine) -> Figures:
-        again = make(each)
-        if again is None:
-            return {}
-        thrust = side_thrust(each, again).total
+        thrust = side_thrust(each, make(each)).total
         return {("cylinder wall", None): float(np.abs(thrust).max(initial=0.0))}
 
     return Answer(

@@ -12,7 +12,7 @@ from crankstar.analysis.assumptions import Answer, Assumption
 from crankstar.analysis.tried_values import Figures
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_
-from crankstar.mechanics.gas import Cycle, computable, cycle_or_reason
+from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.studies.answer_parts import gas_of, usual_gas
 from crankstar.studies.assumed_gas import usual_load
 from crankstar.studies.gas_alone import lacking_gas
@@ -50,7 +50,7 @@ def bearing_peaks(
         return of_cycle(each, make(each), model)
 
     def with_gas(each: Engine) -> Figures:
-        return of_cycle(each, cycle_or_reason(each, speed=speed)[0], model)
+        return of_cycle(each, cycle(each, speed=speed), model)
 
     first = make(engine)
     reason = N_("a crankshaft hinged at each main bearing")

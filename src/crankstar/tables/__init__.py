@@ -11,6 +11,7 @@
 | `arrow` | a Table as an Apache Arrow table |
 | `hulls` | how far convex hulls of amplitudes are from zero |
 | `tops` | what is great in a table, beside which a difference is rounding |
+| `moved_figures` | the figure that an assumption moves most, in words |
 | `assumptions` | what an answer rests on, as sentences |
 | `resting_derivations` | what the newtons of a derivation rest on |
 | `ranges` | analyses of estimated engines: each number with its range |

@@ -6,60 +6,16 @@ from collections.abc import Mapping, Sequence
 from math import inf
 from typing import Any
 
-from crankstar.analysis.assumptions import COUPLE_OF, H_OF, LOAD_OF, TOLD, X_OF, Assumption, Moved
+from crankstar.analysis.assumptions import SIGNIFICANT, TOLD, Assumption, Moved
 from crankstar.analysis.document import Remarks
 from crankstar.language.messages import N_, _, passage
-from crankstar.language.numbers import number, order_text, unit_text
-from crankstar.language.shown_units import shown
+from crankstar.language.numbers import number
+from crankstar.tables.moved_figures import figure_name, rounded, size_text, span_text, value_text
 
 PAIRED = 2
 """Sentences on each of two engines that find room on the first screen; on each of more, one."""
 MOST_TOLD = 5
 """Sentences of their own, at most, beside those on choices of two; the others are named."""
-FIGURES = {
-    "force": N_("force of order {order}"),
-    "couple": N_("couple of order {order}"),
-    "roll": N_("rolling moment of order {order}"),
-    "roll with gas": N_("rolling moment with gas of order {order}"),
-    "velocity": N_("velocity of order {order}, rms"),
-    "vectors": N_("sum of the vector lengths of order {order}"),
-    "H moment": N_("H moment of order {order}"),
-    "X moment": N_("X moment of order {order}"),
-    "end bending": N_("maximum bending moment in the end bearings"),
-    "main bending": N_("maximum bending moment in all main bearings"),
-    "share of weight": N_("peak force over the weight of the block"),
-    "mean torque": N_("mean torque"),
-    "brake torque": N_("brake torque"),
-    "peak pressure": N_("peak pressure"),
-    "torque": N_("torque of order {order}"),
-    "irregularity": N_("degree of irregularity"),
-    "flywheel": N_("inertia for the degree of irregularity"),
-    "main bearing": N_("maximum load of a main bearing"),
-    "crank pin": N_("maximum load of a crank pin"),
-    "cylinder wall": N_("maximum side thrust"),
-    "natural frequency": N_("first natural frequency"),
-    "torsional amplitude": N_("torsional amplitude"),
-    "resonant amplitude": N_("torsional amplitude at the resonance of order {order}"),
-    "torsional stress": N_("maximum torsional stress"),
-    "torsional torque": N_("maximum torque between two masses"),
-    "mount force": N_("maximum force on the ground"),
-    "mount moment": N_("maximum moment on the ground"),
-    "one mount": N_("maximum force in a mount"),
-    "velocity at the point": N_("maximum velocity of the point"),
-    "displacement at the point": N_("maximum displacement of the point"),
-    "acceleration at the point": N_("maximum acceleration of the point"),
-    "weighted acceleration": N_("maximum weighted acceleration of the point"),
-    "transmissibility": N_("maximum transmissibility"),
-    "mount load": N_("maximum load of a mount at rest"),
-    LOAD_OF: N_("vertical load of mount {name} at rest"),
-    COUPLE_OF: N_("moment of order {order} with {number} cylinders"),
-    H_OF: N_("greatest H moment with {number} cylinders"),
-    X_OF: N_("greatest X moment with {number} cylinders"),
-    "bobweight": N_("bobweight"),
-    **{f"mode {number}": N_("frequency of mode {number}") for number in range(1, 13)},
-}
-OF_PARTS = (LOAD_OF, COUPLE_OF, H_OF, X_OF)
-"""What is of one part of many: before its name or number."""
 
 
 def assumption_lines(found: Sequence[Assumption]) -> list[str]:
@@ -126,15 +82,16 @@ def _is_absent(found: Sequence[Assumption]) -> bool:
 def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     """The sentences, each with the assumptions that it is about.
 
-    Choices of two follow what has a range: their other one is another kind of engine.
+    Parts that are not modelled and doubts of no known size stand first, then all by its effect; a
+    doubt has a sentence whatever its effect is.
     """
-    doubtful = [each for each in found if each.status == "doubtful"]
+    doubtful = [each for each in found if each.status == "doubtful" and each.moved is None]
     parts = _together(found, "not modelled")
     large = [each for each in found if each not in doubtful]
-    large = [each for each in large if each.effect >= TOLD or _lifts(each)]
-    most = [each for each in large if not each.named][:MOST_TOLD]
-    told = [each for each in large if each.named or each in most]
-    lines = [*parts, *((_doubted(each), [each]) for each in doubtful)]
+    large = [each for each in large if each.effect >= TOLD or _lifts(each) or _is_doubt(each)]
+    most = [each for each in large if not each.named and not _is_doubt(each)][:MOST_TOLD]
+    told = [each for each in large if each.named or _is_doubt(each) or each in most]
+    lines = [*parts, *((_line(each), [each]) for each in doubtful)]
     rest = [each for each in found if each not in (*told, *doubtful)]
     whole = [line for status in FIRST for line in _together(rest, status)]
     lines += [(_line(each), [each]) for each in told[:1]]
@@ -154,14 +111,14 @@ FIRES = {"spark": N_("spark ignition"), "compression": N_("compression ignition"
 def _doubted(each: Assumption) -> str:
     """A doubt, with what may be meant and the figure that it moves most, where that is known."""
     reason = _ended(each.reason)
-    if each.moved is None:
+    if each.moved is None or each.effect < SIGNIFICANT:
         return reason
     words = _words(each, each.moved)
     if each.low != each.high:
-        ends = {"low": _value(each, each.low), "high": _value(each, each.high)}
+        ends = {"low": value_text(each, each.low), "high": value_text(each, each.high)}
         between = _("With {low} to {high} the {figure} is {sizes}, not {now}.", **words | ends)
         return passage([reason, between])
-    meant = _value(each, each.high)
+    meant = value_text(each, each.high)
     return passage(
         [reason, _("With {meant} the {figure} is {sizes}, not {now}.", meant=meant, **words)]
     )
@@ -183,6 +140,10 @@ def _together(found: Sequence[Assumption], status: str) -> list[tuple[str, list[
     for each in own:
         kinds.setdefault(each.sentence or OTHERS[status], []).append(each)
     return [(_(kind, paths=_paths(alike)), alike) for kind, alike in kinds.items()]
+
+
+def _is_doubt(each: Assumption) -> bool:
+    return each.status == "doubtful"
 
 
 def _lifts(each: Assumption) -> bool:
@@ -211,30 +172,30 @@ LAST = ("assumed", "estimated", "unverified")
 
 
 def _line(each: Assumption) -> str:
-    """One assumption with what it moves most, and the mounts that lift off in its range."""
+    """One assumption with what it moves most, and the mounts that lift off in its range.
+
+    With the ends that were meant and make no engine.
+    """
     own = each.moved
+    said = [_doubted(each) if _is_doubt(each) else _moving(each)]
     names = "" if own is None else ", ".join(own.lifting)
-    lifting = _("Somewhere in that range a mount lifts off: {names}.", names=names) if names else ""
-    return passage([_moving(each), lifting]) if lifting else _moving(each)
+    if names:
+        said.append(_("Somewhere in that range a mount lifts off: {names}.", names=names))
+    for far, reason in () if own is None else own.beyond:
+        end = value_text(each, each.low if far < float(each.low or 0) else each.high)
+        meant = {"end": end, "far": value_text(each, far), "reason": reason}
+        said.append(_("Beyond {end} the file makes no engine; at {far}: {reason}.", **meant))
+    return passage(said)
 
 
 def _words(each: Assumption, own: Moved) -> dict[str, str]:
     """What sentences on the figure that an assumption moves most are made of."""
-    order = "" if own.order is None else order_text(own.order)
-    begun = (each for each in OF_PARTS if own.quantity.startswith(each))
-    kind = next(begun, own.quantity)
-    figure = _(
-        FIGURES[kind],
-        order=order,
-        number=own.quantity.rpartition(" ")[2],
-        name=own.quantity.removeprefix(LOAD_OF),
-    )
     return {
         "path": each.path,
         "reason": _(each.reason),
-        "figure": figure,
-        "sizes": _span(own),
-        "now": _size(own.now, own.unit),
+        "figure": figure_name(own),
+        "sizes": span_text(own),
+        "now": size_text(own.now, own.unit),
     }
 
 
@@ -244,7 +205,7 @@ def _moving(each: Assumption) -> str:
     assert own is not None  # noqa: S101  # asked before
     words = _words(each, own)
     if own.trial and not own.now:
-        size = _size(own.high, own.unit)
+        size = size_text(own.high, own.unit)
         return _(
             "{path}: {reason}. A per cent of it makes the {figure} {size}.", **words, size=size
         )
@@ -258,7 +219,7 @@ def _moving(each: Assumption) -> str:
     if each.named:
         return _with_other(each, words)
     if each.status == "left out" and "ignition" in dict(each.values) and each.low is not None:
-        ends = {"low": _value(each, each.low), "high": _value(each, each.high)}
+        ends = {"low": value_text(each, each.low), "high": value_text(each, each.high)}
         ignition = _(FIRES[dict(each.values)["ignition"]])
         if not own.now:  # what is not computed is not zero
             return _(
@@ -295,7 +256,7 @@ def _moving(each: Assumption) -> str:
 
 def _with_lacking(each: Assumption, own: Moved, words: Mapping[str, str]) -> str:
     """What is left out for want of a bore or a speed, with what usual ones would change."""
-    words = {**words, "low": _value(each, each.low), "high": _value(each, each.high)}
+    words = {**words, "low": value_text(each, each.low), "high": value_text(each, each.high)}
     of_bore = dict(each.values)["lacks"] == "cylinder.bore"
     if not own.now:  # what is not computed is not zero
         return (
@@ -345,30 +306,30 @@ def _with_other(each: Assumption, words: Mapping[str, str]) -> str:
 
 def _between(each: Assumption, own: Moved, words: Mapping[str, str]) -> str:
     """One assumption with what it moves most between the ends of its range."""
-    words = {**words, "low": _value(each, each.low), "high": _value(each, each.high)}
+    words = {**words, "low": value_text(each, each.low), "high": value_text(each, each.high)}
     pins = dict(each.values).get("pins")
     if pins is not None:
         return _(
             "{path}: {reason}. With {low} to {high}, and a throw_mass of {least} to {most}, the "
             "{figure} is {sizes}, not {now}.",
             **words,
-            least=_value(each, pins[0]),
-            most=_value(each, pins[1]),
+            least=value_text(each, pins[0]),
+            most=value_text(each, pins[1]),
         )
-    at_an_end = _rounded(own.now) in (_rounded(own.low), _rounded(own.high))
+    at_an_end = rounded(own.now) in (rounded(own.low), rounded(own.high))
     if each.status == "assumed" and each.value is not None and at_an_end:
         return _(
             "{path}: {value} assumed, {reason}. From {low} to {high} the {figure} is {sizes}; "
             "{now} as assumed.",
             **words,
-            value=_value(each, each.value),
+            value=value_text(each, each.value),
         )
     if each.status == "assumed" and each.value is not None:
         return _(
             "{path}: {value} assumed, {reason}. From {low} to {high} the {figure} is {sizes}, not "
             "{now}.",
             **words,
-            value=_value(each, each.value),
+            value=value_text(each, each.value),
         )
     if at_an_end and own.low < own.high:
         return _(
@@ -384,46 +345,8 @@ def _named(each: Assumption) -> str:
         return part_names([str(each.value)])
     if each.explained:
         return f"{each.path} ({_(each.reason)})"
-    value = _value(each, each.value) if each.status == "assumed" else ""
+    value = value_text(each, each.value) if each.status == "assumed" else ""
     return f"{each.path} ({value})" if value else each.path
-
-
-def _rounded(value: float) -> float:
-    return float(f"{value:.3g}")
-
-
-def _size(value: float, unit: str) -> str:
-    """A value to three digits, in the unit in which it is shown."""
-    said = shown(unit, abs(value))
-    words = number(_rounded(value * said.factor))
-    return f"{words} {unit_text(said.unit)}" if said.unit else words
-
-
-def _span(own: Moved) -> str:
-    """The values of a figure over the range of an assumption."""
-    if _rounded(own.low) == _rounded(own.high):
-        return _size(own.high, own.unit)
-    low = _size(own.low, own.unit)
-    top = _size(own.high, own.unit)
-    bare, _space, unit = low.partition(" ")
-    if unit == top.partition(" ")[2]:
-        low = bare
-    return _("{low} to {high}", low=low, high=top)
-
-
-def _value(each: Assumption, value: float | str | None) -> str:
-    """A value of an assumption with its unit."""
-    if not isinstance(value, float):
-        return "" if value is None else str(value)
-    if each.status == "estimated" and not each.unit:
-        return _("{factor} times", factor=number(_rounded(value)))
-    if each.unit == "% of a gap":
-        return _("{share} % of the distance between two", share=number(value))
-    if each.path.endswith(("rod_length", "rod_ratio")):
-        return f"l/r = {number(_rounded(value))}"
-    if each.unit == "GPa":  # a modulus, no pressure: in GPa everywhere
-        return f"{number(_rounded(value))} GPa"
-    return _size(value, each.unit)
 
 
 def assumption_facts(found: Sequence[Assumption]) -> dict[str, Any]:
@@ -445,6 +368,7 @@ def _object(each: Assumption) -> Mapping[str, Any]:
             "effect": own.effect,
             "trial": own.trial,
             **({"lifting": list(own.lifting)} if own.lifting else {}),
+            **({"no_engine_at": [end for end, _why in own.beyond]} if own.beyond else {}),
         }
     return {
         "status": each.status,
@@ -487,7 +411,8 @@ def side_by_side(
 ) -> tuple[tuple[Remarks, ...], tuple[Remarks, ...]]:
     """What matters most of each engine, for the first screen, and for the end the rest of it.
 
-    On the first screen are the largest effect of all and a speed that is not that of the file, too.
+    On the first screen are the largest effect of all and a speed that is not that of the file, too;
+    what is not there at all, of no known size, gives way to what has one.
     """
     first, rest = [], []
     most = PAIRED if len(names) <= 2 else 1
@@ -495,8 +420,10 @@ def side_by_side(
     for own, name in zip(found, names, strict=True):
         told = _told(own)
         count = most + any(each.status == "not modelled" for each in own)
+        first_ones = sorted(range(len(told)), key=lambda place: _is_absent(told[place][1]))[:count]
         leads = [
-            place < count or any(each.path == "speed" or each.effect == largest > 0 for each in of)
+            place in first_ones
+            or any(each.path == "speed" or each.effect == largest > 0 for each in of)
             for place, (_line, of) in enumerate(told)
         ]
         leading, others = (

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from functools import partial
+from typing import Any
+
 from crankstar.analyses.genset.document import missing_running, missing_sums
 from crankstar.analyses.genset.generating_set import GeneratingSet, generating_set
 from crankstar.analyses.genset.question import Question
 from crankstar.analysis.assumptions import Answer
 from crankstar.engine.engine import Engine
-from crankstar.mechanics.gas import Cycle, cycle_or_reason
+from crankstar.mechanics.gas import cycle, cycle_or_reason
 from crankstar.options.values import refuse_unused
-from crankstar.studies.answers import torques
+from crankstar.studies.answers import amplitudes, torques
 
 
 def compute(engine: Engine, asked: Question) -> GeneratingSet:
@@ -39,11 +42,14 @@ def compute(engine: Engine, asked: Question) -> GeneratingSet:
 
 def answer(engine: Engine, asked: Question) -> Answer:
     """The figures that it says first."""
-
-    def burnt(each: Engine) -> Cycle | None:
-        load = {"off": asked.off, "weaker": dict(asked.weaker)}
-        return cycle_or_reason(each, point=asked.point, speed=asked.speed, **load)[0]
-
+    at: dict[str, Any] = {"point": asked.point, "speed": asked.speed}
+    at |= {"off": asked.off, "weaker": dict(asked.weaker)}
+    if cycle_or_reason(engine, **at)[0] is None:
+        return amplitudes(engine)
     return torques(
-        engine, burnt, flywheel=asked.flywheel, irregularity=asked.irregularity, sums=True
+        engine,
+        partial(cycle, **at),
+        flywheel=asked.flywheel,
+        irregularity=asked.irregularity,
+        sums=True,
     )

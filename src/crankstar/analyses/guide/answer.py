@@ -12,7 +12,7 @@ from crankstar.analysis.assumptions import COUPLE_OF, H_OF, X_OF, Answer
 from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import scales
-from crankstar.mechanics.operating_points import operating_state
+from crankstar.mechanics.operating_points import GasError, operating_state
 from crankstar.options.refusals import not_compiled
 from crankstar.studies.answer_parts import IN_GUIDES, friction_of_power, gas_of
 from crankstar.studies.gas_alone import gas_alone, lacking_gas
@@ -65,11 +65,17 @@ def answer(engine: Engine, question: Question) -> Answer:
         "horizontal_share": question.first_order,
     }
 
+    found, why = gas_of(engine, point=question.point, speed=question.speed)
+    burns = found is not None
+
     def figures(each: Engine) -> Figures:
         out: dict[Figure, float] = {}
         for order in orders:
             made = with_cylinders(each, order, drive=question.chain_drive)
-            out |= _of_member(member(made, "best", asked))
+            own = member(made, "best", asked)
+            if burns and own.found is not None and own.found.cycle is None:
+                raise GasError(own.found.without_guide)
+            out |= _of_member(own)
         return out
 
     def least(each: Engine) -> Mapping[str, float]:
@@ -82,7 +88,6 @@ def answer(engine: Engine, question: Question) -> Answer:
         return {name: tops[name.rpartition(" ")[0]] for name, _order in sizes}
 
     guided = [f"{name}{count}" for name in (H_OF, X_OF) for count in numbers]
-    found, why = gas_of(engine, point=question.point, speed=question.speed)
     choices = [*friction_of_power(engine, found)]
     if found is not None:
         choices += gas_alone(engine, found, figures, guided)

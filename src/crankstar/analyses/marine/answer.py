@@ -11,6 +11,7 @@ from crankstar.analysis.assumptions import Answer
 from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.guide_moments import GuideMoments
+from crankstar.mechanics.operating_points import GasError
 from crankstar.options.refusals import refuse_unused
 from crankstar.studies.answer_parts import IN_GUIDES, friction_of_power, usual_gas
 from crankstar.studies.assumed_gas import usual_load
@@ -53,6 +54,8 @@ def answer(engine: Engine, question: Question) -> Answer:
 
     def figures(each: Engine) -> Figures:
         analysis = _analysed(each, question)
+        if whole.guide is not None and analysis.guide is None:
+            raise GasError(analysis.without_guide)
         out: dict[Figure, float] = {}
         for order in analysis.after.orders.tolist():
             sizes = [analysis.after.moment(order, side) for side in ("V", "H")]

@@ -13,6 +13,7 @@ from crankstar.dynamics.mount_modes import mount_modes
 from crankstar.dynamics.mount_response import rms
 from crankstar.dynamics.mounted_block import borne, mounted_block, settled
 from crankstar.engine.engine import Engine
+from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import (
     IN_VIBRATION,
@@ -64,11 +65,12 @@ def on_mounts(
     if over is not None:
         tops = [int(np.nanargmax(curve)) for curve in _forced(whole).values()]
         places = over.speeds[sorted({0, len(over.speeds) - 1, *tops})].tolist()
+    gas, gasless = gas_of(engine, point=point, speed=speed)
 
     def figures(each: Engine) -> Figures:
-        return with_gas(gas_as_in(engine, each))
+        return with_gas(gas_as_in(engine, each), burns=gas is not None)
 
-    def with_gas(each: Engine) -> Figures:
+    def with_gas(each: Engine, *, burns: bool = True) -> Figures:
         block = mounted_block(each)
         loads = settled(block)[1]
         modes = mount_modes(block)
@@ -82,6 +84,9 @@ def on_mounts(
         }
         if places:
             found = mounts(each, point=point, speed=speed, speeds=places, at=at)
+            why = "" if found.over is None else found.over.excitation.without_gas
+            if burns and why:
+                raise GasError(why)
             out |= {(name, None): float(np.nanmax(own)) for name, own in _forced(found).items()}
         return out
 
@@ -90,7 +95,6 @@ def on_mounts(
         loads = borne(block, settled(block)[1])
         return {f"{LOAD_OF}{own.name}": float(np.abs(loads).max()) for own in block.mounts}
 
-    gas, why = gas_of(engine, point=point, speed=speed)
     usual = usual_gas(engine, speed=speed)[0] if places else None
     left = None if usual is None else usual_load(usual, with_gas, IN_VIBRATION)
     if places and left is None:
@@ -102,7 +106,7 @@ def on_mounts(
         gas=gas,
         without_reaction=gas,
         gasless="" if left else IN_VIBRATION,
-        why_gasless=why,
+        why_gasless=gasless,
         choices=[left] if left else [],
         least=least,
         tunings=[]

@@ -17,6 +17,7 @@ from crankstar.dynamics.torsion_modes import torsion_modes
 from crankstar.dynamics.torsion_peaks import PeakOfSections
 from crankstar.dynamics.torsion_response import Response, response
 from crankstar.engine.engine import Engine
+from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import IN_VIBRATION, gas_as_in
 from crankstar.studies.gas_alone import lacking_gas
@@ -56,6 +57,8 @@ def twist(
     def figures(each: Engine) -> Figures:
         each = each if whole.cycle is not None else gas_as_in(engine, each)
         rough = torsion_on_grid(each, speeds=ends, **fixed)
+        if whole.cycle is not None and rough.cycle is None:
+            raise GasError(rough.without_gas)
         out: dict[Figure, float] = {}
         if rough.modes:
             out["natural frequency", None] = rough.modes[0].frequency

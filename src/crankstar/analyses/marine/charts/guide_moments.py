@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from math import ceil
 
@@ -19,10 +20,9 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import order_text, unit_text
 from crankstar.language.shown_units import shown
-from crankstar.mechanics.gas import check_gas, cycle
+from crankstar.mechanics.gas import Cycle, check_gas, cycle
 from crankstar.mechanics.guide_moments import GuideMoments, MarineError, guide_moments
 from crankstar.mechanics.operating_points import GasError
-from crankstar.studies.answers import MakeCycle
 
 TITLE = N_("Guide-force moments")
 AXIS = N_("moment ({unit})")
@@ -61,14 +61,11 @@ def guide_moment_chart(
     return figure([[_bars(guide, series)]], title=_(TITLE), subtitle=subtitle, rests=rests)
 
 
-def guided(engine: Engine, make: MakeCycle) -> Answer:
+def guided(engine: Engine, make: Callable[[Engine], Cycle]) -> Answer:
     """The moments of the guide forces by order: H of all cylinders, X of front against rear."""
 
     def figures(each: Engine) -> Figures:
-        again = make(each)
-        if again is None:
-            return {}
-        guide = guide_moments(each, again)
+        guide = guide_moments(each, make(each))
         return {
             (name, float(order)): float(abs(size))
             for name, moments in (("H moment", guide.h), ("X moment", guide.x))
