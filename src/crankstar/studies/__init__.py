@@ -11,6 +11,7 @@
 | `gas_results` | torque, roll, pressure and irregularity of each engine of a sweep |
 | `assumed_masses` | what a file leaves out of the masses that inertia forces come from |
 | `assumed_gas` | what is assumed of gas and valves, and what gas an answer leaves out |
+| `assumed_loads` | what of the load that an engine drives an answer leaves out |
 | `gas_alone` | what a file lacks for its gas or the inertia beside it: a bore, masses, a speed |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |
 | `answer_parts` | answers about fewer quantities, and several as one |

@@ -33,7 +33,7 @@ from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.charge_air import CHARGED, RICHEST, STOICHIOMETRIC
 from crankstar.mechanics.gas import Cycle, cycle
-from crankstar.mechanics.gas_torque import added, gas_torque, roll_with_gas
+from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
 from crankstar.mechanics.operating_points import ASSUMED, GasError
 from crankstar.mechanics.remains import summed
 
@@ -99,6 +99,7 @@ LEANEST = 1.5
 
 Our judgement: petrol engines run up to 1.3 to 1.6 before they misfire.
 """
+USUAL = N_("usual for such engines")
 AT_SAME_CHARGE = N_("usual for such engines; at the same charge pressure")
 LOADS = 9
 """Loads of a usual cycle at which its roll is tried: near the inertia's it has a minimum inside."""
@@ -143,39 +144,6 @@ def without_gas(engine: Engine, found: Cycle) -> Assumption:
     return Assumption(
         "left out", name, reason, unit="" if ends[0] is None else "bar",
         low=ends[0], high=ends[1], values=fires, moved=change,
-    )  # fmt: skip
-
-
-def without_reaction(engine: Engine, found: Cycle) -> Iterator[Assumption]:
-    """The reaction of a load with a course, which a file does not say the frame of.
-
-    None of a steady load.
-    """
-    from crankstar.dynamics.load_reaction import load_reaction
-    from crankstar.studies.gas_results import roll_of
-
-    reaction = load_reaction(engine, found)
-    if reaction is None:
-        return
-    roll = roll_of(engine, found)
-    both = added(roll, reaction)
-    alone, sizes = (
-        np.abs(spectra.amplitude(spectra.selected(each, both.orders))) for each in (roll, both)
-    )
-    most = int(np.argmax(np.abs(sizes - alone)))
-    top = max(float(sizes.max()), float(alone.max()))
-    change = Moved(
-        "roll", float(both.orders[most]), "N*m", float(alone[most]),
-        float(sizes[most]), float(sizes[most]),
-        float(abs(sizes[most] - alone[most])) / top if top else 0.0,
-    )  # fmt: skip
-    yield Assumption(
-        "left out", "drive.load_torque",
-        N_(
-            "its reaction is not in the rolling moment; it acts on the block only where the driven "
-            "machine is fixed to the same frame"
-        ),
-        moved=change,
     )  # fmt: skip
 
 
@@ -237,7 +205,7 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
         value = values.get(name)
         if name == "combustion_start" and isinstance(value, float):
             yield Assumption(
-                "assumed", path, N_("usual for such engines"), degrees(value), "deg",
+                "assumed", path, USUAL, degrees(value), "deg",
                 degrees(value - START_ENDS), degrees(value + START_ENDS),
                 vary=held(name, radians(1.0)),
             )  # fmt: skip
@@ -245,7 +213,7 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             low, high = _ends(name, value, own)
             unit = UNITS_OF_GAS.get(name, "")
             factor = FACTORS.get(unit, 1.0)
-            reason = N_("usual for such engines")
+            reason = USUAL
             if name == "intake_pressure":
                 low, high = _charged_or_not(own, value, low, high)
             closed = _throttled(own) if name == "intake_pressure" else 1.0
@@ -257,9 +225,9 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
                 low / factor, high / factor, vary=held(name, factor),
             )  # fmt: skip
         elif name in CHOICES and value in CHOICES[name]:
-            yield _choice(engine, own, name, str(value))
+            yield from _choices(engine, own, name, str(value))
         else:
-            yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
+            yield Assumption("assumed", path, USUAL, _plain(value))
     if own.values.get("process") == "heat-release" and (own.values["charges"] or not measured):
         yield from (
             each if measured else replace(each, vary=_held(own, each.vary))
@@ -267,24 +235,27 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
         )
 
 
-def _choice(engine: Engine, own: Cycle, name: str, value: str) -> Assumption:
-    """What is assumed without a number: one of two, or a friction that counts with the load."""
+def _choices(engine: Engine, own: Cycle, name: str, value: str) -> Iterator[Assumption]:
+    """What is assumed without a number: one of two, and a friction that counts with the load."""
     other = next(each for each in CHOICES[name] if each != value)
-    reason = N_("usual for such engines")
-    if name == "ignition":
-        reason = N_("as compression ratio or bore say")
-    elif _rubs_with_load(engine, own):
-        other, reason = value, N_("counted with the load, as the file gives no friction")
-    return Assumption(
-        "assumed", f"gas.{name}", reason, value, "", 1.0, 1.0, values=(("other", other),),
-        named=True, vary=with_gas_choice(name, other, ignition=own.values["ignition"]),
-    )  # fmt: skip
+    usual = N_("as compression ratio or bore say") if name == "ignition" else USUAL
+    tried = [(other, usual)]
+    if name == "friction" and _rubs_with_load(engine, own):
+        tried.append((value, N_("counted with the load, as the file gives no friction")))
+    for choice, reason in tried:
+        yield Assumption(
+            "assumed", f"gas.{name}", reason, value, "", 1.0, 1.0, values=(("other", choice),),
+            named=True, vary=with_gas_choice(name, choice, ignition=own.values["ignition"]),
+        )  # fmt: skip
 
 
 def _rubs_with_load(engine: Engine, own: Cycle) -> bool:
     """Whether an assumed friction counts with a load that alternates (`uneven.friction_apart`)."""
+    from crankstar.dynamics.uneven import takes_work
+
     drive = engine.drive or Drive()
-    return not own.friction_said and bool(drive.load_torque or drive.load_exponent)
+    alternates = bool(drive.load_torque or drive.load_exponent)
+    return alternates and not own.friction_said and takes_work(own)
 
 
 def _ends(name: str, value: float, own: Cycle) -> tuple[float, float]:
@@ -300,7 +271,7 @@ def valves(engine: Engine) -> Iterator[Assumption]:
     own = timing(engine.valves, cycle=engine.cycle)
     for name in own.assumed:
         yield Assumption(
-            "assumed", f"valves.{name}", N_("usual for such engines"),
+            "assumed", f"valves.{name}", USUAL,
             degrees(getattr(own, name)), "deg", *VALVE_ENDS[engine.cycle][name],
             vary=with_valve_angle(name),
         )  # fmt: skip
