@@ -26,6 +26,7 @@ from crankstar.analysis.tried_values import Figures
 from crankstar.engine.copies import with_values
 from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
+from crankstar.engine.firing_angles import firing_angles, other_angles
 from crankstar.engine.gas import Gas
 from crankstar.engine.quantities import Cycle as Strokes
 from crankstar.engine.valves import timing
@@ -169,6 +170,7 @@ def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
 
     Where the charge is kept that a run by hand would change, the reason says so.
     """
+    yield from _firing(engine)
     for each in _gas_values(engine, own):
         ends = (each.low, each.high)
         charge = each.path.removeprefix("gas.") in CHARGE
@@ -178,6 +180,25 @@ def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             and any(end is not None and each.vary.switches(engine, end) for end in ends)
         )
         yield replace(each, reason=AT_SAME_CHARGE) if switched else each
+
+
+def _firing(engine: Engine) -> Iterator[Assumption]:
+    """The angles at which a firing order fires, where more than one set of them fits it."""
+    other = other_angles(engine)
+    if other is None:
+        return
+    own, others = (
+        f"{', '.join(f'{each:.6g}' for each in angles)} deg"
+        for angles in (firing_angles(engine), other)
+    )
+
+    def vary(each: Engine, _value: float) -> Engine:
+        return with_values(each, firing_angles=tuple(map(radians, other)))
+
+    yield Assumption(
+        "assumed", "firing_angles", N_("the most even ones that fit the firing order"), own, "",
+        1.0, 1.0, values=(("other", others),), named=True, vary=vary,
+    )  # fmt: skip
 
 
 def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
