@@ -17,6 +17,7 @@ from crankstar.mechanics.doubts import doubts
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.operating_points import GasError
+from crankstar.tables.torque import assumed_notes, notes
 
 SPEED = 100 * pi
 SWEPT = 4 * pi / 4 * 0.082**2 * 0.09
@@ -82,13 +83,7 @@ def test_a_friction_that_needs_a_speed_is_not_nought_without_one() -> None:
     assert (found.friction, found.bmep) == (None, None)
     told = crankstar.torque(engine).to_dict()
     assert told["brake_torque"] is None
-    assert any("Friction is left out of the load" in each for each in told_notes(engine))
-
-
-def told_notes(engine: Engine, found: Cycle | None = None) -> list[str]:
-    from crankstar.tables.torque import notes
-
-    return notes(engine, found or cycle(engine))
+    assert any("Friction is left out of the load" in each for each in notes(engine, cycle(engine)))
 
 
 @pytest.mark.parametrize("known", [{"friction_pressure": "1 bar"}, {"friction": "none"}])
@@ -113,7 +108,8 @@ def test_a_load_takes_work_or_its_course_is_left_out(imep: str) -> None:
     brake = float(imep.split()[0]) * 1e5 - 1e5
     assert first(engine, found) == pytest.approx(right(max(brake, 0.0)), rel=1e-9, abs=1e-9)
     left_out = "The course of the load is left out"
-    assert any(each.startswith(left_out) for each in told_notes(engine, found)) == (brake <= 1e-3)
+    said = assumed_notes(engine, found)
+    assert any(each.startswith(left_out) for each in said) == (brake <= 1e-3)
     codes = [fault.code for fault in doubts(engine)]
     assert ("doubt.no-work" in codes) == (brake < -1e-3)
     running = driven(engine, found)

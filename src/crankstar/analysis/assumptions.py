@@ -129,9 +129,8 @@ class Answer:
     is the cycle that is part of the answer; `without_gas` the one that its rolling moment leaves
     out; `gasless` is the sentence on what gas is missing in where it is not known, empty where gas
     does not belong to the answer; `why_gasless` says why it is not in it though the file has some;
-    `without_reaction` is the cycle of an answer that leaves out what a driven machine does to its
-    frame. `choices` are those that the answer makes itself, with figures of their own. `tunings`
-    are the natural frequencies of an answer that resonates.
+    `choices` are those that the answer makes itself, with figures of their own. `tunings` are the
+    natural frequencies of an answer that resonates.
     """
 
     figures: Callable[[Engine], Figures]
@@ -143,7 +142,6 @@ class Answer:
     given: Collection[str] = ()
     gasless: str = ""
     why_gasless: str = ""
-    without_reaction: Cycle | None = None
     choices: Sequence[Assumption] = ()
     tunings: Sequence[Tuning] = ()
 

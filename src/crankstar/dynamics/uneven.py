@@ -12,8 +12,9 @@ cycle, and the mean of the speed over time is what was asked for. The load is
 
 with T_f the mean torque that friction takes, steady, g the course of what is driven (1 where it is
 steady) and c such that over a cycle it takes what gas and friction leave. Where the file asks for
-an indicated load and says nothing of friction, T_f is 0: friction counts with the load. The degree
-of irregularity is (w_max - w_min)/w_m.
+an indicated load and says nothing of friction, T_f is 0: friction counts with the load. An engine
+that is driven has no such load: c is negative, the torque of a motor of which a file says nothing,
+taken as steady (g = 1, k = 0). The degree of irregularity is (w_max - w_min)/w_m.
 
 The linear estimate takes J at its mean: with the fluctuation of energy dE = max - min of the
 integral of T_gas + T_inertia - T_L at the mean speed, delta = dE/(J w_m^2).
@@ -293,8 +294,8 @@ def fluctuation(engine: Engine, cycle: Cycle) -> tuple[float, float]:
 
 
 def _driven_by(engine: Engine, cycle: Cycle) -> _WithoutFlywheel:
-    """The engine with the load of its file."""
-    exponent = (engine.drive or Drive()).load_exponent
+    """The engine with the load of its file, or with the steady torque of what drives it."""
+    exponent = (engine.drive or Drive()).load_exponent if takes_work(cycle) else 0.0
     return _WithoutFlywheel.of(engine, cycle, exponent=exponent, course=load_course(engine, cycle))
 
 
@@ -315,11 +316,26 @@ def friction_apart(cycle: Cycle) -> float:
     return (friction_torque(cycle) or 0.0) if cycle.friction_said else 0.0
 
 
+def takes_work(cycle: Cycle) -> bool:
+    """Whether a load could take work: not where gas and friction leave none: the engine is driven.
+
+    >>> from crankstar import cycle, load
+    >>> five = load("audi-25-tfsi", changes={"gas.friction_pressure": "2 bar"})
+    >>> [takes_work(cycle(five, imep=load)) for load in ("1 bar", "3 bar")]
+    [False, True]
+    """
+    if cycle.motored:
+        return False
+    mean = float(chamber_torque(cycle).mean(axis=-1).sum())
+    lost = friction_torque(cycle) or 0.0
+    return mean - lost > LEAST_WORK * abs(lost)
+
+
 def load_taken(engine: Engine, cycle: Cycle) -> Drive | None:
     """The drive of the engine file with the course of its load; None of a steady load.
 
-    None too where gas and friction leave no work that it could take, and where the engine is turned
-    from outside: the course is that of a load which takes work, and does not turn round.
+    None too where the engine is driven: the course is that of a load which takes work
+    (`takes_work`), and does not turn round.
 
     >>> from crankstar import cycle, load
     >>> course = {"load_torque": [2, 0], "load_angle": ["0 deg", "360 deg"]}
@@ -328,11 +344,9 @@ def load_taken(engine: Engine, cycle: Cycle) -> Drive | None:
     >>> [load_taken(five, cycle(five, imep=load)) is None for load in ("1 bar", "3 bar")]
     [True, False]
     """
-    if engine.drive is None or not engine.drive.load_torque or cycle.motored:
+    if engine.drive is None or not engine.drive.load_torque:
         return None
-    mean = float(chamber_torque(cycle).mean(axis=-1).sum())
-    lost = friction_torque(cycle) or 0.0
-    return engine.drive if mean - lost > LEAST_WORK * abs(lost) else None
+    return engine.drive if takes_work(cycle) else None
 
 
 def load_course(engine: Engine, cycle: Cycle) -> Real | None:

@@ -32,6 +32,32 @@ def firing_angles(engine: Assembly) -> list[float]:
     return _angles(engine)[1]
 
 
+def other_angles(engine: Assembly) -> list[float] | None:
+    """The most even angles (degrees) of firings that fit the order at other intervals.
+
+    None where there are none, and where the file gives its own. Once a chamber has fired in the
+    second turn all later ones do, so that the sets are no more than the chambers.
+
+    >>> from crankstar.files.catalog import load
+    >>> [other_angles(load(name)) for name in ("ducati-90", "i4")]
+    [[0.0, 630.0], None]
+    """
+    if not engine.firing_order or engine.firing_angles:
+        return None
+    centres, own = dead_centres(engine), _steps(firing_angles(engine), engine)
+    sets = [[centres[engine.firing_order[0]].angle_deg]]
+    for number in engine.firing_order[1:]:
+        places = _places(centres[number], sets[0][0], engine.cycle_angle)
+        sets = [[*each, at] for each in sets for at in places if at - each[-1] > SAME_ANGLE]
+    turns = [[*own[place:], *own[:place]] for place in range(len(own))]
+    others = [
+        each
+        for each in sets
+        if not any(np.allclose(_steps(each, engine), turned, atol=SAME_ANGLE) for turned in turns)
+    ]
+    return min(others, key=lambda each: sum(np.square(_steps(each, engine))), default=None)
+
+
 def unfit(engine: Assembly) -> list[Fault]:
     """Why the firing order cannot be: empty if it can (or if there is none)."""
     return _angles(engine)[0]
@@ -236,11 +262,7 @@ def _evenest(
     reached, cost = np.array([first]), np.zeros(1)
     steps: list[tuple[np.ndarray, np.ndarray]] = []
     for number in order[1:]:
-        centre = centres[number]
-        start = centre.angle_deg + centre.period_deg * np.ceil(
-            (first - centre.angle_deg) / centre.period_deg - 1e-12
-        )
-        choices = np.arange(start, first + cycle - SAME_ANGLE, centre.period_deg)
+        choices = np.array(_places(centres[number], first, cycle))
         interval = choices[:, None] - reached
         costs = np.where(interval > SAME_ANGLE, cost + interval**2, inf)
         possible = np.isfinite(costs).any(axis=1)
@@ -254,6 +276,14 @@ def _evenest(
         at = int(came_from[at])
         angles.insert(0, float(before[at]))
     return angles
+
+
+def _places(centre: DeadCentre, first: float, cycle: float) -> list[float]:
+    """The angles of a dead centre within the cycle that begins at `first`, degrees."""
+    start = centre.angle_deg + centre.period_deg * np.ceil(
+        (first - centre.angle_deg) / centre.period_deg - 1e-12
+    )
+    return np.arange(start, first + cycle - SAME_ANGLE, centre.period_deg).tolist()
 
 
 def _given_angles(engine: Assembly) -> list[float]:

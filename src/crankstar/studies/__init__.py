@@ -13,6 +13,7 @@
 | `assumed_masses` | what a file leaves out of the masses that inertia forces come from |
 | `gas_ends` | between which ends a value lies that is assumed of a cycle |
 | `assumed_gas` | what is assumed of gas and valves, and what gas an answer leaves out |
+| `assumed_loads` | what of the load that an engine drives an answer leaves out |
 | `gas_alone` | what a file lacks for its gas or the inertia beside it: a bore, masses, a speed |
 | `assumed_doubts` | doubts, tried at what may be meant |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |

@@ -73,7 +73,8 @@ def narrowed(
 ) -> Answer:
     """The answer as far as it is about these quantities, of these orders, all without any named.
 
-    `given` are key paths that do not matter to them. Where nothing of them is left, nothing moves.
+    A choice that is known to move another quantity is none of it. `given` are key paths that do
+    not matter to them. Where nothing of them is left, nothing moves.
     """
     nothing: Figures = {(next(iter(quantities)), None): 0.0}
 
@@ -86,7 +87,12 @@ def narrowed(
 
     made = _with_figures(answer, lambda figures: lambda engine: kept(figures(engine)))
     return replace(
-        made, figures=lambda engine: made.figures(engine) or nothing, given={*answer.given, *given}
+        made,
+        figures=lambda engine: made.figures(engine) or nothing,
+        given={*answer.given, *given},
+        choices=[
+            each for each in made.choices if each.moved is None or each.moved.quantity in quantities
+        ],
     )
 
 
@@ -134,19 +140,25 @@ def joined(parts: Sequence[Answer]) -> Answer:
         given=set.intersection(*({*part.given} for part in parts)),
         gasless=next((part.gasless for part in parts if part.gasless), ""),
         why_gasless=next((part.why_gasless for part in parts if part.why_gasless), ""),
-        without_reaction=next(
-            (part.without_reaction for part in parts if part.without_reaction is not None), None
-        ),
         choices=[*choices.values()],
         tunings=[each for part in parts for each in part.tunings],
     )
 
 
-def gas_of(engine: Engine, *, speed: float | None, point: str = "") -> tuple[Cycle | None, str]:
-    """The cycle of an engine, or why there is none though its file has gas."""
+def gas_of(
+    engine: Engine,
+    *,
+    speed: float | None,
+    point: str = "",
+    weaker: Mapping[int, float] | None = None,
+) -> tuple[Cycle | None, str]:
+    """The cycle of an engine, or why there is none though its file has gas.
+
+    Cylinders are `weaker` as in `cycle`.
+    """
     if engine.gas is None:
         return None, ""
-    return cycle_or_reason(engine, speed=speed, point=point)
+    return cycle_or_reason(engine, speed=speed, point=point, weaker=weaker)
 
 
 NO_BORE = N_("its size needs cylinder.bore")

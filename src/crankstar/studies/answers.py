@@ -33,6 +33,7 @@ from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import brake_torque, gas_torque
+from crankstar.mechanics.lacking import lacking_keys
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 from crankstar.spectra import Spectrum
@@ -46,6 +47,7 @@ from crankstar.studies.answer_parts import (
     without_speed,
 )
 from crankstar.studies.assumed_doubts import doubted_weight
+from crankstar.studies.assumed_loads import of_load
 from crankstar.studies.assumed_values import assumed_values
 from crankstar.studies.gas_alone import gas_alone, lacking_gas, usual_speeds, with_speed
 
@@ -91,7 +93,7 @@ def amplitudes(
         return "N*m" if quantity == "roll with gas" else _inertia_unit(speed, quantity, each)
 
     lacking = [] if gas or without is not None else _lacking_roll(engine, point, speed)
-    choices = [*lacking]
+    choices = [*lacking, *of_load(engine, without if both else None)]
     if both and without is not None and not {"mass", "radius"} & {*engine.relative}:
         choices += gas_alone(engine, without, figures, ["roll with gas"])
     choices += doubted_weight(engine, speed) if both else []
@@ -100,7 +102,6 @@ def amplitudes(
         unit=unit,
         uses=("inertia", "gas") if both else ("inertia",),
         gas=without if both else None,
-        without_reaction=without if both else None,
         least=lambda each: _pushed(each, speed, reference),
         without_gas=usual if both else without or usual,
         gasless="" if gas or lacking or (both and without is not None) else IN_ROLL,
@@ -208,9 +209,8 @@ def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:
         unit=lambda _quantity, _engine: "N*m",
         uses=("inertia", "gas"),
         gas=found,
-        without_reaction=found,
         given=TURNING,
-        choices=[*gas_alone(engine, found, figures)],
+        choices=[*gas_alone(engine, found, figures), *of_load(engine, found)],
     )
     return [made]
 
@@ -252,9 +252,8 @@ def outlook(
         unit=unit,
         uses=("inertia", "gas"),
         gas=found,
-        without_reaction=found,
         least=lambda each: _pushed(each, speed, reference),
-        choices=[*gas_alone(engine, found, figures)],
+        choices=[*gas_alone(engine, found, figures), *of_load(engine, found)],
     )
 
 
@@ -289,6 +288,9 @@ def torques(
             plain["brake torque", None] = brake
         return {**rolls, **plain}
 
+    wheel = flywheel is None and irregularity is None
+    told = running and not lacking_keys(engine, found.speed, flywheel=wheel)
+    load = of_load(engine, found, on_frame=sums, running=told)
     units = {"peak pressure": "bar", "irregularity": "", "flywheel": "kg*m^2"}
     turning: Uses = "running" if irregularity is None else "sized"
     uneven: tuple[Uses, ...] = (turning, "set") if sums else (turning,)
@@ -301,8 +303,7 @@ def torques(
         ),
         uses=("inertia", "gas", *(uneven if running and flywheel is None else ())),
         gas=found,
-        without_reaction=None if sums else found,
-        choices=[*gas_alone(engine, found, figures)],
+        choices=[*gas_alone(engine, found, figures), *load],
     )
 
 

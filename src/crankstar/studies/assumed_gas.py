@@ -26,13 +26,14 @@ from crankstar.analysis.tried_values import Figures
 from crankstar.engine.copies import with_values
 from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
+from crankstar.engine.firing_angles import firing_angles, other_angles
 from crankstar.engine.gas import Gas
 from crankstar.engine.quantities import Cycle as Strokes
 from crankstar.engine.valves import timing
 from crankstar.language.messages import N_, MessageError
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import Cycle, cycle
-from crankstar.mechanics.gas_torque import added, gas_torque, roll_with_gas
+from crankstar.mechanics.gas_torque import gas_torque, roll_with_gas
 from crankstar.mechanics.operating_points import GasError
 from crankstar.mechanics.remains import summed
 from crankstar.studies.gas_ends import GAS_ENDS, charged, gas_ends, throttled, usual_ends
@@ -68,6 +69,7 @@ VALVE_ENDS: Mapping[Strokes, Mapping[str, tuple[float, float]]] = {
 Of four-stroke engines those of road and industrial engines; of two-stroke ones from the ports and
 the exhaust valve of a ship's engine to the ports of a small one.
 """
+USUAL = N_("usual for such engines")
 AT_SAME_CHARGE = N_("usual for such engines; at the same charge pressure")
 LOADS = 9
 """Loads of a usual cycle at which its roll is tried: near the inertia's it has a minimum inside."""
@@ -115,39 +117,6 @@ def without_gas(engine: Engine, found: Cycle) -> Assumption:
     )  # fmt: skip
 
 
-def without_reaction(engine: Engine, found: Cycle) -> Iterator[Assumption]:
-    """The reaction of a load with a course, which a file does not say the frame of.
-
-    None of a steady load.
-    """
-    from crankstar.dynamics.load_reaction import load_reaction
-    from crankstar.studies.gas_results import roll_of
-
-    reaction = load_reaction(engine, found)
-    if reaction is None:
-        return
-    roll = roll_of(engine, found)
-    both = added(roll, reaction)
-    alone, sizes = (
-        np.abs(spectra.amplitude(spectra.selected(each, both.orders))) for each in (roll, both)
-    )
-    most = int(np.argmax(np.abs(sizes - alone)))
-    top = max(float(sizes.max()), float(alone.max()))
-    change = Moved(
-        "roll", float(both.orders[most]), "N*m", float(alone[most]),
-        float(sizes[most]), float(sizes[most]),
-        float(abs(sizes[most] - alone[most])) / top if top else 0.0,
-    )  # fmt: skip
-    yield Assumption(
-        "left out", "drive.load_torque",
-        N_(
-            "its reaction is not in the rolling moment; it acts on the block only where the driven "
-            "machine is fixed to the same frame"
-        ),
-        moved=change,
-    )  # fmt: skip
-
-
 def usual_load(own: Cycle, figures: Callable[[Engine], Figures], sentence: str) -> Assumption:
     """The usual cycle that a file without [gas] leaves out of `figures`, over its load.
 
@@ -170,6 +139,7 @@ def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
 
     Where the charge is kept that a run by hand would change, the reason says so.
     """
+    yield from _firing(engine)
     for each in _gas_values(engine, own):
         ends = (each.low, each.high)
         charge = each.path.removeprefix("gas.") in CHARGE
@@ -179,6 +149,25 @@ def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             and any(end is not None and each.vary.switches(engine, end) for end in ends)
         )
         yield replace(each, reason=AT_SAME_CHARGE) if switched else each
+
+
+def _firing(engine: Engine) -> Iterator[Assumption]:
+    """The angles at which a firing order fires, where more than one set of them fits it."""
+    other = other_angles(engine)
+    if other is None:
+        return
+    own, others = (
+        f"{', '.join(f'{each:.6g}' for each in angles)} deg"
+        for angles in (firing_angles(engine), other)
+    )
+
+    def vary(each: Engine, _value: float) -> Engine:
+        return with_values(each, firing_angles=tuple(map(radians, other)))
+
+    yield Assumption(
+        "assumed", "firing_angles", N_("the most even ones that fit the firing order"), own, "",
+        1.0, 1.0, values=(("other", others),), named=True, vary=vary,
+    )  # fmt: skip
 
 
 def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
@@ -206,7 +195,7 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
         value = values.get(name)
         if name == "combustion_start" and isinstance(value, float):
             yield Assumption(
-                "assumed", path, N_("usual for such engines"), degrees(value), "deg",
+                "assumed", path, USUAL, degrees(value), "deg",
                 degrees(value - START_ENDS), degrees(value + START_ENDS),
                 vary=held(name, radians(1.0)),
             )  # fmt: skip
@@ -215,7 +204,7 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
             factor = FACTORS.get(unit, 1.0)
             vary = held(name, factor)
             low, high = gas_ends(engine, own, name, value, vary=vary)
-            reason = N_("usual for such engines")
+            reason = USUAL
             if name == "intake_pressure" and throttled(own) < 1.0:
                 reason = N_("as with the throttle open, which burns too lean for a spark")
             yield Assumption(
@@ -223,9 +212,9 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
                 low / factor, high / factor, vary=vary,
             )  # fmt: skip
         elif name in CHOICES and value in CHOICES[name]:
-            yield _choice(engine, own, name, str(value))
+            yield from _choices(engine, own, name, str(value))
         else:
-            yield Assumption("assumed", path, N_("usual for such engines"), _plain(value))
+            yield Assumption("assumed", path, USUAL, _plain(value))
     if own.values.get("process") == "heat-release" and (own.values["charges"] or not measured):
         yield from (
             each if measured else replace(each, vary=_held(own, each.vary))
@@ -233,24 +222,27 @@ def _gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
         )
 
 
-def _choice(engine: Engine, own: Cycle, name: str, value: str) -> Assumption:
-    """What is assumed without a number: one of two, or a friction that counts with the load."""
+def _choices(engine: Engine, own: Cycle, name: str, value: str) -> Iterator[Assumption]:
+    """What is assumed without a number: one of two, and a friction that counts with the load."""
     other = next(each for each in CHOICES[name] if each != value)
-    reason = N_("usual for such engines")
-    if name == "ignition":
-        reason = N_("as compression ratio, size and speed say")
-    elif _rubs_with_load(engine, own):
-        other, reason = value, N_("counted with the load, as the file gives no friction")
-    return Assumption(
-        "assumed", f"gas.{name}", reason, value, "", 1.0, 1.0, values=(("other", other),),
-        named=True, vary=with_gas_choice(name, other, ignition=own.values["ignition"]),
-    )  # fmt: skip
+    usual = N_("as compression ratio, size and speed say") if name == "ignition" else USUAL
+    tried = [(other, usual)]
+    if name == "friction" and _rubs_with_load(engine, own):
+        tried.append((value, N_("counted with the load, as the file gives no friction")))
+    for choice, reason in tried:
+        yield Assumption(
+            "assumed", f"gas.{name}", reason, value, "", 1.0, 1.0, values=(("other", choice),),
+            named=True, vary=with_gas_choice(name, choice, ignition=own.values["ignition"]),
+        )  # fmt: skip
 
 
 def _rubs_with_load(engine: Engine, own: Cycle) -> bool:
     """Whether an assumed friction counts with a load that alternates (`uneven.friction_apart`)."""
+    from crankstar.dynamics.uneven import takes_work
+
     drive = engine.drive or Drive()
-    return not own.friction_said and bool(drive.load_torque or drive.load_exponent)
+    alternates = bool(drive.load_torque or drive.load_exponent)
+    return alternates and not own.friction_said and takes_work(own)
 
 
 def valves(engine: Engine) -> Iterator[Assumption]:
@@ -258,7 +250,7 @@ def valves(engine: Engine) -> Iterator[Assumption]:
     own = timing(engine.valves, cycle=engine.cycle)
     for name in own.assumed:
         yield Assumption(
-            "assumed", f"valves.{name}", N_("usual for such engines"),
+            "assumed", f"valves.{name}", USUAL,
             degrees(getattr(own, name)), "deg", *VALVE_ENDS[engine.cycle][name],
             vary=with_valve_angle(name),
         )  # fmt: skip

@@ -38,7 +38,7 @@ from crankstar.mechanics.doubts import doubts_of
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.studies.assumed_doubts import doubtful
-from crankstar.studies.assumed_gas import gas_values, valves, without_gas, without_reaction
+from crankstar.studies.assumed_gas import gas_values, valves, without_gas
 from crankstar.studies.assumed_masses import masses
 
 if TYPE_CHECKING:
@@ -126,8 +126,6 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
             "left out", "gas", reason,
             explained=bool(answer.why_gasless), sentence=answer.gasless,
         )  # fmt: skip
-    if answer.without_reaction is not None:
-        yield from without_reaction(engine, answer.without_reaction)
     if "gas" in answer.uses and answer.gas is not None:
         yield from gas_values(engine, answer.gas)
     if engine.drive is None or engine.drive.inertia is None:

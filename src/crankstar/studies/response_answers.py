@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import reduce
 from typing import TYPE_CHECKING
 
 from crankstar.analysis.assumptions import Answer
@@ -10,6 +11,7 @@ from crankstar.analysis.tried_values import Figures
 from crankstar.engine.engine import Engine
 from crankstar.studies.answer_parts import IN_VIBRATION, gas_of, tuned_on_mounts, usual_gas
 from crankstar.studies.assumed_gas import usual_load
+from crankstar.studies.assumed_loads import of_load
 from crankstar.studies.gas_alone import lacking_gas
 
 if TYPE_CHECKING:
@@ -30,7 +32,7 @@ def felt(
     Of the `orders` that are named, at the point `at` (up, right, z; m) or the centre of mass,
     wherever that is: the numbers of `Shaken.sizes`.
     """
-    from crankstar.studies.single_faults import shaken
+    from crankstar.studies.single_faults import lost_combustion, shaken, with_fault
 
     units = {"force": "N", "couple": "N*m", "roll": "N*m", "torque": "N*m", "velocity": "mm/s"}
 
@@ -42,7 +44,8 @@ def felt(
             for name, size in zip(units, row, strict=True)
         }
 
-    gas, why = gas_of(engine, point=point, speed=speed)
+    built = reduce(with_fault, faults, engine)
+    gas, why = gas_of(engine, point=point, speed=speed, weaker=lost_combustion(faults))
     usual = usual_gas(engine, speed=speed)[0]
     left = None if usual is None else usual_load(usual, figures, IN_VIBRATION)
     if left is None:
@@ -56,9 +59,8 @@ def felt(
         unit=lambda quantity, _engine: units[quantity],
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
-        without_reaction=gas,
         gasless="" if left else IN_VIBRATION,
         why_gasless=why,
-        choices=[left] if left else [],
+        choices=[*([left] if left else []), *of_load(built, gas)],
         tunings=tunings,
     )

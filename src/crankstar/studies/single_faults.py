@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -31,7 +31,7 @@ from crankstar.language.messages import MessageError, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, total
-from crankstar.mechanics.gas import chambers_of
+from crankstar.mechanics.gas import lost_shares
 from crankstar.mechanics.gas_loads import gas_over_speeds, vibrating_state
 from crankstar.mechanics.gas_torque import gas_roll
 from crankstar.mechanics.lacking import KEYS, is_explicit, lacking_keys
@@ -115,9 +115,7 @@ class Shaken:
 
 def _greatest(upward: Complex, rightward: Complex) -> Real:
     """The long half axis of the ellipse of a vector with these two waves."""
-    forward = (upward + 1j * rightward) / 2
-    backward = (upward - 1j * rightward) / 2
-    return np.abs(forward) + np.abs(backward)
+    return (np.abs(upward + 1j * rightward) + np.abs(upward - 1j * rightward)) / 2
 
 
 def receptance(engine: Engine, frequencies: Real) -> Complex:
@@ -249,10 +247,8 @@ def shaken(
     assert state.speed is not None  # noqa: S101  # a VibratingState has one
     speed = state.speed
     check_orders(engine, orders, gas=True)
-    built = engine
     _check_shares(engine, faults)
-    for fault in faults:
-        built = with_fault(built, fault)
+    built = reduce(with_fault, faults, engine)
     wanted = np.array(sorted({*map(float, orders or usual_orders(engine))}))
     up, right, z = body(engine).centre
     sums: Totals = total(
@@ -311,12 +307,7 @@ def check_faults(engine: Engine, faults: Sequence[Fault]) -> None:
                 what=fault_text(fault, engine),
                 times=f"{MOST_TIMES:g}",
             )
-    lost = dict.fromkeys(engine.chambers, 0.0)
-    for fault in faults:
-        if fault.kind == "combustion":
-            [chamber] = chambers_of(engine, [fault.number])
-            lost[chamber] += fault.size
-    if min(lost.values()) > 1 - 1e-9:
+    if min(lost_shares(engine, (), lost_combustion(faults)).values()) > 1 - 1e-9:
         raise DiagnosisError(
             "no cylinder would fire, and the engine would stop; leave at least one that does"
         )
@@ -341,6 +332,19 @@ def _check_shares(engine: Engine, faults: Sequence[Fault]) -> None:
             )
 
 
+def lost_combustion(faults: Sequence[Fault]) -> dict[int, float]:
+    """The share of its combustion that each cylinder with such a fault lacks, as `cycle` has it.
+
+    >>> lost_combustion([Fault("combustion", 2, 0.2), Fault("combustion", 2, 0.3)])
+    {2: 0.5}
+    """
+    lost: dict[int, float] = {}
+    for fault in faults:
+        if fault.kind == "combustion":
+            lost[fault.number] = min(lost.get(fault.number, 0.0) + fault.size, 1.0)
+    return lost
+
+
 def gas_orders(
     engine: Engine, faults: Sequence[Fault], *, speed: float, point: str, orders: Real
 ) -> Spectrum:
@@ -348,19 +352,14 @@ def gas_orders(
 
     Raises DiagnosisError.
     """
-    weak = [fault for fault in faults if fault.kind == "combustion"]
     if engine.gas is None and not point:
-        if weak:
+        if lost_combustion(faults):
             raise DiagnosisError(
                 "a cylinder that does not fire cannot be told without the gas of the others; add "
                 "[gas] to the engine file"
             )
         return spectra.real_signal(orders, np.zeros(orders.size, complex))
-    lost = dict.fromkeys((fault.number for fault in weak), 0.0)
-    for fault in weak:
-        lost[fault.number] += fault.size
-    weaker = {number: min(share, 1.0) for number, share in lost.items()}
-    found = gas_over_speeds(engine, [speed], point=point, weaker=weaker)
+    found = gas_over_speeds(engine, [speed], point=point, weaker=lost_combustion(faults))
     one = replace(found, forward=found.forward[0], backward=found.backward[0])
     return spectra.selected(one, orders)
 

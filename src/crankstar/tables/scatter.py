@@ -43,8 +43,6 @@ NAMES = {
 """The signals as headings, but for those of bearings."""
 WHOLE = ("force", "couple", "roll")
 """What is shown to readers where no quantity is asked for; machines get all signals."""
-COLUMNS = 5
-"""Orders whose shares are shown beside each other."""
 LARGER = 1.02
 """Times the nominal amplitude that 5 % of the engines must exceed to be told."""
 SEEN = 5e-3
@@ -170,9 +168,7 @@ def _share_list(rows: Sequence[OrderScatter]) -> Table:
 
 
 def _share_table(found: Scatter, rows: Sequence[OrderScatter]) -> Table:
-    """The share of each tolerance in the variance of the orders that scatter most."""
-    shown = sorted(rows, key=lambda row: -_weight(rows, row))[:COLUMNS]
-    shown = [row for row in rows if row in shown]
+    """The share of each tolerance in the variance of each of these orders, the largest first."""
     columns = (
         Column(_("tolerance"), kind="text", label=True),
         *(
@@ -186,25 +182,19 @@ def _share_table(found: Scatter, rows: Sequence[OrderScatter]) -> Table:
                 digits=3,
                 fixed=True,
             )
-            for row in shown
+            for row in rows
         ),
     )
     paths = [path for path in found.tolerances if path not in found.idle]
-    paths.sort(key=lambda path: -max((row.shares.get(path, 0.0) for row in shown), default=0.0))
+    paths.sort(key=lambda path: -max((row.shares.get(path, 0.0) for row in rows), default=0.0))
     body: list[tuple[Value, ...]] = []
     for path in paths:
-        shares = [row.shares.get(path, 0.0) for row in shown]
+        shares = [row.shares.get(path, 0.0) for row in rows]
         cells = (round(100 * each, 1) + 0.0 for each in shares)
         if max(shares, default=0.0) >= SMALL_SHARE:
             body.append((path, *cells))
     said = _("Share of each tolerance in the variance of the scatter.")
     return Table(_("Which tolerance matters"), columns, tuple(body), (said,))
-
-
-def _weight(rows: Sequence[OrderScatter], row: OrderScatter) -> float:
-    """How much an order scatters beside the greatest scatter of its quantity."""
-    greatest = max(other.rms for other in rows if other.signal == row.signal)
-    return row.rms / greatest if greatest else 0.0
 
 
 def _tolerance_table(found: Scatter) -> Table:

@@ -7,7 +7,7 @@ from math import degrees, pi
 from typing import NamedTuple
 
 from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value, for_each, remarks
-from crankstar.dynamics.uneven import Running, load_taken
+from crankstar.dynamics.uneven import Running, load_taken, takes_work
 from crankstar.engine.dead_centres import pistons
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
@@ -277,7 +277,7 @@ def _other_points(engine: Engine, cycle: Cycle) -> list[str]:
 
 
 def assumed_notes(engine: Engine, cycle: Cycle) -> list[str]:
-    """What is assumed of a cycle, as sentences."""
+    """What is assumed of a cycle, and what of its load is left out, as sentences."""
     lines: list[str] = []
     assumed = [_valued(name, cycle.values[name]) for name in cycle.assumed if name in VALUES]
     if assumed and (engine.gas is None or engine.gas.trace is None or cycle.values["charges"]):
@@ -302,6 +302,13 @@ def assumed_notes(engine: Engine, cycle: Cycle) -> list[str]:
         and timing(engine.valves, cycle=engine.cycle).assumed
     ):
         lines.append(_("Valve or port timing is assumed, see `crankstar strokes`."))
+    if engine.drive is not None and engine.drive.load_torque and not takes_work(cycle):
+        lines.append(
+            _(
+                "The course of the load is left out: gas and friction leave no work that the load "
+                "could take."
+            )
+        )
     return lines
 
 
@@ -325,28 +332,14 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
     correlation = None if known else CORRELATIONS.get(cycle.values["friction"])
     if cycle.speed is not None and correlation is not None:
         lines.append(_(correlation))
-    return [*lines, *_course_sentences(engine, cycle)]
-
-
-def _course_sentences(engine: Engine, cycle: Cycle) -> list[str]:
-    """What of the course of the load is left out, or counted with it that is not the load."""
-    if engine.drive is None or not engine.drive.load_torque:
-        return []
-    if load_taken(engine, cycle) is None:
-        return [
-            _(
-                "The course of the load is left out: gas and friction leave no work that the load "
-                "could take."
-            )
-        ]
-    if cycle.friction_said and cycle.friction is None:
-        return [
+    if load_taken(engine, cycle) is not None and cycle.friction_said and cycle.friction is None:
+        lines.append(
             _(
                 "Friction is left out of the load, and counts with it: its correlation needs the "
                 'speed. Give the speed, as in --speed "3000 rpm", or gas.friction_pressure.'
             )
-        ]
-    return []
+        )
+    return lines
 
 
 def _pressure_lines(engine: Engine, cycle: Cycle) -> list[str]:

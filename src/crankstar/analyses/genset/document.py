@@ -184,7 +184,15 @@ def _notes(found: GeneratingSet) -> list[str]:
                 "contract or rules."
             )
         )
-    if found.sums:
+    if found.sums and found.steady_drive:
+        lines.append(
+            _(
+                "What drives the engine is fixed to its frame, and its torque is taken as steady: "
+                "it stays inside, and the frame rolls by the reaction to all that alternates of "
+                "the engine. Moments are about the middle of the cylinders."
+            )
+        )
+    elif found.sums:
         lines.append(
             _(
                 "The generator is fixed to the frame of the engine: the mean torque stays inside, "

@@ -17,7 +17,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.dynamics.generator_angle import GeneratorAngle, generator_angle
 from crankstar.dynamics.load_reaction import on_one_frame
-from crankstar.dynamics.uneven import Running, driven, flywheel_for
+from crankstar.dynamics.uneven import Running, driven, flywheel_for, takes_work
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.mechanics.balance import balance, total
@@ -73,6 +73,11 @@ class GeneratingSet:
     without_running: str
     without_sums: str
     speed: float | None
+
+    @property
+    def steady_drive(self) -> bool:
+        """Whether the engine is driven: by a torque that is taken as steady."""
+        return self.cycle is not None and not takes_work(self.cycle)
 
     @property
     def frequency(self) -> float | None:

@@ -15,6 +15,7 @@ from crankstar.mechanics.operating_points import GasError
 from crankstar.options.refusals import refuse_unused
 from crankstar.studies.answer_parts import IN_GUIDES, friction_of_power, usual_gas
 from crankstar.studies.assumed_gas import usual_load
+from crankstar.studies.assumed_loads import of_load
 from crankstar.studies.gas_alone import gas_alone, lacking_gas
 
 
@@ -79,8 +80,7 @@ def answer(engine: Engine, question: Question) -> Answer:
         ),
         uses=("inertia", *(("gas",) if whole.cycle is not None else ())),
         gas=whole.cycle,
-        without_reaction=whole.cycle,
-        choices=[*choices, *friction_of_power(engine, whole.cycle)],
+        choices=[*choices, *friction_of_power(engine, whole.cycle), *of_load(engine, whole.cycle)],
     )
 
 

@@ -23,6 +23,7 @@ from crankstar.studies.answer_parts import (
     usual_gas,
 )
 from crankstar.studies.assumed_gas import usual_load
+from crankstar.studies.assumed_loads import of_load
 from crankstar.studies.gas_alone import lacking_gas
 
 ON_MOUNTS = {
@@ -104,10 +105,9 @@ def on_mounts(
         unit=lambda quantity, _engine: _unit_on_mounts(quantity),
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
-        without_reaction=gas,
         gasless="" if left else IN_VIBRATION,
         why_gasless=gasless,
-        choices=[left] if left else [],
+        choices=[*([left] if left else []), *of_load(engine, gas)],
         least=least,
         tunings=[]
         if over is None or ends is None
