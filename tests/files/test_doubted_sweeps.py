@@ -85,3 +85,54 @@ def test_friction_is_not_doubted_in_what_it_is_not_in(run: Run) -> None:
     ]
     assert all("gas.friction_pressure" not in paths for paths in said)
     assert "gas.friction_pressure" in run("torque", "honda-b18c").out
+
+
+TWO_LOADS = """
+name = "four with two loads"
+firing_order = [1, 3, 4, 2]
+speed = "9000 rpm"
+[cylinder]
+bore = "67 mm"
+stroke = "42.5 mm"
+rod_length = "92 mm"
+reciprocating_mass = "200 g"
+rotating_mass = "150 g"
+[gas]
+compression_ratio = 13
+ignition = "spark"
+friction_pressure = "1 bar"
+[[gas.point]]
+name = "idle"
+speed = "1200 rpm"
+bmep = "0.1 bar"
+[[gas.point]]
+name = "full"
+speed = "9000 rpm"
+bmep = "12 bar"
+[drive]
+inertia = "0.012 kg*m^2"
+[layout]
+type = "inline"
+bore_pitch = "75 mm"
+"""
+
+
+def test_what_matters_more_at_the_other_end_of_a_range_is_told_there(run: Run) -> None:
+    """An unthrottled idle is far more uneven than one with the charge of a closed throttle."""
+    Path("two.toml").write_text(TWO_LOADS, encoding="utf-8")
+    words = ("sweep", "two.toml", "--over", "speed=1200..9000 rpm/2", "--quantity", "irregularity")
+    told = json.loads(run(*words, "--json").out)
+    assert told["rests_on_at"] == "speed = 9000 rpm"
+    assert "With speed = 1200 rpm these move more:" in run(*words).out
+    [row] = [
+        each
+        for each in told["rests_on"]
+        if each["path"] == "gas.intake_pressure" and each.get("at") == "speed = 1200 rpm"
+    ]
+    least = crankstar.load(
+        "two.toml", changes={"gas.point[1].intake_pressure": f"{row['low']!r} bar"}
+    )
+    found = crankstar.driven(least, crankstar.cycle(least, speed="1200 rpm"))
+    assert found is not None
+    assert row["moves"]["low"] == pytest.approx(found.irregularity, rel=1e-6)
+    assert row["moves"]["now"] > 2 * row["moves"]["low"]

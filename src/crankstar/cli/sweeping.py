@@ -94,7 +94,9 @@ def sweep(
         return
     document = made.document(form)
     if form not in ("csv", "parquet"):  # forms of tables alone
-        document = _resting(document, made)
+        from crankstar.tables.sweep_notes import rested
+
+        document = rested(document, made.sweep, made.curves)
     tree = None
     if form == "xlsx":
         if engine != STANDARD_INPUT:
@@ -105,16 +107,6 @@ def sweep(
     if form in ("csv", "parquet"):
         for line in made.doubts():
             complain(line)
-
-
-def _resting(document: Document, made: _Made) -> Document:
-    """The document with what it rests on, at one of its values."""
-    from crankstar.studies.answers import rests_on
-    from crankstar.studies.sweep_answers import judged
-    from crankstar.tables.ranges import resting
-
-    found = judged(made.sweep, made.curves)
-    return resting(document, lambda: rests_on(found.engine, found.answer), at=found.at)
 
 
 def _swept(

@@ -1,6 +1,7 @@
 """What the results of a sweep rest on: the answer that it gives of the engine at one of its values.
 
 That is the first value; of the speed and of a balance factor the highest, at which there is most.
+What gas and vibration rest on may matter more at the other end (`more_beyond`).
 """
 
 from __future__ import annotations
@@ -11,20 +12,23 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from crankstar.analysis.assumptions import Answer
+from crankstar.analysis.assumptions import TOLD, Answer, Assumption
 from crankstar.analysis.registry import analysis, measures, names
 from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS
+from crankstar.language.messages import MessageError
 from crankstar.mechanics.gas import cycle
 from crankstar.studies.answer_parts import joined, narrowed
-from crankstar.studies.answers import amplitudes, torques
+from crankstar.studies.answers import amplitudes, rests_on, torques
 from crankstar.studies.fields import instead
 from crankstar.studies.gas_results import GAS_WATCHABLE
 from crankstar.studies.study import SPEED_PATH
-from crankstar.studies.sweep import Curve, Sweep
+from crankstar.studies.sweep import Axis, Curve, Sweep
 from crankstar.studies.variants import SweepError
 
+SOME = 1.5
+"""How much more an assumption must move at the other end of a range to be told there too."""
 NATURAL = " modes"
 """Behind the name of an analysis: free vibration alone."""
 HIGHEST = (SPEED_PATH, BALANCE_FACTOR, *(f"gas.{load}" for load in LOADS))
@@ -79,9 +83,15 @@ class Judged:
         return replace(answer, given={*answer.given, *given})
 
 
-def judged(sweep: Sweep, curves: Sequence[Curve]) -> Judged:
-    """What the curves of a sweep rest on: at the first values, of some at the highest."""
-    places = [int(np.argmax(axis.values)) if axis.path in HIGHEST else 0 for axis in sweep.axes]
+def judged(sweep: Sweep, curves: Sequence[Curve], *, beyond: bool = False) -> Judged:
+    """What the curves of a sweep rest on: at the first values, of some at the highest.
+
+    With `beyond` at the other ends of the ranges, that of a closed one in its middle.
+    """
+    places = [
+        _other_end(axis) if beyond else int(np.argmax(axis.values)) if axis.path in HIGHEST else 0
+        for axis in sweep.axes
+    ]
     try:
         engine, speed = sweep.case(places)
     except SweepError:  # it does not fire in the order of the file, which no inertia needs
@@ -91,6 +101,33 @@ def judged(sweep: Sweep, curves: Sequence[Curve]) -> Judged:
         for axis, place in zip(sweep.axes, places, strict=True)
     }
     return Judged(engine, speed, values, curves)
+
+
+def _other_end(axis: Axis) -> int:
+    """The place of the last value, of what is judged at the highest of the least."""
+    if axis.closed:
+        return axis.values.size // 2
+    return int(np.argmin(axis.values)) if axis.path in HIGHEST else axis.values.size - 1
+
+
+def more_beyond(
+    sweep: Sweep, curves: Sequence[Curve], found: Sequence[Assumption]
+) -> tuple[str, tuple[Assumption, ...]]:
+    """The values at the other ends, and what matters more there than where it was `found`.
+
+    More by SOME of its effect. Nothing of inertia, of which each share is the same at every speed.
+    """
+    if all(kind_of(curve.what) in ("inertia", "roll") for curve in curves):
+        return "", ()
+    known = {each.path: each.effect for each in found}
+    try:
+        other = judged(sweep, curves, beyond=True)
+        there = rests_on(other.engine, other.answer)
+    except MessageError:  # it has no result there
+        return "", ()
+    least = {path: max(SOME * effect, TOLD) for path, effect in known.items()}
+    more = [each for each in there if each.effect > least.get(each.path, TOLD)]
+    return other.at, tuple(more)
 
 
 def kind_of(what: str) -> str:

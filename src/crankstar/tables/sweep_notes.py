@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from crankstar.analysis.document import Remarks, remarks
+from crankstar.analysis.document import Document, Remarks, remarks
 from crankstar.analysis.registry import measures
 from crankstar.language.messages import _, passage
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance
+from crankstar.studies.answers import rests_on
 from crankstar.studies.gas_results import GAS_WATCHABLE
 from crankstar.studies.sweep import Axis, Curve, Sweep
+from crankstar.studies.sweep_answers import judged, more_beyond
 from crankstar.studies.sweep_doubts import Doubted, doubted
 from crankstar.tables import ranges
+from crankstar.tables.assumptions import assumption_facts, assumption_lines
 from crankstar.tables.conditions import missing_sentence, unit_sentence
 
 SIZES = {"bore", "stroke", "rod_length"}
@@ -51,6 +55,25 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
     if gas:  # in N m, bar or none; the record says what is not in them
         counted = counted if sweep.units.force == "N" else ""
     return (*remarks(counted, "" if gas else speed_note(sweep), *more, kind="note"), *doubts)
+
+
+def rested(document: Document, sweep: Sweep, curves: Sequence[Curve]) -> Document:
+    """The document of a sweep with what it rests on, and what matters more at its other end."""
+    own = judged(sweep, curves)
+    found = rests_on(own.engine, own.answer)
+    out = ranges.resting(document, lambda: found, at=own.at)
+    at, more = more_beyond(sweep, curves, found)
+    if not more:
+        return out
+    lines = (_("With {values} these move more:", values=at), *assumption_lines(more))
+    rows = [{"at": at, **row} for row in assumption_facts(more)["rests_on"]]
+    doubts = [isinstance(part, Remarks) and part.kind == "doubt" for part in out.parts]
+    place = doubts.index(True) + 1 if True in doubts else 0
+    return replace(
+        out,
+        parts=(*out.parts[:place], Remarks(lines, kind="doubt"), *out.parts[place:]),
+        facts={**out.facts, "rests_on": [*out.facts.get("rests_on", ()), *rows]},
+    )
 
 
 def doubt_sentences(sweep: Sweep, curves: Sequence[Curve]) -> list[str]:
