@@ -300,5 +300,14 @@ SENTENCES: dict[str, str | Plural] = {
     "layout.type-missing": N_("{where} is missing; it can be {choices}"),
     "layout.type-unknown": N_("{where} is {value}; it can be {choices}"),
     "layout.type-misspelt": N_("{where} is {value}; did you mean {meant}?"),
+    "layout.of-package": N_("{where}: {why}"),
+    "layout.raised": N_(
+        "{where}: package {package}: its layout {name} ends with an error ({why}); that is a "
+        "mistake in the package, not in this file"
+    ),
+    "layout.no-engine": N_(
+        "{where}: package {package}: its layout {name} gives {made}, where a layout gives an "
+        "Engine; that is a mistake in the package, not in this file"
+    ),
 }
 """By code, `{where}` the place; what is wrong first, then what would be right."""
