@@ -199,7 +199,10 @@ SENTENCES: dict[str, str | Plural] = {
         "fires, and the peak is within 90 deg of it: add {shift} deg to the angles, or is it the "
         "trace of another cycle?"
     ),
-    "trace.missing": N_("{where} names {file}, which is not beside the engine file"),
+    "trace.unnamed": N_("{where} is an empty name; give that of a CSV file"),
+    "trace.missing": N_("{where} names {file}, but there is no file {place}"),
+    "trace.folder": N_("{where} names {file}, which is a folder"),
+    "trace.irregular": N_("{where} names {file}, which is no regular file"),
     "trace.unreadable": N_("{where} names {file}, which cannot be read as text"),
     "trace.too-large": N_("{where} names {file}, which is larger than {greatest} MB"),
     "trace.no-columns": N_(
