@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Callable
 from math import cos, pi
@@ -84,3 +85,36 @@ def test_a_pressure_that_is_no_number_is_told_with_file_and_line(
     (files / "t.csv").write_text("\n".join(lines), encoding="utf-8")
     refused = run("torque", str(files / "traced.toml"))
     assert f"gas.trace names t.csv, whose line 5 is -345, {cell}; give numbers" in refused.err
+
+
+def test_a_key_that_nothing_comes_of_beside_a_trace_is_refused(run: Run, files: Path) -> None:
+    """The ratio counts where a cylinder only compresses, the temperature where heat is lost."""
+    (files / "t.csv").write_text(CSV, encoding="utf-8")
+    traced = str(files / "traced.toml")
+
+    def torque(*words: str) -> str:
+        return run("torque", traced, *words, "--json").out
+
+    ratio = ("--set", "gas.compression_ratio=9")
+    assert json.loads(torque())["mean_torque"] == json.loads(torque(*ratio))["mean_torque"]
+    assert (
+        json.loads(torque("--off", "2"))["mean_torque"]
+        != json.loads(torque("--off", "2", *ratio))["mean_torque"]
+    )
+    warm = ("--set", "gas.intake_temperature=400 K")
+    refused = run("torque", traced, *warm)
+    assert "gas.intake_temperature has no effect beside gas.trace" in refused.err
+    walls = ("--set", "gas.wall_temperature=450 K", "--off", "2")
+    assert (
+        json.loads(torque(*walls))["mean_torque"]
+        != json.loads(torque(*walls, *warm))["mean_torque"]
+    )
+
+
+def test_a_load_that_is_set_and_does_not_count_is_told(run: Run) -> None:
+    words = ["torque", "audi-25-tfsi", "--json", "--point", "idle"]
+    plain, changed = run(*words), run(*words, "--set", "gas.bmep=5 bar")
+    assert json.loads(plain.out)["mean_torque"] == json.loads(changed.out)["mean_torque"]
+    assert "--set gas.bmep changes nothing here" in changed.err
+    assert "operating point idle" in changed.err
+    assert "changes nothing" not in run(*words[:3], "--set", "gas.bmep=5 bar").err

@@ -32,6 +32,10 @@ SENTENCES: dict[str, str | Plural] = {
     "gas.not-of-trace": N_(
         "{where} has no effect beside gas.trace, a measured pressure: leave it out"
     ),
+    "gas.warm-beside-trace": N_(
+        "{where} has no effect beside gas.trace, a measured pressure, without variable_gamma or "
+        "wall_temperature: leave it out"
+    ),
     "gas.gamma-twice": N_(
         "{where} is given and so is variable_gamma, by which gamma follows the temperature: leave "
         "one out"
