@@ -288,9 +288,9 @@ SENTENCES: dict[str, str | Plural] = {
         "one out (`crankstar show --explicit`)"
     ),
     "form.drive-line": N_(
-        "this is a drive line without cylinders: `crankstar torsion`, `check`, `export` and the "
-        "charts of torsion take it; an engine needs cylinders in a table [layout], and its discs "
-        "as [[torsion.disc]]"
+        "this is a drive line without cylinders: `crankstar torsion`, `check`, `export --to "
+        "opentorsion` or `ross` and `plot` with torsion-modes or campbell take it; an engine needs "
+        "cylinders in a table [layout], and its discs as [[torsion.disc]]"
     ),
     "layout.missing": N_(
         "{where} is missing; say how the cylinders are arranged in a table [layout] with type = "
