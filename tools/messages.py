@@ -95,6 +95,7 @@ MESSAGE_ERRORS = [
     "NoSuchKeyError",
     "OilFilmError",
     "OutputError",
+    "PackageError",
     "PageError",
     "PrintingError",
     "RemedyError",

@@ -204,12 +204,15 @@ def __getattr__(name: str) -> "Any":
     if name in _MODULES:
         return import_module(f"crankstar.{_MODULES[name]}")
     if not name.startswith("_"):
+        from crankstar.engine.packages import PackageError
         from crankstar.python.functions import function
 
         try:
             globals()[name] = value = function(name)
         except KeyError:
             pass
+        except PackageError as error:
+            raise AttributeError(str(error)) from None
         else:
             return value
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
-from importlib.metadata import EntryPoint, EntryPoints
+from importlib.metadata import EntryPoint
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -108,8 +108,8 @@ RECORD = Analysis(
 @pytest.fixture
 def added(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """One more analysis, as a package that is installed adds it."""
-    point = EntryPoint("piston-speed", f"{__name__}:RECORD", registry.GROUP)
-    monkeypatch.setattr(registry, "_added", lambda: EntryPoints([point]))
+    point = EntryPoint("piston-speed", f"{__name__}:RECORD", registry.added().group)
+    monkeypatch.setattr(registry.added(), "_entries", {"piston-speed": point})
     caches: list[Any] = [registry.names, registry.analysis, registry.measures]
     for cache in caches:
         cache.cache_clear()

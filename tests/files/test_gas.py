@@ -464,7 +464,7 @@ def test_a_file_that_is_no_trace_is_told_with_its_line(
 def test_a_trace_that_is_not_there_is_told(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "mine.toml"
     place.write_text(SHORT + '\n[gas]\ntrace = "nowhere.csv"\n', encoding="utf-8")
-    assert "nowhere.csv, which is not beside" in run("check", str(place)).err
+    assert "nowhere.csv, but there is no file" in run("check", str(place)).err
 
 
 @pytest.mark.release

@@ -22,6 +22,7 @@ from crankstar.cli.options import (
     Output,
     Settings,
     engine_place,
+    mark_load,
     mark_speed,
     once,
     option,
@@ -296,6 +297,10 @@ def _read(record: Analysis, options: dict[str, Any]) -> Read:
     question = record.question.value(**dict(zip(reading, values, strict=False)))
     if record.marks_speed and isinstance(loaded.source, Engine):
         mark_speed(options.get("speed"), loaded.source)
+    if isinstance(loaded.source, Engine) and not getattr(question, "speeds", None):
+        point, at = (getattr(question, name, None) for name in ("point", "speed"))
+        if point or at is not None:
+            mark_load(settings, loaded.source, point=point or "", speed=at)
     return Read(loaded, question, form)
 
 

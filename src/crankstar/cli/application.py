@@ -5,18 +5,21 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Sequence
-from contextlib import suppress
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from itertools import pairwise
+from typing import Any
 
 from cyclopts import App, CycloptsError
 
 from crankstar import __version__
 from crankstar.analysis.registry import NAMES as ANALYSES
-from crankstar.analysis.registry import names
+from crankstar.analysis.registry import added
 from crankstar.cli.complaints import complaint, unwritable
 from crankstar.cli.output import LOST, OutputError, abandon, complain, is_file
 from crankstar.cli.system_language import of_system
+from crankstar.engine.packages import PackageWarning
 from crankstar.files import STANDARD_INPUT
 from crankstar.files.read_files import files_noted
 from crankstar.language import spelling
@@ -128,12 +131,12 @@ def _code(words: list[str]) -> int:
         wanted = _language(words)
         speak(wanted or language(), named=wanted is not None)
         _doubt_encoding()
-        with shown_in(_units(words)), files_noted():
+        with shown_in(_units(words)), files_noted(), _packages_told():
             if not words and _gallery():
                 raise SystemExit(0)
             helping = not words or bool({"--help", "-h"} & set(words))
             if helping or not (words[0].startswith("-") or words[0] in VERBS):
-                _add_verbs()
+                _add_verbs(words)
             if helping:  # only help needs its libraries
                 _prepare_help(words)
             _refuse_source(words)
@@ -159,12 +162,30 @@ def _code(words: list[str]) -> int:
     return code
 
 
-def _add_verbs() -> None:
-    """Have the analyses of other packages as verbs too."""
-    for name in names():
+def _add_verbs(words: Sequence[str]) -> None:
+    """Have the analyses of other packages as verbs too: the one that is asked, or all."""
+    asked = [name for name in added().names() if words[:1] == [name]]
+    for name in asked or added().usable():
         if name not in VERBS:
             VERBS[name] = f"analyses:{name}"
             app.command(f"crankstar.cli.{VERBS[name]}", name=name)
+
+
+@contextmanager
+def _packages_told() -> Iterator[None]:
+    """Have a line on standard error for what another package adds and is skipped."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", PackageWarning)
+        others = warnings.showwarning
+
+        def shown(message: Warning | str, category: type[Warning], *more: Any) -> None:
+            if issubclass(category, PackageWarning):
+                complain(str(message))
+            else:
+                others(message, category, *more)
+
+        warnings.showwarning = shown
+        yield
 
 
 def _prepare_help(words: Sequence[str]) -> None:

@@ -45,16 +45,17 @@ def export(
     ] = None,
 ) -> None:
     """Write an engine for another tool: a script (.py: EXUDYN, openTorsion, ROSS) or solids."""
-    from crankstar.exports import added
+    from crankstar.exports.added import ADDED
 
     if to is not None and to not in ("exudyn", *PROGRAMS):
-        program = request.choice("--to", to, ("exudyn", *PROGRAMS, *added.names()))
+        added = [*ADDED.names()] if to in ADDED.names() else [*ADDED.usable()]
+        program = request.choice("--to", to, ("exudyn", *PROGRAMS, *added))
         request.refuse_unused(
             {"--theta": theta, "--speed": speed, "--reference": reference}, beside=f"--to {program}"
         )
+        export_by = ADDED[program]
         loaded = read_engine(engine, settings, estimate=estimate).engine
-        content = added.export_of(program)(loaded)
-        write_bytes(content.encode() if isinstance(content, str) else content, output)
+        write_bytes(export_by(loaded), output)
         _tell_estimated(loaded)
         return
     form = form_of(output, ("py", "glb", "stl"))

@@ -15,9 +15,11 @@ from cyclopts import Parameter, Token
 
 from crankstar.cli.output import complain
 from crankstar.engine.engine import Engine
-from crankstar.files import engine_of
+from crankstar.engine.gas import LOADS
+from crankstar.files import engine_of, keys_of
 from crankstar.language.messages import MessageError, _
-from crankstar.language.quoting import seen
+from crankstar.language.quoting import one_line, seen
+from crankstar.mechanics.operating_points import operating_state
 from crankstar.options import values as request
 from crankstar.options.sources import Loaded, loaded
 from crankstar.options.values import RequestError
@@ -158,6 +160,25 @@ def mark_speed(speed: str | float | None, *engines: Engine) -> None:
             _(
                 "--speed changes nothing here: without {keys} the results are in m r ω².",
                 keys=", ".join(lacking),
+            )
+        )
+
+
+def mark_load(
+    settings: Sequence[str] | None, engine: Engine, *, point: str, speed: float | None
+) -> None:
+    """Mark a load of the table [gas] that was set and does not count at the point or the speed."""
+    keys = {".".join(map(str, keys_of(text.partition("=")[0]))) for text in settings or ()}
+    unused = sorted(keys & {f"gas.{name}" for name in LOADS})
+    shares = operating_state(engine, point=point, speed=speed).shares if unused else ()
+    counting = [name for name, _share in shares]
+    if counting and "" not in counting:
+        complain(
+            _(
+                "--set {keys} changes nothing here: the load of the table [gas] does not count at "
+                "the operating point {points}.",
+                keys=", ".join(unused),
+                points=", ".join(one_line(name) for name in counting),
             )
         )
 

@@ -2,6 +2,7 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `packages` | what other packages add by entry points; what cannot be loaded is told |
 | `quantities` | types of values: physical quantities with their units, printable text |
 | `cylinder_parts` | the base of all records; a rod, and the parts of a cylinder as weighed |
 | `provenance` | where a value comes from, and its range if it is estimated |
@@ -33,6 +34,7 @@
 | `crankshafts` | weights, bearings and balance shafts that a short file gives its crankshafts |
 | `arrangement` | cylinder places to an Engine: sizes, pins, counterweights |
 | `banks` | banks of cylinders and cranks as an engine file gives them |
+| `added_layouts` | layouts that other packages add, checked |
 | `layouts` | in-line, vee, boxer, radial, tandem, opposed pistons |
 | `weighed` | engines whose masses are published |
 | `proportions` | masses and lengths that an engine of a type usually has |

@@ -75,6 +75,9 @@ def _idle_faults(load: Load, gas: Gas, path: Path) -> Iterator[Fault]:
         for name in given:
             if name in _OF_COMBUSTION:
                 yield Fault((*path, name), "gas.not-of-trace")
+        heated = gas.variable_gamma or gas.wall_temperature is not None
+        if isinstance(load, Gas) and load.intake_temperature is not None and not heated:
+            yield Fault((*path, "intake_temperature"), "gas.warm-beside-trace")
         return
     if isinstance(load, Gas) and load.gamma is not None and load.variable_gamma:
         yield Fault((*path, "gamma"), "gas.gamma-twice")

@@ -11,13 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cache
 from math import cos, pi, sin
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
 from pydantic import Field
 
+from crankstar.engine.added_layouts import added_layouts
 from crankstar.engine.arrangement import Place, ShaftPlace, assembled
 from crankstar.engine.banks import (
     Bank,
@@ -32,13 +32,11 @@ from crankstar.engine.banks import (
 )
 from crankstar.engine.basis import Basis
 from crankstar.engine.engine import Engine
+from crankstar.engine.packages import PackageError
 from crankstar.engine.quantities import Angle, Ordinal, Pitch, Size, SpeedRatio
 from crankstar.engine.records import GREATEST_CYLINDERS, Articulation, Record
 from crankstar.language.faults import EngineError, Fault
 from crankstar.spectra import ROUNDING
-
-if TYPE_CHECKING:
-    from importlib.metadata import EntryPoints
 
 
 class Row(Record):
@@ -342,37 +340,42 @@ class Layouts(Mapping[str, Callable[..., Engine]]):
     """Layouts by name: those of this module, then those that other packages add.
 
     Another package adds one by an entry point of the group `crankstar.layouts`, whose name is that
-    of `layout.type`; these are looked for only where a name is none of this module.
+    of `layout.type`; these are looked for only where a name is none of this module, and those that
+    cannot be used are skipped.
     """
 
     _own: ClassVar[dict[str, Callable[..., Engine]]] = {
         function.__name__: function for function in (inline, vee, boxer, tandem, opposed, radial)
     }
+    _others = added_layouts([*_own])
 
     def __getitem__(self, name: str) -> Callable[..., Engine]:
-        """The layout of a name. Raises KeyError."""
-        return self._own[name] if name in self._own else _added()[name].load()
+        """The layout of a name. Raises PackageError for one that cannot be used, or KeyError."""
+        return self._own[name] if name in self._own else self._others[name]
 
     def __contains__(self, name: object) -> bool:
-        """Whether there is a layout of that name, without loading it."""
-        return name in self._own or name in _added().names
+        """Whether there is a layout of that name that can be used."""
+        try:
+            return isinstance(name, str) and self[name] is not None
+        except (KeyError, PackageError):
+            return False
 
     def __iter__(self) -> Iterator[str]:
         """The names, those of this module first."""
         yield from self._own
-        yield from sorted(_added().names)
+        yield from self._others.usable()
 
     def __len__(self) -> int:
         """How many there are."""
-        return len(self._own) + len(_added())
+        return sum(1 for _name in self)
 
-
-@cache
-def _added() -> EntryPoints:
-    """The entry points of other packages, which are slow to find."""
-    from importlib.metadata import entry_points
-
-    return entry_points(group="crankstar.layouts")
+    def why_not(self, name: str) -> str:
+        """Why what a package adds under this name cannot be used; empty where nothing is wrong."""
+        try:
+            self.get(name)
+        except PackageError as error:
+            return str(error)
+        return ""
 
 
 LAYOUTS = Layouts()

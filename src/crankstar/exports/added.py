@@ -7,27 +7,53 @@ of `crankstar export --to`.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
-from typing import TYPE_CHECKING
+from inspect import signature
 
-if TYPE_CHECKING:
-    from importlib.metadata import EntryPoints
+from crankstar.engine.engine import Engine
+from crankstar.engine.packages import Added, PackageError, Words, told_of
+from crankstar.language.messages import N_, MessageError, _
+from crankstar.language.quoting import given
 
-    from crankstar.engine.engine import Engine
-
-
-def names() -> tuple[str, ...]:
-    """The names of the exports that other packages add."""
-    return tuple(sorted(_added().names))
+PROGRAMS = ("exudyn", "opentorsion", "ross")
+"""The programs for which this package writes an engine itself."""
 
 
-def export_of(name: str) -> Callable[[Engine], str | bytes]:
-    """The function of a name. Raises KeyError for one that none has."""
-    return _added()[name].load()
+def _checked(found: object, words: Words) -> Callable[[Engine], bytes]:
+    """An export of another package, which gives the content of a file. Raises MessageError."""
+    needed = MessageError(
+        _("an export is a function (engine) of an Engine that gives text or bytes")
+    )
+    if not callable(found):
+        raise needed
+    try:
+        signature(found).bind(None)
+    except TypeError:
+        raise needed from None
+
+    def content(engine: Engine) -> bytes:
+        try:
+            made = found(engine)
+            if isinstance(made, str):
+                return made.encode()
+        except MessageError:
+            raise
+        except Exception as error:
+            raise PackageError(
+                "package {package}: its export {name} ends with an error ({why})",
+                **{**words, "why": told_of(error)},
+            ) from error
+        if isinstance(made, bytes):
+            return made
+        raise PackageError(
+            "package {package}: its export {name} gives {made}, where an export gives text or "
+            "bytes",
+            **{**words, "made": given(made)},
+        )
+
+    return content
 
 
-@cache
-def _added() -> EntryPoints:
-    from importlib.metadata import entry_points
-
-    return entry_points(group="crankstar.exports")
+ADDED: Added[Callable[[Engine], bytes]] = Added(
+    "crankstar.exports", N_("export"), PROGRAMS, _checked
+)
+"""The exports of other packages."""

@@ -13,11 +13,12 @@ import json
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from functools import lru_cache
-from typing import Annotated, Any, Literal, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Literal, get_args, get_origin
 
 from pydantic import Field, create_model
 from pydantic.fields import FieldInfo
 
+from crankstar.engine.added_layouts import keys_of
 from crankstar.engine.basis import Basis
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
@@ -42,18 +43,8 @@ def short_form(kind: str | None) -> type[Record]:
             layout=(Annotated[Any, Field(description="how the cylinders are arranged")], {}),
         )
     function = LAYOUTS[kind]
-    hints = get_type_hints(function, include_extras=True)
-    arguments = {
-        name: p
-        for name, p in inspect.signature(function).parameters.items()
-        if p.kind is p.KEYWORD_ONLY
-    }
-    fields: dict[str, Any] = {
-        "type": (Annotated[Literal[kind], Field(description="names the layout")], ...)
-    }
-    for name, parameter in arguments.items():
-        default = ... if parameter.default is parameter.empty else parameter.default
-        fields[name] = (hints[name], default)
+    named: Any = Annotated[Literal[kind], Field(description="names the layout")]
+    fields: dict[str, Any] = {"type": (named, ...), **keys_of(function)}
     layout = create_model(kind.capitalize(), __base__=Record, __doc__=_summary(function), **fields)
     said: Any = Annotated[layout, Field(description="how the cylinders are arranged")]
     return create_model(

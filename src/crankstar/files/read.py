@@ -179,6 +179,8 @@ def _layout_faults(layout: Any) -> list[Fault]:
     kind, path = layout.get("type"), ("layout", "type")
     if isinstance(kind, str) and kind in LAYOUTS:
         return []
+    if isinstance(kind, str) and (why := LAYOUTS.why_not(kind)):
+        return [Fault(path, "layout.of-package", {"why": why})]
     choices = {"value": seen(kind), "choices": list(LAYOUTS)}
     if "type" not in layout:
         return [Fault(path, "layout.type-missing", choices)]
@@ -190,7 +192,7 @@ def _layout_faults(layout: Any) -> list[Fault]:
 def _near_layout(layout: Any) -> str:
     """The layout that a misspelt one means; empty where there is none, or it is not misspelt."""
     kind = layout.get("type") if isinstance(layout, dict) else None
-    if not isinstance(kind, str) or kind in LAYOUTS:
+    if not isinstance(kind, str) or kind in LAYOUTS or LAYOUTS.why_not(kind):
         return ""
     return next(iter(get_close_matches(kind.lower()[:60], LAYOUTS, 1)), "")
 

@@ -38,7 +38,8 @@ def read_tree(path: str | Path, *, name: str | None = None) -> tuple[str, Tree]:
     if raw[:4] in (ZIP, PROTECTED) or str(path).lower().endswith(".xlsx"):
         return name, workbook_tree(raw, name)
     tree = tree_of(_text(raw, name), name=name)
-    return name, with_trace(tree, Path(path).parent, name)
+    folder = Path() if str(path) in _STANDARD_INPUTS else Path(path).parent
+    return name, with_trace(tree, folder, name)
 
 
 def _shown_name(path: str | Path) -> str:

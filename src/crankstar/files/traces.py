@@ -10,6 +10,7 @@ decimal sign.
 from __future__ import annotations
 
 import re
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -56,21 +57,24 @@ def _refused(name: str, code: str, **values: Any) -> EngineFileError:
 
 
 def _text(folder: Path, file: str, name: str) -> str:
-    """The text of a CSV file beside the engine file."""
+    """The text of a CSV file in a folder."""
+    if not file.strip():
+        raise _refused(name, "unnamed")
     shown = one_line(file, longest=80)
     place = folder / file
     try:
-        there = place.is_file()
-        raw = b""
-        if there:
-            with place.open("rb") as opened:
-                note(opened)
-                raw = opened.read(GREATEST_CSV + 1)
+        if place.exists() and not place.is_file():
+            raise _refused(name, "folder" if place.is_dir() else "irregular", file=shown)
+        with place.open("rb") as opened:
+            note(opened)
+            raw = opened.read(GREATEST_CSV + 1)
         text = raw[:GREATEST_CSV].decode("utf-8-sig")
+    except FileNotFoundError:
+        raise _refused(name, "missing", file=shown, place=one_line(str(place.absolute()))) from None
+    except EngineFileError:
+        raise
     except (OSError, ValueError):
         raise _refused(name, "unreadable", file=shown) from None
-    if not there:
-        raise _refused(name, "missing", file=shown)
     if len(raw) > GREATEST_CSV:
         raise _refused(name, "too-large", file=shown, greatest=GREATEST_CSV // 1_000_000)
     return text
@@ -124,7 +128,10 @@ def _cells(line: str, *, semicolons: bool) -> list[str]:
 
 
 def _number(text: str) -> float | None:
-    return float(text) if re.fullmatch(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", text) else None
+    """The number that a cell is; None for another text, and one too large to be counted with."""
+    if not re.fullmatch(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", text):
+        return None
+    return float(text) if isfinite(float(text)) else None
 
 
 def _unit(head: str, quantity: Quantity, usual: str, *, name: str, file: str) -> str:

@@ -288,9 +288,9 @@ SENTENCES: dict[str, str | Plural] = {
         "one out (`crankstar show --explicit`)"
     ),
     "form.drive-line": N_(
-        "this is a drive line without cylinders: `crankstar torsion`, `check`, `export` and the "
-        "charts of torsion take it; an engine needs cylinders in a table [layout], and its discs "
-        "as [[torsion.disc]]"
+        "this is a drive line without cylinders: `crankstar torsion`, `check`, `export --to "
+        "opentorsion` or `ross` and `plot` with torsion-modes or campbell take it; an engine needs "
+        "cylinders in a table [layout], and its discs as [[torsion.disc]]"
     ),
     "layout.missing": N_(
         "{where} is missing; say how the cylinders are arranged in a table [layout] with type = "
@@ -300,5 +300,14 @@ SENTENCES: dict[str, str | Plural] = {
     "layout.type-missing": N_("{where} is missing; it can be {choices}"),
     "layout.type-unknown": N_("{where} is {value}; it can be {choices}"),
     "layout.type-misspelt": N_("{where} is {value}; did you mean {meant}?"),
+    "layout.of-package": N_("{where}: {why}"),
+    "layout.raised": N_(
+        "{where}: package {package}: its layout {name} ends with an error ({why}); that is a "
+        "mistake in the package, not in this file"
+    ),
+    "layout.no-engine": N_(
+        "{where}: package {package}: its layout {name} gives {made}, where a layout gives an "
+        "Engine; that is a mistake in the package, not in this file"
+    ),
 }
 """By code, `{where}` the place; what is wrong first, then what would be right."""

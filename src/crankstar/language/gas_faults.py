@@ -32,6 +32,10 @@ SENTENCES: dict[str, str | Plural] = {
     "gas.not-of-trace": N_(
         "{where} has no effect beside gas.trace, a measured pressure: leave it out"
     ),
+    "gas.warm-beside-trace": N_(
+        "{where} has no effect beside gas.trace, a measured pressure, without variable_gamma or "
+        "wall_temperature: leave it out"
+    ),
     "gas.gamma-twice": N_(
         "{where} is given and so is variable_gamma, by which gamma follows the temperature: leave "
         "one out"
@@ -215,7 +219,10 @@ SENTENCES: dict[str, str | Plural] = {
         "fires, and the peak is within 90 deg of it: add {shift} deg to the angles, or is it the "
         "trace of another cycle?"
     ),
-    "trace.missing": N_("{where} names {file}, which is not beside the engine file"),
+    "trace.unnamed": N_("{where} is an empty name; give that of a CSV file"),
+    "trace.missing": N_("{where} names {file}, but there is no file {place}"),
+    "trace.folder": N_("{where} names {file}, which is a folder"),
+    "trace.irregular": N_("{where} names {file}, which is no regular file"),
     "trace.unreadable": N_("{where} names {file}, which cannot be read as text"),
     "trace.too-large": N_("{where} names {file}, which is larger than {greatest} MB"),
     "trace.no-columns": N_(

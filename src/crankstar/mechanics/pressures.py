@@ -177,8 +177,8 @@ def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
     low, high = 0.0, min(4 * least, greatest)
     if found(low) >= wanted:
         raise GasError(
-            "the load is {load} bar, and without any combustion it is {least} bar; give more, or "
-            "use --motored",
+            "the load is {load} bar, and without any combustion it is {least} bar; give more "
+            "(`crankstar torque --motored` turns the engine without any)",
             load=f"{wanted / 1e5:.4g}",
             least=f"{found(low) / 1e5:.4g}",
         )

@@ -22,7 +22,8 @@ CLOSER, PLACES, ALSO = 16, 6, 8
 class Best(NamedTuple):
     """The best value of a sweep and what it gives.
 
-    `at_edge`: it is an end of the range, and might be better beyond. `flat`: the curve is the same
+    `at_edge`: it is an end of the range, and might be better beyond. `at_gap`: it stands beside
+    values that were asked for and have no result. `flat`: the curve is the same
     all along. `also`: other values that are as good, up to eight. `stretch`: where it is equally
     good from one value to another, these two.
     """
@@ -33,6 +34,7 @@ class Best(NamedTuple):
     flat: bool
     also: tuple[float, ...] = ()
     stretch: tuple[float, float] | None = None
+    at_gap: bool = False
 
 
 def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
@@ -90,8 +92,8 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
     if round_about:
         good = sorted(_within(minimum, low, span) for minimum in good)
     value, result, stretch = good[0]
-    ends = {low, low + span} if not round_about else set[float]()
-    edge = bool({value, *(stretch or ())} & ends)
+    ends, gaps = _bounds(sweep, curve)
+    edge = bool({value, *(stretch or ())} & ends) and not round_about
     return Best(
         value,
         sign * result,
@@ -99,7 +101,17 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
         flat=False,
         also=tuple(minimum[0] for minimum in good[1 : ALSO + 1]),
         stretch=stretch,
+        at_gap=bool({value, *(stretch or ())} & gaps),
     )
+
+
+def _bounds(sweep: Sweep, curve: Curve) -> tuple[set[float], set[float]]:
+    """The ends of the range that have a result, and the values beside which one has none."""
+    order = np.argsort(sweep.values)
+    x, there = sweep.values[order], np.isfinite(curve.values[order])
+    beside = there & ~(np.r_[True, there[:-1]] & np.r_[there[1:], True])
+    ends = {float(x[place]) for place in (0, -1) if there[place]}
+    return ends, {float(value) for value in x[beside]}
 
 
 Minimum = tuple[float, float, tuple[float, float] | None]

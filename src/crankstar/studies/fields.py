@@ -128,8 +128,7 @@ def subject(source: Source, over: Sequence[Varied]) -> Subject:
     shown, tree = source.name, copied(source.tree)
     base = _base(shown, tree)
     tree = _without_others(tree, over)
-    if not over and source.engine is not None:
-        engine = source.engine
+    if not over and (engine := source.engine) is not None:
         return Subject(engine, lambda: engine, ())
     if not over:
         return Subject(base, lambda: files.engine_of(tree, name=shown), ())
@@ -279,17 +278,17 @@ def _check_order(shown: str, tree: dict[str, Any]) -> None:
 
 
 def _base(shown: str, tree: dict[str, Any]) -> Engine | None:
-    """The engine as its file has it, if valid.
-
-    The firing order is taken out of the tree unless throws follow from it.
-    """
+    """The engine as its file has it, if valid. Raises EngineFileError for a drive line."""
+    # a firing order is taken out of the tree unless throws follow from it
     layout = tree.get("layout")
     if not (isinstance(layout, dict) and layout.get("type") == "inline" and "throws" not in layout):
         for key in ("firing_order", "firing_angles"):
             tree.pop(key, None)
     try:
         return files.engine_of(tree, name=shown)
-    except EngineFileError:
+    except EngineFileError as error:
+        if any(fault.code == "form.drive-line" for fault in error.faults):
+            raise
         return None
 
 

@@ -123,7 +123,7 @@ def _doubt(sweep: Sweep, one: Doubted) -> str:
             f"{axis.path} = {value(axis, place)}"
             for axis, place in zip(sweep.axes, one.at, strict=True)
         ),
-        "doubt": one.fault.sentence,
+        "doubt": _ended(one.fault.sentence),
     }
     if len(sweep.axes) == 1 and len(one.places) > 1:
         (axis,) = sweep.axes
@@ -133,12 +133,19 @@ def _doubt(sweep: Sweep, one: Doubted) -> str:
                 low if low == high else _("{low} to {high}", low=low, high=high)
                 for low, high in ends
             )
-            return _("At {at}: {doubt}. So it is at {values}.", **words)
+            return _("At {at}: {doubt} So it is at {values}.", **words)
         [[low, high]] = ends
-        return _("At {at}: {doubt}. So it is from {low} to {high}.", **words, low=low, high=high)
+        return _("At {at}: {doubt} So it is from {low} to {high}.", **words, low=low, high=high)
     if len(one.places) > 1:
-        return _("At {at}, as at others: {doubt}.", **words)
-    return _("At {at}: {doubt}.", **words)
+        return _("At {at}, as at others: {doubt}", **words)
+    return _("At {at}: {doubt}", **words)
+
+
+def _ended(sentence: str) -> str:
+    """A sentence with a full stop, where it does not end with a sign of its own."""
+    return (
+        sentence if sentence.endswith(tuple(".?!。？！")) else _("{sentence}.", sentence=sentence)
+    )
 
 
 def _estimates_note(sweep: Sweep) -> str:

@@ -280,7 +280,8 @@ def best_sentence(
     # Nothing is less than zero, so beyond the end it cannot be better.
     beyond = found.at_edge and (greatest or found.result > FOUND * top)
     edge = _("This is an end of the range; a better value may lie beyond it.") if beyond else ""
-    return passage((best, also, reach, edge))
+    gap = _("Beside it nothing could be computed.") if found.at_gap else ""
+    return passage((best, also, reach, edge, gap))
 
 
 def _bars(curve: Curve) -> str:
