@@ -29,7 +29,9 @@ FOUR: dict[str, Any] = {
 
 
 def roll(rpm: float) -> float:
-    engine = crankstar.load("four.json", changes={"speed": f"{rpm} rpm"})
+    """At a speed, of the ignition that is assumed without one: a low speed alone says Diesel."""
+    changes = {"speed": f"{rpm} rpm", "gas.ignition": "spark"}
+    engine = crankstar.load("four.json", changes=changes)
     own = spectra.selected(roll_of(engine, cycle(engine)), [2.0])
     return float(np.abs(spectra.amplitude(own))[0])
 

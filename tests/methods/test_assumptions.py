@@ -401,17 +401,9 @@ def test_a_pressure_that_is_assumed_moves_the_roll_beside_which_it_stands(
     assert sorted((own.moved.low, own.moved.high)) == pytest.approx(sorted(sizes[1:]), rel=1e-6)
 
 
-@pytest.mark.many(first=3)
-@pytest.mark.parametrize(
-    ("verb", "begins"),
-    [
-        ("analyze", "gas: "),
-        ("bearings", "Not in the loads: gas ("),
-        ("torsion", "Not in the forced vibration: gas ("),
-    ],
-)
+@pytest.mark.parametrize("verb", ["analyze", "bearings", "torsion"])
 def test_gas_that_cannot_be_computed_says_what_would_put_it_in(
-    run: Run, verb: str, begins: str, tmp_path: Path
+    run: Run, verb: str, tmp_path: Path
 ) -> None:
     torsion_table = {
         "inertia": "0.02 kg*m^2",
@@ -423,7 +415,7 @@ def test_gas_that_cannot_be_computed_says_what_would_put_it_in(
     del tree["cylinder"]["bore"]  # type: ignore[attr-defined]
     (tmp_path / "one.json").write_text(json.dumps(tree), encoding="utf-8")
     told = " ".join(run(verb, "one.json").out.split())
-    assert f"{begins}gas forces need the bore: give cylinder.bore" in told
+    assert "gas: gas forces need the bore: give cylinder.bore in the engine file. With" in told
 
 
 @pytest.mark.parametrize(

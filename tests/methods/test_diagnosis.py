@@ -349,7 +349,7 @@ def test_faults_that_an_engine_cannot_have_are_refused() -> None:
         shaken(four(), [Fault("weight", 5)], speed=SPEED)
     with pytest.raises(DiagnosisError, match="add \\[gas\\]"):
         shaken(load("subaru-ej25"), [Fault("combustion", 1)], speed=SPEED)
-    with pytest.raises(DiagnosisError, match="no masses or sizes"):
+    with pytest.raises(DiagnosisError, match="give cylinder\\.stroke"):
         shaken(load("i4"), [Fault("piston", 1)], speed=SPEED)
 
 
