@@ -18,8 +18,8 @@ MOST_TOLD = 5
 """Sentences of their own, at most, beside those on choices of two; the others are named."""
 
 
-def assumption_lines(found: Sequence[Assumption]) -> list[str]:
-    """The sentences on what an answer rests on.
+def assumption_lines(found: Sequence[Assumption], *, most: int = MOST_TOLD) -> list[str]:
+    """The sentences on what an answer rests on, of at `most` so many with ranges one each.
 
     >>> from crankstar.files.catalog import load
     >>> from crankstar.studies.answers import amplitudes, rests_on
@@ -29,7 +29,7 @@ def assumption_lines(found: Sequence[Assumption]) -> list[str]:
 With 182 g to 529 g, and a throw_mass of 205 g to 461 g, the couple of order 1 is 747 to 1260 N m, \
 not 418 N m.
     """
-    return [line for line, _of in _told(found)]
+    return [line for line, _of in _told(found, most)]
 
 
 def leading_lines(found: Sequence[Assumption]) -> tuple[list[str], int]:
@@ -79,7 +79,9 @@ def _is_absent(found: Sequence[Assumption]) -> bool:
     return all(each.status in FIRST and each.moved is None for each in found)
 
 
-def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
+def _told(
+    found: Sequence[Assumption], count: int = MOST_TOLD
+) -> list[tuple[str, list[Assumption]]]:
     """The sentences, each with the assumptions that it is about.
 
     Parts that are not modelled and doubts of no known size stand first, then all by its effect; a
@@ -89,7 +91,7 @@ def _told(found: Sequence[Assumption]) -> list[tuple[str, list[Assumption]]]:
     parts = _together(found, "not modelled")
     large = [each for each in found if each not in doubtful]
     large = [each for each in large if each.effect >= TOLD or _lifts(each) or _is_doubt(each)]
-    most = [each for each in large if not each.named and not _is_doubt(each)][:MOST_TOLD]
+    most = [each for each in large if not each.named and not _is_doubt(each)][:count]
     told = [each for each in large if each.named or _is_doubt(each) or each in most]
     lines = [*parts, *((_line(each), [each]) for each in doubtful)]
     rest = [each for each in found if each not in (*told, *doubtful)]

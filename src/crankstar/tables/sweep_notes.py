@@ -21,6 +21,8 @@ from crankstar.tables import ranges
 from crankstar.tables.assumptions import assumption_facts, assumption_lines
 from crankstar.tables.conditions import missing_sentence, unit_sentence
 
+MOST_BEYOND = 3
+"""Of what matters more at the other end of a range so many have a sentence each."""
 SIZES = {"bore", "stroke", "rod_length"}
 """Dimensions of a cylinder from which masses are estimated."""
 
@@ -65,7 +67,8 @@ def rested(document: Document, sweep: Sweep, curves: Sequence[Curve]) -> Documen
     at, more = more_beyond(sweep, curves, found)
     if not more:
         return out
-    lines = (_("With {values} these move more:", values=at), *assumption_lines(more))
+    told = assumption_lines(more, most=MOST_BEYOND)
+    lines = (_("With {values} these move more:", values=at), *told)
     rows = [{"at": at, **row} for row in assumption_facts(more)["rests_on"]]
     doubts = [isinstance(part, Remarks) and part.kind == "doubt" for part in out.parts]
     place = doubts.index(True) + 1 if True in doubts else 0
