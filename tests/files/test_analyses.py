@@ -145,6 +145,7 @@ def test_one_that_fails_is_named_with_its_package(
     words = f"package {__name__}: its analysis piston-speed fails (ZeroDivisionError: division by"
     assert failed.code == 2
     assert words in failed.err
+    assert words in run("report", "audi-25-tfsi", "-o", "-").err
     with pytest.raises(ZeroDivisionError):
         function("piston_speed")("audi-25-tfsi")
 
