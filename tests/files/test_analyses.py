@@ -20,8 +20,10 @@ from crankstar.analysis.reader import asked
 from crankstar.analysis.record import Analysis, Later
 from crankstar.cli import application
 from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import LAYOUTS
 from crankstar.options import readers
 from crankstar.options.vocabulary import OPTIONS
+from crankstar.python.functions import function
 
 PACKAGE = Path(registry.__file__).parents[1]
 HOSTS = (
@@ -129,6 +131,32 @@ def test_an_analysis_of_another_package_is_a_command_and_a_section_of_the_report
     assert (refused.code, refused.err.count("\n")) == (2, 1)
     written = run("report", "audi-25-tfsi", "-o", "-").out
     assert "mean piston speed" in written
+
+
+@pytest.mark.usefixtures("added")
+def test_one_that_fails_is_named_with_its_package(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(_engine: Engine, _question: Question) -> float:
+        raise ZeroDivisionError("division by zero")
+
+    monkeypatch.setitem(RECORD.compute.__dict__, "value", fails)
+    failed = run("piston-speed", "audi-25-tfsi")
+    words = f"package {__name__}: its analysis piston-speed fails (ZeroDivisionError: division by"
+    assert failed.code == 2
+    assert words in failed.err
+    assert words in run("report", "audi-25-tfsi", "-o", "-").err
+    with pytest.raises(ZeroDivisionError):
+        function("piston_speed")("audi-25-tfsi")
+
+
+def test_a_layout_of_a_package_has_no_template(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    point = EntryPoint("helix", "crankstar.engine.layouts:inline", "crankstar.layouts")
+    monkeypatch.setattr(LAYOUTS._others, "_entries", {"helix": point})
+    monkeypatch.setattr(LAYOUTS._others, "_found", {})
+    refused = run("new", "helix")
+    assert "a package adds this layout, which has no template" in refused.err
+    assert "choose from inline" in run("new", "helic").err
 
 
 def test_what_does_not_go_together_is_refused_next_to_what_cannot_be_read(

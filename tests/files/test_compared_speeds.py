@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from math import pi
 from pathlib import Path
 from typing import Any
@@ -101,3 +102,16 @@ def test_a_speed_of_the_file_is_not_assumed_and_the_largest_effect_stands_first(
     assert sum(line.startswith("speed: ") for line in head) == 2
     largest = max((each for every in found for each in every), key=lambda each: each.effect)
     assert any(line.startswith(f"{largest.path}: ") for line in head)
+
+
+def test_a_speed_that_no_file_has_is_called_estimated(tmp_path: Path, run: Run) -> None:
+    trees = {"one": _tree("one", "3000 rpm"), "two": _tree("two", None)}
+    for name, tree in trees.items():
+        (tmp_path / f"{name}.json").write_text(json.dumps(tree), encoding="utf-8")
+    out = " ".join(run("compare", "one.json", "two.json", "--estimate").out.split())
+    said = r"Each at the speed of its file: one: 3000 rpm; two: (\d+) rpm, estimated\."
+    found = re.search(said, out)
+    assert found is not None
+    assert 10 < 2 * 0.084 * int(found[1]) / 60 < 25  # m/s, the mean piston speed of any engine
+    alone = " ".join(run("compare", "two.json", "two.json", "--estimate").out.split())
+    assert "the speed of each file" not in alone

@@ -1,6 +1,7 @@
 """What answers with gas rest on, and those without it: each size by the file that has the value."""
 
 import json
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ from tests.lacking import FIVE, GENSET
 from tests.marine import WEIGHTED, marine_engine
 
 from crankstar.files import engine_of, toml
+from crankstar.files.catalog import load
 from crankstar.mechanics.gas import cycle
 from crankstar.studies.answer_parts import narrowed
 from crankstar.studies.answers import amplitudes, rests_on, torques
@@ -244,3 +246,49 @@ def test_the_size_of_gas_needs_a_bore(tmp_path: Path, run: Run) -> None:
     file = written(tmp_path, {**FIVE, "cylinder": sizes})
     out = run("analyze", file).out
     assert "Not in the rolling moment: gas (its size needs cylinder.bore)." in out
+
+
+def test_a_speed_that_is_not_certain_leaves_the_load(run: Run) -> None:
+    """The load of [gas] has the speed of the file, as an operating point with another load has.
+
+    A per cent of the speed changes neither: the indicated torque is p V / (4 pi) at every speed,
+    and of the torque at the flywheel only the friction, by Barnes-Moss, depends on the speed.
+    """
+    swept = run(
+        "sweep", "audi-25-tfsi", "--over", "gas.imep=5..12bar/3",
+        "--quantity", "mean_torque", "--json",
+    )  # fmt: skip
+    assert [row["path"] for row in json.loads(swept.out)["rests_on"]].count("speed") == 0
+    engine = load("audi-25-tfsi", changes={"gas.imep": "12 bar"})
+    rated = 6500 * np.pi / 30
+    volume = 5 * np.pi / 4 * 0.0825**2 * 0.0928
+    thousands = 6.5 * np.array([0.99, 1.0, 1.01])
+    friction = (0.97 + 0.15 * thousands + 0.05 * thousands**2) * 1e5
+    brake = (12e5 - friction) * volume / (4 * np.pi)
+    at_own = narrowed(torques(engine, cycle, running=False), ["brake torque"])
+    moved = {each.path: each.moved for each in rests_on(engine, at_own)}["speed"]
+    assert moved is not None
+    assert [moved.high, moved.now, moved.low] == pytest.approx(brake, rel=1e-9)
+    asked = torques(engine, partial(cycle, speed=rated), running=False)
+    assert {each.path for each in rests_on(engine, asked) if each.effect} & {"speed"} == set()
+
+
+@pytest.mark.parametrize("speed", [5300, 6000])
+def test_an_asked_speed_leaves_the_load_between_two(speed: float) -> None:
+    """The gas between two loads depends on the speeds of these, not on that of the file."""
+    engine = load("audi-25-tfsi", changes={"gas.imep": "12 bar"})
+    asked = torques(engine, partial(cycle, speed=speed * np.pi / 30), running=False)
+    assert not [each for each in rests_on(engine, asked) if each.path == "speed" and each.effect]
+
+
+def test_a_point_at_the_speed_of_the_file_goes_along() -> None:
+    """The brake load of the point is that of the file at each speed: its torque stays."""
+    engine = load("audi-25-tfsi")
+    answer = narrowed(torques(engine, cycle, running=False), ["brake torque", "mean torque"])
+    moved = {each.path: each.moved for each in rests_on(engine, answer)}["speed"]
+    assert moved is not None
+    thousands = 6.5 * np.array([0.99, 1.01])
+    friction = (0.97 + 0.15 * thousands + 0.05 * thousands**2) * 1e5
+    volume = 5 * np.pi / 4 * 0.0825**2 * 0.0928
+    mean = (18.608e5 + friction) * volume / (4 * np.pi)
+    assert (moved.quantity, [moved.low, moved.high]) == ("mean torque", pytest.approx(mean))

@@ -191,3 +191,21 @@ def test_the_loads_of_the_array_are_as_great_as_the_table_says() -> None:
     turning = np.exp(1j * orders.order * math.radians(33.0))
     there = (orders.vertical * turning).sum("order").values.real
     assert there == pytest.approx(found.to_xarray().vertical.sel(theta_deg=33.0).values, rel=1e-9)
+
+
+def test_the_arrays_of_a_torque_say_what_was_asked_and_what_they_are() -> None:
+    """The spectra are those of the table by order; gas and inertia add up to both together."""
+    found = crankstar.torque("audi-25-tfsi", off=[2], point="most torque")
+    data, waves = found.to_xarray(), found.to_xarray("spectra")
+    assert list(data.attrs["off"]) == [2]
+    assert (data.attrs["point"], data.attrs["speed_rpm"]) == ("most torque", 5300.0)
+    assert data.torque.attrs == {"units": "N*m", "long_name": "gas torque"}
+    assert (waves.gas + waves.inertia).values == pytest.approx(waves.together.values, rel=1e-9)
+    whole = data.torque.sum("chamber").sel(order=2.5).item()
+    assert waves.gas.sel(order=2.5).item() == pytest.approx(whole, rel=1e-9)
+    assert {one.attrs["units"] for one in waves.data_vars.values()} == {"N*m"}
+    assert waves["roll"].attrs["long_name"] == "rolling moment on the block"
+    assert found.to_xarray("pressure").theta_deg.attrs["units"] == "deg"
+    motored = crankstar.torque("audi-25-tfsi", motored=True).to_xarray()
+    assert motored.attrs["motored"] == 1
+    assert "off" not in motored.attrs

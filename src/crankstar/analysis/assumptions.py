@@ -130,7 +130,9 @@ class Answer:
     out; `gasless` is the sentence on what gas is missing in where it is not known, empty where gas
     does not belong to the answer; `why_gasless` says why it is not in it though the file has some;
     `choices` are those that the answer makes itself, with figures of their own. `tunings` are the
-    natural frequencies of an answer that resonates.
+    natural frequencies of an answer that resonates. `shown` are the key paths of assumed values
+    that its tables show, or that go into a table of none of the figures: they are told also where
+    no figure moves by them.
     """
 
     figures: Callable[[Engine], Figures]
@@ -144,6 +146,7 @@ class Answer:
     why_gasless: str = ""
     choices: Sequence[Assumption] = ()
     tunings: Sequence[Tuning] = ()
+    shown: Collection[str] = ()
 
 
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:
@@ -160,7 +163,9 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
         own = each if each.vary is None else _varied(engine, each, (now, least), answer)
         most = own.moved
         if most is not None and most.effect < SIGNIFICANT and not most.lifting:
-            if each.status != "doubtful" or most.effect < UNMOVED:
+            if each.path in answer.shown:
+                own = replace(each, moved=None)
+            elif each.status != "doubtful" or most.effect < UNMOVED:
                 continue
         elif most is not None and _goes_alone(engine, each, most, answer):
             own = replace(each.alone or each, moved=most)

@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from crankstar.analysis.record import Grid
 
 
+AXIS_UNITS = {"deg": "deg", "rpm": "rpm", "hz": "Hz"}
+"""The unit of an axis by the end of its name."""
+
+
 def with_unit(name: str, unit: str) -> str:
     """The name of a column that says its unit.
 
@@ -43,9 +47,21 @@ def frame(heads: list[str], rows: list[list[Any]], facts: Mapping[str, Any]) -> 
 
 
 def dataset(grid: Grid, facts: Mapping[str, Any]) -> xarray.Dataset:
-    """A grid as a data set, units in the attrs of its variables. Raises ImportError."""
+    """A grid as a data set, units in the attrs of variables and axes. Raises ImportError."""
+
+    def said(name: str, unit: str) -> dict[str, str]:
+        own = {"units": unit, "long_name": grid.words.get(name, "")}
+        return {key: text for key, text in own.items() if text}
+
     variables = {
-        name: (axes, values, {"units": unit} if unit else {})
+        name: (axes, values, said(name, unit))
         for name, (axes, values, unit) in grid.variables.items()
     }
-    return library("xarray").Dataset(variables, {**grid.axes}, {**facts})
+    axes = {
+        name: (
+            *(values if isinstance(values, tuple) else (name, values)),  # of another axis
+            said(name, AXIS_UNITS.get(name.rpartition("_")[2], "")),
+        )
+        for name, values in grid.axes.items()
+    }
+    return library("xarray").Dataset(variables, axes, {**facts})

@@ -7,7 +7,7 @@ functions behind it are loaded when they are needed.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
 from types import ModuleType
@@ -125,11 +125,12 @@ class Grid:
 
     `axes`: the values along each, by its name, which ends in their unit. `variables`: the names of
     their axes, the array and its unit, by name; a complex amplitude c is that of
-    Re(c exp(i order theta)).
+    Re(c exp(i order theta)). `words`: what variables are, where their name does not say it.
     """
 
     axes: Mapping[str, Any]
     variables: Mapping[str, tuple[tuple[str, ...], Any, str]]
+    words: Mapping[str, str] = field(default_factory=dict[str, str])
 
 
 @dataclass(frozen=True)

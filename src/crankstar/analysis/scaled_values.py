@@ -11,6 +11,7 @@ lengths of rods by the stroke.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import isclose
 
 from crankstar.analysis.changed_masses import (
     Vary,
@@ -20,6 +21,9 @@ from crankstar.analysis.changed_masses import (
 )
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import OperatingPoint
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.operating_points import operating_state
 
 
 def _all(field: str) -> Vary:
@@ -136,10 +140,50 @@ def _of_throws(field: str) -> Vary:
     return vary
 
 
-def _speed(engine: Engine, factor: float) -> Engine:
-    if engine.speed is None:
-        return engine
-    return with_values(engine, speed=engine.speed * factor)
+def speed_value(gas: Cycle | None) -> Vary:
+    """The change of the speed by a factor, at which the load that an answer was made with counts.
+
+    Of an answer of `gas` at the speed of the file, or at one that was asked for and is the same,
+    that load counts at both: at the speed as it was and as it is then. At any other speed that was
+    asked for the loads stay at the speeds where they are.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.gas import cycle
+    >>> five = load("audi-25-tfsi")  # full at 6500 rpm, most torque at 5300
+    >>> less = speed_value(cycle(five))(five, 0.99)
+    >>> [round(cycle(each).bmep / 1e5, 3) for each in (five, less)]
+    [18.608, 18.608]
+    """
+
+    def vary(engine: Engine, factor: float) -> Engine:
+        own, now = engine.gas, engine.speed
+        if now is None:
+            return engine
+        if own is not None and gas is not None and own.speed is None:
+            changed = with_values(own, speed=now)
+            if gas.speed is not None and isclose(gas.speed, now, rel_tol=1e-9):
+                changed = with_values(own, points=(_same_load(engine, factor), *own.points))
+            engine = with_values(engine, gas=changed)
+        return with_values(engine, speed=now * factor)
+
+    return vary
+
+
+def _same_load(engine: Engine, factor: float) -> OperatingPoint:
+    """A point of the load that counts at the speed of an engine, at the other of two speeds.
+
+    A load without a speed of its own goes along with that of the engine, times the `factor`: the
+    point is at that speed as it was. Of another load it is the reverse.
+    """
+    own, now = engine.gas, engine.speed
+    assert own is not None and now is not None  # noqa: S101, PT018  # there is a load at a speed
+    counted = operating_state(engine, speed=now).point
+    point = next((each for each in own.points if each.name == counted), None)
+    name = f"{''.join(each.name for each in own.points)}'"
+    if point is None:
+        return OperatingPoint(name=name, speed=now)
+    at = now if point.speed is None else now * factor
+    return with_values(point, name=name, speed=at)
 
 
 def _gas_value(name: str) -> Vary:
@@ -154,7 +198,6 @@ def _gas_value(name: str) -> Vary:
 
 
 SCALED: Mapping[str, Vary] = {
-    "speed": _speed,
     "cylinder.bore": _bore,
     "cylinder.stroke": _stroke,
     "cylinder.rod_length": _all("rod_length"),
@@ -166,4 +209,4 @@ SCALED: Mapping[str, Vary] = {
     "gas.intake_pressure": _gas_value("intake_pressure"),
     "gas.gamma": _gas_value("gamma"),
 }
-"""How the engine changes where a value of its file is multiplied by a factor."""
+"""How the engine changes where a value of its file is multiplied by a factor; the speed apart."""

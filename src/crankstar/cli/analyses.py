@@ -14,7 +14,7 @@ from cyclopts import Parameter
 
 from crankstar.analysis.reader import Asked, asked, being_read, readings
 from crankstar.analysis.record import Analysis, Writes
-from crankstar.analysis.registry import analysis
+from crankstar.analysis.registry import added, analysis
 from crankstar.cli.options import (
     Csv,
     Estimating,
@@ -182,7 +182,7 @@ def _draw(record: Analysis, read: Read, output: str | None) -> None:
     title = _(record.picture.title, engine=source.name)
     plain = dict.fromkeys(("theme", "width", "height", "dpi", "font_size"))
     look = chart_request.paper(read.form, **plain)
-    with _shown(record, 1) as tell:
+    with added().running(record.name), _shown(record, 1) as tell:
         result = _computed(record, source, read.question, tell)
         draw = partial(record.picture.draw.value, result, read.question)
         printed = drawing.printed(draw, look, title=title)
@@ -196,6 +196,12 @@ def _document(record: Analysis, read: Read) -> tuple[Document, Any]:
 
     The work is shown meanwhile.
     """
+    with added().running(record.name):
+        return _documented(record, read)
+
+
+def _documented(record: Analysis, read: Read) -> tuple[Document, Any]:
+    """The same, with whatever the analysis raises."""
     source, spread, question = read.loaded.source, read.loaded.spread, read.question
     if isinstance(source, Chain):
         with working(_(record.doing)):

@@ -155,8 +155,11 @@ def new(
     overwrite: Annotated[bool, option("--overwrite")] = False,
 ) -> None:
     """Write a commented engine file to start from, in TOML or as a spreadsheet (.xlsx)."""
+    from crankstar.engine.layouts import LAYOUTS
     from crankstar.files.starters import STARTERS
 
+    if layout not in STARTERS and layout in LAYOUTS:
+        raise refusal("layout", layout, "a package adds this layout, which has no template")
     choice("layout", layout, STARTERS)
     if output is not None and not overwrite and is_file(output):
         raise refusal("-o", output, "it already exists; --overwrite replaces it")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Collection, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 from crankstar.language.messages import MessageError, _
@@ -61,6 +62,25 @@ class Added(Generic[T]):
         if isinstance(found, PackageError):
             raise found
         return found
+
+    @contextmanager
+    def running(self, name: str) -> Iterator[None]:
+        """Run what has the name: whatever it raises by itself is a PackageError.
+
+        Of names of this package nothing is changed.
+        """
+        try:
+            yield
+        except MessageError:
+            raise
+        except Exception as error:
+            if name in self.taken or name not in self._by_name():
+                raise
+            raise PackageError(
+                "package {package}: its {kind} {name} fails ({why})",
+                **self._words(self._by_name()[name]),
+                why=told_of(error),
+            ) from error
 
     def usable(self) -> Iterator[str]:
         """The names of all that can be used; the others are told of, each once in a process."""

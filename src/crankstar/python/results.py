@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard, cast
 
 import numpy as np
 
@@ -242,8 +242,12 @@ class Result:
         facts = {
             key: value
             for key, value in self._numbers.facts.items()
-            if isinstance(value, str | int | float) and key != "format"
+            if (isinstance(value, str | int | float) and key != "format") or _is_list(value)
         }
+        for one in asked(type(self.question)):  # what was asked for, where no fact says it
+            value = getattr(self.question, one.name)
+            if value != one.default and (isinstance(value, str | bool) or _is_list(value)):
+                facts.setdefault(one.name, int(value) if isinstance(value, bool) else value)
         return Part(name, records, self.tables.get(name), self.grids.get(name), facts)
 
     def __getattr__(self, name: str) -> Any:
@@ -283,3 +287,10 @@ def _again(name: str, *parts: Any) -> Result:
     from crankstar.analysis.registry import analysis
 
     return Result(analysis(name), *parts)
+
+
+def _is_list(value: Any) -> TypeGuard[Sequence[float]]:
+    """Whether it is a list of numbers that is not empty, as a data set has among its attributes."""
+    if not isinstance(value, list | tuple) or not value:
+        return False
+    return all(isinstance(each, int | float) for each in cast("Sequence[object]", value))

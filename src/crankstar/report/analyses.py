@@ -6,6 +6,7 @@ from typing import Any
 
 from crankstar.analysis.document import Remarks, Table
 from crankstar.analysis.record import Analysis, Figure
+from crankstar.analysis.registry import added
 from crankstar.language.messages import _
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
@@ -14,7 +15,15 @@ from crankstar.tables.html import paragraph
 
 
 def section_of(record: Analysis, subject: Subject, gallery: Gallery) -> str:
-    """Empty where the engine file lacks what the analysis is of."""
+    """Empty where the engine file lacks what the analysis is of.
+
+    Raises PackageError where that of another package fails.
+    """
+    with added().running(record.name):
+        return _section_of(record, subject, gallery)
+
+
+def _section_of(record: Analysis, subject: Subject, gallery: Gallery) -> str:
     if not record.tells(subject.engine, subject.at):
         return ""
     question = record.question.value(speed=subject.at)

@@ -25,7 +25,7 @@
 | `judged_orders` | firing orders by the stress and the bearing loads that they make |
 | `sweep` | one or two values of an engine file varied, and what becomes of its quantities |
 | `sweep_answers` | what the results of a sweep rest on, at one of its values |
-| `sweep_doubts` | values of a sweep at which hardly any engine runs |
+| `sweep_doubts` | values of a sweep at which hardly any engine runs, or fires otherwise |
 | `best_value` | the least or greatest of a curve, refined between its points |
 | `best_pair` | the best pair of two values, and the pairs that none beats in two results |
 | `pitch_errors` | errors of the distances between cylinders |

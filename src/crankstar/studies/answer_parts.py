@@ -90,6 +90,7 @@ def narrowed(
         made,
         figures=lambda engine: made.figures(engine) or nothing,
         given={*answer.given, *given},
+        shown=(),
         choices=[
             each for each in made.choices if each.moved is None or each.moved.quantity in quantities
         ],

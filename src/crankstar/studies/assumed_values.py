@@ -25,7 +25,7 @@ from crankstar.analysis.changed_values import (
     with_rear_disc,
     with_torsion_value,
 )
-from crankstar.analysis.scaled_values import SCALED
+from crankstar.analysis.scaled_values import SCALED, speed_value
 from crankstar.dynamics.uneven_doubts import uneven_doubts
 from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.block import inertia_in_box
@@ -336,7 +336,7 @@ def _unverified(engine: Engine, answer: Answer) -> Iterator[Assumption]:
         point = POINT.fullmatch(path)
         if point is not None and gas is not None and not _is_of(engine, gas, point[1]):
             continue
-        vary = SCALED.get(path)
+        vary = speed_value(gas) if path == "speed" else SCALED.get(path)
         if point is not None:
             vary = point_value(point[2], gas, int(point[1]) if point[1] else None)
         if origin.status in DOUBTFUL:

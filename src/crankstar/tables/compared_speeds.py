@@ -34,9 +34,10 @@ def speed_head(
     own = [_rounded(engine.speed) for engine in engines]
     if None in at:
         return ""
-    told = "; ".join(map(_told, names, own))
+    guessed = [_estimated(engine) for engine in engines]
+    told = "; ".join(map(_told, names, own, guessed))
     if at == own:
-        kind = "same" if len({*at}) == 1 else "own"
+        kind = "same" if len({*at}) == 1 and not any(guessed) else "own"
         return _(HEADS[kind], rpm=_rpm(at[0]), speeds=told)
     none = not any(own)
     kind = "asked, none" if none else "asked"
@@ -45,9 +46,17 @@ def speed_head(
     return _(HEADS[kind], rpm=_rpm(at[0]), speeds=told)
 
 
-def _told(name: str, speed: float | None) -> str:
+def _estimated(engine: Engine) -> bool:
+    """Whether a speed is not that of a file but one of such engines."""
+    origin = engine.provenance.get("speed")
+    return engine.speed is not None and origin is not None and origin.status == "estimated"
+
+
+def _told(name: str, speed: float | None, estimated: bool) -> str:
     if speed is None:
         return _("{engine}: none", engine=name)
+    if estimated:
+        return _("{engine}: {rpm} rpm, estimated", engine=name, rpm=_rpm(speed))
     return _("{engine}: {rpm} rpm", engine=name, rpm=_rpm(speed))
 
 

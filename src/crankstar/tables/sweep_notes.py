@@ -16,7 +16,7 @@ from crankstar.studies.answers import rests_on
 from crankstar.studies.gas_results import GAS_WATCHABLE
 from crankstar.studies.sweep import Axis, Curve, Sweep
 from crankstar.studies.sweep_answers import judged, more_beyond
-from crankstar.studies.sweep_doubts import Doubted, doubted
+from crankstar.studies.sweep_doubts import Doubted, Ignited, doubted, ignited
 from crankstar.tables import ranges
 from crankstar.tables.assumptions import assumption_facts, assumption_lines
 from crankstar.tables.conditions import missing_sentence, unit_sentence
@@ -86,7 +86,44 @@ def doubt_sentences(sweep: Sweep, curves: Sequence[Curve]) -> list[str]:
         if curve.gaps:
             alike.setdefault(tuple(gap.place for gap in curve.gaps), []).append(curve)
     gaps = [_gaps(sweep, own) for own in alike.values()]
-    return [*gaps, *(_doubt(sweep, one) for one in doubted(sweep, curves))]
+    own = ignited(sweep, curves)
+    changes = [] if own is None else [_ignited(sweep, own)]
+    return [*gaps, *changes, *(_doubt(sweep, one) for one in doubted(sweep, curves))]
+
+
+def _ignited(sweep: Sweep, own: Ignited) -> str:
+    """From which value on, or at which pair of values, another ignition is assumed."""
+
+    def at(place: Sequence[int]) -> str:
+        return ", ".join(
+            f"{axis.path} = {number(float(axis.values[index]))} {axis.unit}".strip()
+            for axis, index in zip(sweep.axes, place, strict=True)
+        )
+
+    words = {"also": ", ".join(f"gas.{name}" for name in own.also)}
+    if len(sweep.axes) > 1:
+        first, other = own.runs[:2]
+        return _(
+            "gas.ignition is not in the file: {ignition} is assumed at {at}, {other} at {then}, "
+            "and with it other values of {also}.",
+            ignition=first[2], at=at(first[0]), other=other[2], then=at(other[0]), **words,
+        )  # fmt: skip
+    axis = next(iter(sweep.axes))
+    ranges: list[str] = []
+    for (low,), (high,), fires in own.runs:
+        first, last = (
+            f"{number(float(axis.values[each]))} {axis.unit}".strip() for each in (low, high)
+        )
+        if low == high:
+            ranges.append(_("{ignition} at {value}", ignition=fires, value=first))
+        else:
+            ranges.append(
+                _("{ignition} from {low} to {high}", ignition=fires, low=first, high=last)
+            )
+    return _(
+        "gas.ignition is not in the file: assumed is {ranges}, and with it other values of {also}.",
+        ranges=", ".join(ranges), **words,
+    )  # fmt: skip
 
 
 def _gaps(sweep: Sweep, curves: Sequence[Curve]) -> str:

@@ -22,12 +22,13 @@ from crankstar.tables.torque import Wheel, torque_document
 
 @dataclass(frozen=True)
 class Torque:
-    """A cycle, how evenly the engine runs, the flywheel that was asked for, torques at loads."""
+    """A cycle of an engine, how evenly it runs, the flywheel asked for, torques at loads."""
 
     cycle: Cycle
     running: Running | None
     wheel: Wheel | None
     loads: LoadedTorques | None
+    engine: Engine
 
 
 def compute(engine: Engine, asked: Question) -> Torque:
@@ -40,7 +41,7 @@ def compute(engine: Engine, asked: Question) -> Torque:
     if asked.tangential:
         at = {"point": found.name, "speed": found.speed}
         loads = torques_at_loads(engine, imep=asked.tangential, **at)
-    return Torque(found, running, _wheel(engine, found, asked.irregularity), loads)
+    return Torque(found, running, _wheel(engine, found, asked.irregularity), loads, engine)
 
 
 def _burnt(engine: Engine, asked: Question) -> Cycle:

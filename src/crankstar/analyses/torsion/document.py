@@ -411,13 +411,18 @@ def _assumed(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
         )
     if "torsion.dimensions.shear_modulus" in found.chain.assumed:
         lines.append(_("Shear modulus: {value} GPa, assumed.", value=number(STEEL / 1e9)))
-    if any(name.endswith("loss_factor") for name in found.chain.assumed) and found.response:
-        lines.append(
-            _(
-                "Loss factor of the shafts: {value}, assumed; amplitudes at resonance go with it.",
-                value=number(LOSS_FACTOR),
+    if any(name.endswith("loss_factor") for name in found.chain.assumed):
+        value = number(LOSS_FACTOR)
+        if found.response is None:
+            lines.append(_("Assumed: {paths}.", paths=f"loss_factor ({value})"))
+        else:
+            lines.append(
+                _(
+                    "Loss factor of the shafts: {value}, assumed; amplitudes at resonance go with "
+                    "it.",
+                    value=value,
+                )
             )
-        )
     if found.cycle is not None and isinstance(source, Engine):
         lines += assumed_notes(source, found.cycle)
     return lines

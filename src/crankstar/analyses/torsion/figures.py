@@ -88,6 +88,7 @@ def twist(
         least=least,
         choices=[lacking] if lacking else [],
         tunings=tunings,
+        shown=["torsion.loss_factor"],  # among the shafts, and the heat of damping goes with it
     )
 
 
