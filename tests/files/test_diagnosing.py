@@ -174,7 +174,10 @@ def test_csv_has_every_order(run: Run) -> None:
         (("cold.toml", "--lost-weight", "2", "--orders", "0.5"), "those that do are 1, 2, 3"),
         (("four.toml", "--lost-weight", "9"), "there is no weight 9"),
         (("four.toml", "--lost-weight", "balancer.1"), "no shaft balancer"),
-        (("i4", "--heavier", "piston.3=20g", "--speed", "800 rpm"), "give cylinder.stroke, cylinder.rec"),
+        (
+            ("i4", "--heavier", "piston.3=20g", "--speed", "800 rpm"),
+            "give cylinder.stroke, cylinder.rec",
+        ),
     ],
 )
 def test_a_fault_that_cannot_be_is_one_sentence(
