@@ -110,5 +110,5 @@ def test_a_resonance_is_told_before_the_turn_of_the_whole_shaft(turn: float, tol
     assert found.moved is not None
     assert found.moved.quantity == told
     assert found.effect == pytest.approx({"resonant amplitude": 1 / 3}.get(told, 8 / 9))
-    name = "at the resonance of order 9" if told[0] == "r" else "greatest turn of the free end over"
+    name = "at the resonance of order 9" if told[0] == "r" else "maximum turn of the free end over"
     assert name in assumption_lines([found])[0]

@@ -144,12 +144,12 @@ def with_part(name: str, numbers: Collection[int]) -> Vary:
             for own in engine.cylinders
             if own.number in numbers and own.articulated is None
         )
-        return _with_more_on_pins(after, {pin: mass * count for pin, count in rods.items()})
+        return with_more_on_pins(after, {pin: mass * count for pin, count in rods.items()})
 
     return vary
 
 
-def _with_more_on_pins(engine: Engine, more: Mapping[tuple[str, int], float]) -> Engine:
+def with_more_on_pins(engine: Engine, more: Mapping[tuple[str, int], float]) -> Engine:
     """The engine with more rotating mass (kg) on these throws of its shafts."""
     shafts = [
         with_values(

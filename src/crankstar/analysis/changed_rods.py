@@ -9,7 +9,7 @@ from collections import Counter
 from itertools import combinations
 from math import cos
 
-from crankstar.analysis.changed_masses import Vary, with_weights_along
+from crankstar.analysis.changed_masses import Vary, with_more_on_pins
 from crankstar.engine.copies import with_values
 from crankstar.engine.cylinder_parts import Articulation
 from crankstar.engine.engine import Engine
@@ -170,19 +170,7 @@ def with_master_mass(engine: Engine, mass: float) -> Engine:
         if slaves:
             pin = own.shaft, own.throw
             more[pin] = more.get(pin, 0.0) + mass - slaves[0].rotating
-    shafts = [
-        with_values(
-            shaft,
-            throws=tuple(
-                with_values(
-                    throw, rotating_mass=throw.rotating_mass + more.get((shaft.name, number), 0.0)
-                )
-                for number, throw in enumerate(shaft.throws, 1)
-            ),
-        )
-        for shaft in engine.shafts
-    ]
-    return with_weights_along(engine, with_values(engine, shafts=tuple(shafts)))
+    return with_more_on_pins(engine, more)
 
 
 def with_slave_rods(engine: Engine, ratio: float) -> Engine:

@@ -29,7 +29,7 @@ FIGURES = {
     "crank pin": N_("maximum load of a crank pin"),
     "cylinder wall": N_("maximum side thrust"),
     "natural frequency": N_("first natural frequency"),
-    "torsional amplitude": N_("greatest turn of the free end over the speeds"),
+    "torsional amplitude": N_("maximum turn of the free end over the speeds"),
     "resonant amplitude": N_("torsional amplitude at the resonance of order {order}"),
     "torsional stress": N_("maximum torsional stress"),
     "torsional torque": N_("maximum torque between two masses"),
