@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from importlib.metadata import EntryPoint
 from pathlib import Path
 from typing import Annotated, Any
@@ -17,7 +17,8 @@ from crankstar.analysis import registry
 from crankstar.analysis.assumptions import Answer
 from crankstar.analysis.document import Column, Document, Table
 from crankstar.analysis.reader import asked
-from crankstar.analysis.record import Analysis, Later
+from crankstar.analysis.record import Analysis, Chart, Later
+from crankstar.charts import registry as drawn
 from crankstar.cli import application
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
@@ -122,6 +123,7 @@ def added(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         del application.app["piston-speed"]
 
 
+@pytest.mark.release
 @pytest.mark.usefixtures("added")
 def test_an_analysis_of_another_package_is_a_command_and_a_section_of_the_report(run: Run) -> None:
     found = json.loads(run("piston-speed", "audi-25-tfsi", "--speed", "6000 rpm", "--json").out)
@@ -148,6 +150,44 @@ def test_one_that_fails_is_named_with_its_package(
     assert words in run("report", "audi-25-tfsi", "-o", "-").err
     with pytest.raises(ZeroDivisionError):
         function("piston_speed")("audi-25-tfsi")
+
+
+def failing(*_words: object, **_options: object) -> list[str]:
+    """Of whatever it is asked."""
+    raise ZeroDivisionError("division by zero")
+
+
+FAILS = f"package {__name__}: its analysis piston-speed fails (ZeroDivisionError: division by zero)"
+
+
+@pytest.mark.usefixtures("added")
+@pytest.mark.parametrize("part", ["facts", "compared"])
+def test_one_that_fails_beside_others_is_told_and_left_out(
+    part: str, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with_part = replace(RECORD, **{part: Later(f"{__name__}:failing")})
+    monkeypatch.setattr(registry.added(), "_found", {"piston-speed": with_part})
+    monkeypatch.setattr(registry.added(), "_told", set())
+    engines = ["audi-25-tfsi"] if part == "facts" else ["audi-25-tfsi", "i4"]
+    done = run("verdict" if part == "facts" else "compare", *engines)
+    assert done.code == 0, done.err
+    assert done.err.count(FAILS) == 1
+    assert "Traceback" not in done.err
+
+
+@pytest.mark.usefixtures("added")
+def test_one_whose_options_or_charts_fail_is_named_with_its_package(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    refusing = replace(RECORD, refuse=Later(f"{__name__}:failing"))
+    monkeypatch.setattr(registry.added(), "_found", {"piston-speed": refusing})
+    refused = run("piston-speed", "audi-25-tfsi")
+    assert (refused.code, refused.err) == (2, f"crankstar: {FAILS}\n")
+    chart = Chart("pistons", f"{__name__}:failing", "the pistons")
+    monkeypatch.setitem(charts.CHARTS, "pistons", chart)
+    monkeypatch.setitem(drawn._ANALYSES, "pistons", "piston-speed")
+    refused = run("plot", "audi-25-tfsi", "pistons", "-o", "-")
+    assert (refused.code, refused.err) == (2, f"crankstar: {FAILS}\n")
 
 
 def test_a_layout_of_a_package_has_no_template(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -85,6 +85,10 @@ def test_a_pressure_that_is_no_number_is_told_with_file_and_line(
     (files / "t.csv").write_text("\n".join(lines), encoding="utf-8")
     refused = run("torque", str(files / "traced.toml"))
     assert f"gas.trace names t.csv, whose line 5 is -345, {cell}; give numbers" in refused.err
+    lines[2:2] = ["# measured at full load", ""]  # lines are counted as an editor counts them
+    (files / "t.csv").write_text("\n".join(lines), encoding="utf-8")
+    refused = run("torque", str(files / "traced.toml"))
+    assert f"gas.trace names t.csv, whose line 7 is -345, {cell}; give numbers" in refused.err
 
 
 def test_a_key_that_nothing_comes_of_beside_a_trace_is_refused(run: Run, files: Path) -> None:

@@ -10,7 +10,8 @@ import pytest
 
 from crankstar import sweep, watched
 from crankstar.studies.best_value import best
-from crankstar.tables.sweeps import best_sentence
+from crankstar.tables.machine import tree
+from crankstar.tables.sweeps import answer, best_sentence
 
 ENGINE: dict[str, Any] = {
     "name": "single",
@@ -43,6 +44,8 @@ def test_beside_a_gap_is_no_end_of_the_range(first: float, last: float, best_at:
         first == best_at,
         first != best_at,
     )
+    row = tree(answer(swept, [curve], [found]))["best"][0]
+    assert (row["at_edge"], row["at_gap"]) == (found.at_edge, found.at_gap)
     said = best_sentence(swept, curve, found)
     assert ("end of the range" in said) == (first == best_at)
     assert ("Beside it nothing could be computed." in said) == (first != best_at)

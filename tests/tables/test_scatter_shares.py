@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from functools import cache
 from io import StringIO
 from math import cos, pi, radians, sin
@@ -12,6 +13,7 @@ import pytest
 from rich.console import Console
 
 from crankstar.analysis.document import Document, Table
+from crankstar.charts import scatter_chart
 from crankstar.spectra import Complex, Real
 from crankstar.studies.fields import Source
 from crankstar.studies.scatter import scatter_of
@@ -117,3 +119,13 @@ def test_what_does_not_fit_a_terminal_goes_on_below_and_is_not_left_out() -> Non
     said = out.getvalue()
     assert said.count("layout.bank_offset") > 1
     assert "86.3" in said
+
+
+def test_a_chart_says_how_much_it_leaves_out() -> None:
+    """Of eight amplitudes of two orders six are drawn."""
+    found = scatter_of(Source("four", FOUR), count=1000, orders=[1.0, 2.0])
+    asked = ("force.up", "force.right", "couple.pitch", "couple.yaw")
+    for names, left in ((asked, "2 further amplitudes are not drawn"), (asked[:3], "")):
+        chart = scatter_chart(found, quantities=names, orders=[1.0, 2.0])
+        text = json.dumps(chart.spec)
+        assert ("not drawn" in text, left in text) == (bool(left), True)

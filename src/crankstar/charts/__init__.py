@@ -87,7 +87,7 @@ if TYPE_CHECKING:
     from crankstar.charts.pair_sweeps import contours
     from crankstar.charts.paper import Paper, Print, printed
     from crankstar.charts.pressures import pressure_chart
-    from crankstar.charts.registry import CHARTS, side_by_side
+    from crankstar.charts.registry import CHARTS, draw, side_by_side
     from crankstar.charts.saving import SUFFIXES, saved, saved_print
     from crankstar.charts.scatter import scatter_chart
     from crankstar.charts.search_stars import best_stars
@@ -115,6 +115,7 @@ __all__ = [
     "best_stars",
     "contours",
     "crank_star",
+    "draw",
     "drawn_on",
     "exhaust_order_chart",
     "firing_ring",
@@ -165,7 +166,7 @@ _HOMES = {
     "pair_sweeps": ("contours",),
     "paper": ("Paper", "Print", "printed"),
     "pressures": ("pressure_chart",),
-    "registry": ("CHARTS", "side_by_side"),
+    "registry": ("CHARTS", "draw", "side_by_side"),
     "saving": ("SUFFIXES", "saved", "saved_print"),
     "scatter": ("scatter_chart",),
     "search_stars": ("best_stars",),

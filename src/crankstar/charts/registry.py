@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from crankstar.analysis.record import Chart
-from crankstar.analysis.registry import analyses
+from crankstar.analysis.registry import added, analyses
 from crankstar.charts.drawing import ChartError
 from crankstar.charts.grammar import Chart as Drawn
 from crankstar.engine.engine import Engine
@@ -112,6 +112,18 @@ CHARTS = {figure.name: figure for figure in _FIGURES} | {
     chart.name: chart for record in analyses() for chart in record.charts
 }
 """All figures of an engine, by name."""
+_ANALYSES = {chart.name: record.name for record in analyses() for chart in record.charts}
+
+
+def draw(name: str, engine: Engine | Sequence[Engine], **options: Any) -> Drawn:
+    """The figure of a name. Raises ChartError, and PackageError where another package's fails.
+
+    >>> from crankstar.files.catalog import load
+    >>> type(draw("hodograph", load("single"))).__name__
+    'Chart'
+    """
+    with added().running(_ANALYSES.get(name, "")):
+        return CHARTS[name].draw(engine, **options)
 
 
 def side_by_side(engines: Sequence[Engine], kind: str, **options: Any) -> Drawn:
@@ -132,4 +144,4 @@ def side_by_side(engines: Sequence[Engine], kind: str, **options: Any) -> Drawn:
         )
     if "speed" in kinds[kind].options and options.get("speed") is None:
         options["speed"] = common_speed(engines)
-    return kinds[kind].draw(engines, **options)
+    return draw(kind, engines, **options)

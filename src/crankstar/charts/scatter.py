@@ -24,7 +24,7 @@ from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import COLOUR, Chart, constant, field, of_rows, span
 from crankstar.charts.letters import SMALL, folded, text_width, together
 from crankstar.charts.resting import Rests, of_inertia, of_loads
-from crankstar.language.messages import _
+from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.studies.linear_law import BEARING
@@ -36,6 +36,7 @@ CLASSES = 48
 BARS = 6
 """Tolerances with a bar of their own; the others are added up."""
 MOST_ROWS = 6
+"""Orders that are drawn; of how many are not, a line is told."""
 SMALL_SHARE = 0.0005
 """Share below which a tolerance is not drawn."""
 EXTENT = 24
@@ -48,7 +49,7 @@ HEADROOM = 1.3
 def rows_of(
     found: Scatter, *, quantities: Sequence[str] = (), orders: Sequence[float] = ()
 ) -> list[OrderScatter]:
-    """The orders that are drawn: those asked for, else of force and couple what scatters most.
+    """The orders asked for; else of force and couple what scatters most.
 
     Raises ChartError.
     """
@@ -62,7 +63,7 @@ def rows_of(
             out.append(max(own, key=lambda row: row.one_in_20 - row.nominal))
     if not out:
         raise ChartError(_("none of these orders scatters; draw others"))
-    return out[:MOST_ROWS]
+    return out
 
 
 def scatter_chart(
@@ -72,13 +73,21 @@ def scatter_chart(
 
     Rules mark the engine as drawn and what 5 % of the engines exceed. Raises ChartError.
     """
-    rows = rows_of(found, quantities=quantities, orders=orders)
+    every = rows_of(found, quantities=quantities, orders=orders)
+    rows, left = every[:MOST_ROWS], len(every) - MOST_ROWS
+    more = _n(
+        "{count} further amplitude is not drawn",
+        "{count} further amplitudes are not drawn",
+        left,
+        count=left,
+    )
     panels = [[_distribution(found, row), _shares(row, foot=row is rows[-1])] for row in rows]
     said = _("{count} engines; right: shares in the variance", count=number(found.count))
+    lines = [*heading(found.engine, speed=found.speed), *estimate_lines([found.engine]), said]
     return figure(
         panels,
         title=_("Engines built to their tolerances"),
-        subtitle=[*heading(found.engine, speed=found.speed), *estimate_lines([found.engine]), said],
+        subtitle=[*lines, *([more] if left > 0 else [])],
         rests=_rests(found, rows),
     )
 

@@ -143,7 +143,8 @@ def _only_printed(record: Analysis) -> bool:
 
 def answer(record: Analysis, options: dict[str, Any]) -> None:
     """Answer a command line: read all of it, compute, and write what it asks for."""
-    read = _read(record, options)
+    with added().running(record.name):
+        read = _read(record, options)
     if read.form in PICTURES:
         _draw(record, read, options.get("output"))
         return
@@ -151,15 +152,16 @@ def answer(record: Analysis, options: dict[str, Any]) -> None:
         document, result = _document(record, read)
     writes = record.writes
     if writes is not None and (path := options.get(writes.name)) is not None:
-        _write(writes, read, result, path)
+        _write(record, writes, read, result, path)
     give(document, None if _only_printed(record) else options.get("output"), form=read.form)
 
 
-def _write(writes: Writes, read: Read, result: Any, path: str) -> None:
+def _write(record: Analysis, writes: Writes, read: Read, result: Any, path: str) -> None:
     """Write the engine that an analysis makes."""
     source = read.loaded.source
     if isinstance(source, Engine):
-        made = _made(writes, result) or writes.engine.value(source, read.question)
+        with added().running(record.name):
+            made = _made(writes, result) or writes.engine.value(source, read.question)
         write_engine(made, read.loaded.tree, path, option=_spelt(writes))
 
 

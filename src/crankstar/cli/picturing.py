@@ -141,7 +141,7 @@ def plot(
         draw = (
             partial(drawing.side_by_side, [loaded, *others], chart, **options)
             if others
-            else partial(figure.draw, loaded, **options)
+            else partial(drawing.draw, chart, loaded, **options)
         )
         title = _("{engine}: {chart}", engine=loaded.name, chart=_(figure.about))
         with drawing.over_ranges(one.spread for one in each):

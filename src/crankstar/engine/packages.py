@@ -82,6 +82,15 @@ class Added(Generic[T]):
                 why=told_of(error),
             ) from error
 
+    @contextmanager
+    def among_others(self, name: str) -> Iterator[None]:
+        """Run what has the name beside what others have: where it fails, that is told, no more."""
+        try:
+            with self.running(name):
+                yield
+        except PackageError as error:
+            self._tell(str(error))
+
     def usable(self) -> Iterator[str]:
         """The names of all that can be used; the others are told of, each once in a process."""
         for name in self.names():

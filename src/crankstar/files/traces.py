@@ -86,19 +86,23 @@ def trace_of(text: str, *, name: str, file: str) -> Tree:
     >>> trace_of("angle;p kPa\n0;5000,5\n90;200", name="mine", file="p.csv")["pressure"]
     [['5000.5 kPa', '200 kPa']]
     """
-    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
-    comma = any(";" in line for line in lines[:5])
-    rows = [_cells(line, semicolons=comma) for line in lines]
+    lines = {
+        number: line
+        for number, line in enumerate(text.splitlines(), 1)
+        if line.strip() and not line.startswith("#")
+    }
+    comma = any(";" in line for line in list(lines.values())[:5])
+    rows = [_cells(line, semicolons=comma) for line in lines.values()]
     heads = [] if not rows or _number(rows[0][0]) is not None else rows.pop(0)
     width = len(rows[0]) if rows else 0
     file_name = one_line(file, longest=80)
     if width < 2:
         raise _refused(name, "no-columns", file=file_name)
-    for place, row in enumerate(rows, 1 + bool(heads)):
+    for number, row in zip(list(lines)[bool(heads) :], rows, strict=True):
         wrong = next((cell for cell in row if _number(cell) is None), None)
         if wrong is not None or len(row) != width:
             raise _refused(
-                name, "row", file=file_name, line=place, cells=one_line(", ".join(row), longest=60)
+                name, "row", file=file_name, line=number, cells=one_line(", ".join(row), longest=60)
             )
     heads += [""] * (width - len(heads))
     turn = _unit(heads[0], ANGLE, "deg", name=name, file=file)

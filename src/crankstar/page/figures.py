@@ -99,7 +99,7 @@ def _scatter(engine: Engine, tree: Mapping[str, Any]) -> Any:
 
 
 def _single(engine: Engine, key: str, spread: Spread | None, beside: Engine | None) -> Any:
-    from crankstar.charts import CHARTS, Canvas, ChartError, drawn_on, over_ranges
+    from crankstar.charts import CHARTS, Canvas, ChartError, draw, drawn_on, over_ranges
 
     figure, *options = key.split(":")
     pairs = (part.partition("=") for part in options)
@@ -124,9 +124,9 @@ def _single(engine: Engine, key: str, spread: Spread | None, beside: Engine | No
     with over_ranges([spread]):
         if beside is not None and known.compares:
             with suppress(ChartError), drawn_on(Canvas(WIDTH, alone=True, rests=False)):
-                return known.draw([engine, beside], **asked)
+                return draw(figure, [engine, beside], **asked)
         with drawn_on(Canvas(WIDTH, rests=False)):
-            return known.draw(engine, **asked)
+            return draw(figure, engine, **asked)
 
 
 def _order(key: str, text: str) -> float:

@@ -9,7 +9,7 @@ from functools import partial
 from itertools import count
 from typing import Any
 
-from crankstar.charts import CHARTS, GREY, ChartError, over_ranges, side_by_side
+from crankstar.charts import GREY, ChartError, draw, over_ranges, side_by_side
 from crankstar.charts.canvas import Canvas, drawn_on
 from crankstar.charts.drawing import svg_later
 from crankstar.charts.grammar import Chart
@@ -29,7 +29,7 @@ ACROSS = Canvas(width=610.0)
 
 
 class Gallery:
-    """Figures of `CHARTS` for a report."""
+    """Figures of `crankstar.charts.CHARTS` for a report."""
 
     def __init__(self, subject: Subject) -> None:
         self._matter, self._numbers = subject, count()
@@ -73,4 +73,4 @@ class Gallery:
         with drawn_on(canvas), over_ranges([*self._matter.spreads, *spreads]):
             if beside is not None:
                 return side_by_side([engine, beside], name, **options)
-            return CHARTS[name].draw(engine, **options)
+            return draw(name, engine, **options)

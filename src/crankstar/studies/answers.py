@@ -23,7 +23,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.analysis.assumptions import Answer, Assumption, Uses, moved
-from crankstar.analysis.registry import analyses
+from crankstar.analysis.registry import added, analyses
 from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.engine import Engine
@@ -219,8 +219,10 @@ def _driven(engine: Engine, speed: float | None) -> list[Answer]:
     """The analyses of which a verdict tells, where the file has what they are of."""
     out: list[Answer] = []
     for record in analyses():
-        if record.facts is not None and record.tells(engine, speed):
-            with suppress(MessageError):
+        if record.facts is None:
+            continue
+        with added().among_others(record.name), suppress(MessageError):
+            if record.tells(engine, speed):
                 out.append(record.answer.value(engine, record.question.value(speed=speed)))
     return out
 

@@ -28,7 +28,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.analysis.frames import dataset, with_unit
 from crankstar.analysis.record import Grid
-from crankstar.analysis.registry import measures
+from crankstar.analysis.registry import added, measures
 from crankstar.engine.engine import Engine
 from crankstar.language.quoting import one_line
 from crankstar.mechanics import labelled
@@ -459,7 +459,8 @@ def _measured(sweep: Sweep, what: str, order: float | None) -> tuple[Real, tuple
     alone = sweep.highest_speed is not None
 
     def of_engine(engine: Engine, speed: float | None) -> float:
-        return value(engine, what, speed=speed, order=order, alone=alone)
+        with added().running(record.name):
+            return value(engine, what, speed=speed, order=order, alone=alone)
 
     return one_by_one(sweep.cases, of_engine, what, shape=sweep.shape)
 

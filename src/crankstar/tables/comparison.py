@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from crankstar.analysis.assumptions import Assumption
 from crankstar.analysis.document import ROW_UNIT, Column, Document, Ranged, Table, Value, remarks
-from crankstar.analysis.registry import analyses
+from crankstar.analysis.registry import added, analyses
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any, plain
 from crankstar.language.messages import _, spoken
@@ -114,12 +114,14 @@ def _with_gas(compared: _Compared) -> tuple[Table, ...]:
 def _of_analyses(compared: _Compared) -> tuple[Table, ...]:
     """The analyses of those engines whose files have what they are of."""
     engines = [shown.engine for shown in compared.shown]
-    return tuple(
-        table
-        for record in analyses()
-        if record.compared is not None and any(map(record.tells, engines))
-        for table in record.compared.value(engines, compared.names, _speeds(compared))
-    )
+    tables: list[Table] = []
+    for record in analyses():
+        if record.compared is None:
+            continue
+        with added().among_others(record.name):
+            if any(map(record.tells, engines)):
+                tables += record.compared.value(engines, compared.names, _speeds(compared))
+    return tuple(tables)
 
 
 def _speeds(compared: _Compared) -> list[float | None]:
@@ -354,24 +356,21 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
 def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
     """The analyses of those engines that have what they are of."""
     engines = [shown.engine for shown in compared.shown]
-    return [
-        (
-            what,
-            order,
-            engine,
-            _rpm(result.speed),
-            cell,
-            unit,
-            _share(cell, cells[0] or 0.0, 1) if cell else None,
-        )
-        for record in analyses()
-        if record.sizes is not None and any(map(record.tells, engines))
-        for what, order, cells, unit in record.sizes.value(engines, _speeds(compared))
-        for own, engine, result, cell in zip(
-            engines, compared.names, compared.results, cells, strict=True
-        )
-        if record.tells(own)
-    ]
+    rows: list[tuple[Value, ...]] = []
+    for record in analyses():
+        if record.sizes is None:
+            continue
+        with added().among_others(record.name):
+            having = [record.tells(engine) for engine in engines]
+            sizes = record.sizes.value(engines, _speeds(compared)) if any(having) else []
+            for what, order, cells, unit in sizes:
+                for has, engine, result, cell in zip(
+                    having, compared.names, compared.results, cells, strict=True
+                ):
+                    share = _share(cell, cells[0] or 0.0, 1) if cell else None
+                    row = (what, order, engine, _rpm(result.speed), cell, unit, share)
+                    rows += [row] if has else []
+    return rows
 
 
 def _rpm(speed: float | None) -> float | None:

@@ -76,7 +76,7 @@ def answer(
     ranged = list(bands) or [None] * len(curves)
     heads = tuple(
         Column(name, ROW_UNIT if name == "result" else "", KINDS.get(name, "number"), key=name)
-        for name in ("curve", "unit", "value", "result", "at_edge", "flat")
+        for name in ("curve", "unit", "value", "result", "at_edge", "at_gap", "flat")
     )
     bests = tuple(
         (
@@ -85,6 +85,7 @@ def answer(
             best.value,
             best.result if band is None else band.best,
             best.at_edge,
+            best.at_gap,
             best.flat,
         )
         for curve, best, band in zip(curves, found, ranged, strict=True)

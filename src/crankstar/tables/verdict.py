@@ -10,7 +10,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.analysis.document import Column, Document, Table
-from crankstar.analysis.registry import analyses
+from crankstar.analysis.registry import added, analyses
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _, passage
@@ -249,9 +249,12 @@ def _moment_sentences(result: Balance, sums: Sums) -> str:
 def _of_analyses(engine: Engine, speed: float | None) -> Iterator[tuple[str, str]]:
     """What the analyses say whose tables the engine file has."""
     for record in analyses():
-        if record.facts is not None and record.tells(engine, speed):
-            for sentence in record.facts.value(engine, speed=speed):
-                yield record.name, sentence
+        if record.facts is None:
+            continue
+        with added().among_others(record.name):
+            if record.tells(engine, speed):
+                for sentence in record.facts.value(engine, speed=speed):
+                    yield record.name, sentence
 
 
 def _cures(engine: Engine, speed: float | None) -> list[str]:
