@@ -15,6 +15,7 @@ from crankstar.files import engine_of, toml
 from crankstar.mechanics.gas import cycle
 
 
+@pytest.mark.release
 def test_the_torque_is_listed_in_the_orders_asked_for(run: Run, tmp_path: Path) -> None:
     paths: list[str] = []
     for name, load in (("one", "18 bar"), ("other", "12 bar")):

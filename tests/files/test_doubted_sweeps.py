@@ -118,6 +118,7 @@ bore_pitch = "75 mm"
 """
 
 
+@pytest.mark.release
 def test_what_matters_more_at_the_other_end_of_a_range_is_told_there(run: Run) -> None:
     """An unthrottled idle is far more uneven than one with the charge of a closed throttle."""
     Path("two.toml").write_text(TWO_LOADS, encoding="utf-8")

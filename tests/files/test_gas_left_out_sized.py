@@ -76,7 +76,8 @@ def test_bearings_and_torsion_have_it_too(run: Run, tmp_path: Path) -> None:
     assert row["moves"]["high"] > row["moves"]["low"] > 0
 
 
-@pytest.mark.parametrize("command", ["compare", "marine"])
+@pytest.mark.many(first=1)
+@pytest.mark.parametrize("command", ["marine", "compare"])
 def test_a_load_with_a_course_is_named(command: str, run: Run, tmp_path: Path) -> None:
     """A load 1 + cos rolls a shared frame by the mean torque, which is imep V / 4 pi."""
     angles = [f"{each} deg" for each in range(0, 720, 5)]

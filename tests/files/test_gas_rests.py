@@ -248,6 +248,7 @@ def test_the_size_of_gas_needs_a_bore(tmp_path: Path, run: Run) -> None:
     assert "Not in the rolling moment: gas (its size needs cylinder.bore)." in out
 
 
+@pytest.mark.release
 def test_a_speed_that_is_not_certain_leaves_the_load(run: Run) -> None:
     """The load of [gas] has the speed of the file, as an operating point with another load has.
 

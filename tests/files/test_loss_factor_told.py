@@ -39,6 +39,7 @@ to = "a"
 """
 
 
+@pytest.mark.release
 def test_heat_of_an_assumed_loss_factor_says_so(run: Run, tmp_path: Path) -> None:
     """Far below resonance a shaft turns as its stiffness says, and loses eta k x^2 w / 2."""
     (tmp_path / "two.toml").write_text(STIFF, encoding="utf-8")

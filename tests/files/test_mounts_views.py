@@ -32,6 +32,7 @@ def written(folder: Path, **tables: Any) -> str:
     return str(path)
 
 
+@pytest.mark.release
 def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path)
     at = ("--at", "400 mm, 150 mm, -20 mm")

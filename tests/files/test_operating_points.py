@@ -255,6 +255,7 @@ def test_a_fault_without_point_and_speed_joins_no_two_states(files: tuple[str, s
         shaken(engine, point="none")
 
 
+@pytest.mark.release
 def test_a_fault_prints_its_speed_and_point(run: Run, files: tuple[str, str, str]) -> None:
     lines = {
         ("--point", "idle"): "At 700 rpm, operating point idle.",

@@ -110,6 +110,7 @@ def test_a_flywheel_is_not_doubted_where_nothing_turns_by_it(run: Run, tmp_path:
     assert "drive.inertia" not in [row["path"] for row in rows]
 
 
+@pytest.mark.release
 def test_the_point_and_the_speeds_stand_at_the_top(run: Run, tmp_path: Path) -> None:
     out = run("mounts", written(tmp_path)).out
     top = " ".join(out.partition("This rests on:")[0].split())

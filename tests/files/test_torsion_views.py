@@ -181,9 +181,8 @@ def test_the_maximum_stress_is_found_without_the_peaks_of_all_speeds(seed: int) 
     assert maximum_stress(found, modulus) == pytest.approx(wanted, rel=1e-12)
 
 
-@pytest.mark.parametrize(
-    "what", [pytest.param("torsion_stress", marks=pytest.mark.release), "peak_pressure"]
-)
+@pytest.mark.release
+@pytest.mark.parametrize("what", ["torsion_stress", "peak_pressure"])
 def test_a_sweep_of_an_estimated_engine_has_ranges(run: Run, tmp_path: Path, what: str) -> None:
     """What is computed engine by engine has its ends from the engines at the corners."""
     guessed = tree()

@@ -58,6 +58,7 @@ def test_exact_forces_are_near_those_of_the_essay_and_not_the_same() -> None:
         assert np.abs(essay - exact).max() > 0.01
 
 
+@pytest.mark.release
 def test_the_factors_on_the_page_are_those_of_the_arrangements() -> None:
     rows = [
         re.split(r" \| ", row.strip("| "))

@@ -253,7 +253,7 @@ def uncertain(velocities: Complex, seed: int, *, share: float, floor: float = 0.
     ("fault", "share"),
     [
         (Fault("piston", 3, 0.02), 0.05),
-        (Fault("combustion", 1, 0.15), 0.1),
+        pytest.param(Fault("combustion", 1, 0.15), 0.1, marks=pytest.mark.release),
         pytest.param(Fault("piston", 3, 0.02), 0.1, marks=pytest.mark.release),
         pytest.param(Fault("weight", 2, 0.5), 0.1, marks=pytest.mark.release),
     ],

@@ -51,7 +51,7 @@ screens, hooks, doctests = script("screens"), script("hooks"), script("doctests"
 mathematics, tables = script("mathematics"), script("tables")
 PAGES: list[Path] = screens.pages()
 EVERY_PAGE = pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-FULL_OF_SCREENS = {"analyse.md", "command-line.md", "inline-six.md"}
+FULL_OF_SCREENS = {"analyse.md", "command-line.md", "gears.md", "inline-six.md"}
 WRONG_ON_PURPOSE = {"mistakes.toml", "wrong-side.toml"}
 
 

@@ -91,6 +91,7 @@ def test_the_template_has_every_sentence_of_the_sources_and_no_other(domain: Any
     )
 
 
+@pytest.mark.release
 def test_the_extractor_sees_every_sentence_in_python() -> None:
     """It passes over one in parentheses of its own, or in an f-string."""
     domain = DOMAINS["python"]

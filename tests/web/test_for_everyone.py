@@ -97,6 +97,7 @@ def test_it_is_light_or_dark_as_the_system_is(
     assert brightness[0] <= shade <= brightness[1]
 
 
+@pytest.mark.release
 def test_by_keyboard_alone(built_page: Build, page: Page) -> None:
     opened(page, built_page(ENGINE), "a=0")
     stops = []

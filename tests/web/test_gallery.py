@@ -89,6 +89,7 @@ def sources(page: Page, part: str) -> list[str]:
     return [address for address in shown if part in address]
 
 
+@pytest.mark.release
 def test_the_gallery_is_for_everyone(gallery: Page) -> None:
     found: dict[str, list[str]] = {}
     for width in (390, 1024):

@@ -290,6 +290,7 @@ def test_the_address_that_is_changed_by_hand_is_followed(built_page: Build, page
     expect(page.get_by_role("tab", name="About")).to_have_attribute("aria-selected", "true")
 
 
+@pytest.mark.release
 def test_weights_take_the_couple_from_a_cross_plane_crank_in_all_parts(
     built_page: Build, page: Page
 ) -> None:
@@ -351,6 +352,7 @@ def test_every_panel_names_the_engine_it_shows_and_shows_either(
     assert handle(page, "state.panel") == "2"
 
 
+@pytest.mark.release
 def test_two_engines_stand_side_by_side(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS, FLAT), "a=40&tab=compare")
     heads = page.get_by_role("columnheader").all_text_contents()

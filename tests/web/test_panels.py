@@ -224,6 +224,7 @@ def test_the_guide_speaks_of_the_views_that_are_there(
     expect(page.get_by_role("complementary", name="What am I looking at?")).to_contain_text(words)
 
 
+@pytest.mark.release
 def test_numbers_bear_the_colour_of_their_arrow_while_it_is_drawn(
     built_page: Build, page: Page
 ) -> None:

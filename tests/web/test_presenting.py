@@ -170,7 +170,7 @@ def test_where_it_is_low_the_engine_stands_beside_its_panel(
     assert barriers(page) == []
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("tab", ["orders", "stars"])
 def test_it_prints_one_sheet_and_what_else_is_open(
     tab: str, built_page: Build, page: Page, tmp_path: Path
@@ -202,7 +202,7 @@ def test_it_prints_one_sheet_and_what_else_is_open(
     expect(page.locator(".on-paper")).to_have_count(0)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("width", [1280, 1440, 1024])
 def test_an_audience_needs_not_scroll_the_orders_sideways(
     width: int, built_page: Build, page: Page

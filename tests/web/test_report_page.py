@@ -82,7 +82,8 @@ ON_AN_AXIS = """() => [...document.querySelectorAll('figure svg')].flatMap(svg =
 })"""
 
 
-@pytest.mark.parametrize("name", ["jumo-205", pytest.param("single", marks=pytest.mark.release)])
+@pytest.mark.release
+@pytest.mark.parametrize("name", ["jumo-205", "single"])
 def test_words_in_the_spectra_and_paths_do_not_lie_over_each_other(
     page: Page, name: str, tmp_path: Path
 ) -> None:

@@ -180,6 +180,7 @@ def test_the_server_tells_of_engines_in_the_language_of_the_page(
     assert not [label for label in labels if re.search("[a-z]{4}", label)]
 
 
+@pytest.mark.release
 def test_an_engine_that_a_link_opens_is_where_its_history_begins(
     page: Page, server: Server
 ) -> None:

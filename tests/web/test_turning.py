@@ -80,6 +80,7 @@ def test_it_goes_to_a_typed_angle(built_page: Build, page: Page) -> None:
         assert handle(page, "playing")
 
 
+@pytest.mark.release
 def test_what_is_no_angle_is_answered_and_moves_nothing(built_page: Build, page: Page) -> None:
     opened(page, built_page("v8-cross-plane"), "a=90")
     field = page.get_by_label("Crank angle: type degrees")
