@@ -50,6 +50,20 @@ def of_load(
         yield Assumption("left out", "drive.load_exponent", reason, explained=True)
 
 
+def of_load_on_shaft(engine: Engine, found: Cycle | None) -> Iterator[Assumption]:
+    """The course of the load, which does not twist the crankshaft of a cycle: it has no place.
+
+    >>> from crankstar import cycle, load
+    >>> course = {"load_torque": [2, 0], "load_angle": ["0 deg", "360 deg"]}
+    >>> five = load("audi-25-tfsi", changes={"drive": course})
+    >>> [own.path for own in of_load_on_shaft(five, cycle(five, imep="9 bar"))]
+    ['drive.load_torque']
+    """
+    if found is not None and engine.drive is not None and engine.drive.load_torque:
+        reason = N_("gas and inertia alone twist the shafts; where the load acts is not said")
+        yield Assumption("left out", "drive.load_torque", reason, explained=True)
+
+
 def _reaction(engine: Engine, found: Cycle) -> Assumption:
     """The reaction of a load with a course, which a file does not say the frame of."""
     from crankstar.dynamics.load_reaction import load_reaction

@@ -20,6 +20,7 @@ from crankstar.engine.engine import Engine
 from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import IN_VIBRATION, gas_as_in
+from crankstar.studies.assumed_loads import of_load_on_shaft
 from crankstar.studies.gas_alone import lacking_gas
 
 OF_TORSION = {
@@ -86,7 +87,7 @@ def twist(
         gasless="" if lacking else IN_VIBRATION,
         why_gasless="" if engine.gas is None else whole.without_gas,
         least=least,
-        choices=[lacking] if lacking else [],
+        choices=[*([lacking] if lacking else ()), *of_load_on_shaft(engine, whole.cycle)],
         tunings=tunings,
         shown=["torsion.loss_factor"],  # among the shafts, and the heat of damping goes with it
     )
