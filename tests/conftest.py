@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 
 import pytest
 from hypothesis import HealthCheck, settings
+from hypothesis.internal.conjecture import providers
 from tests.fonts import only_of_packages
 from tests.pythons import installable
 
@@ -35,6 +36,9 @@ settings.register_profile(
     "release", settings.get_profile("gate"), max_examples=300, derandomize=False
 )
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "gate"))
+# It would also try numbers that stand in modules of the package, those that happen to be loaded:
+# what is tried would hang on the tests before it in its process, and no seed would repeat it.
+providers._get_local_constants = lambda: providers._local_constants  # of none
 
 
 def pytest_report_header(config: pytest.Config) -> str | None:
