@@ -30,6 +30,8 @@ POINTS = [
 ]
 STAY = "while True: time.sleep(0.01)\n"
 """Not in one call, into which an interrupt that comes just before it would not break."""
+UNMEASURED = {name: each for name, each in os.environ.items() if not name.startswith("COVERAGE_")}
+"""A measurement of coverage loads some of these modules itself, before there is a program."""
 START = "from crankstar.__main__ import main; main()"
 """What the script of the package does."""
 
@@ -47,7 +49,7 @@ def test_an_interrupt_at_any_import_ends_the_program_quietly(
         subprocess.Popen(
             [sys.executable, "-c", START, *words],
             cwd=tmp_path,
-            env={**os.environ, "PYTHONPATH": str(tmp_path)},
+            env={**UNMEASURED, "PYTHONPATH": str(tmp_path)},
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
@@ -66,5 +68,6 @@ def test_nothing_is_loaded_before_the_program_can_be_interrupted() -> None:
     """What Python itself loads apart: the package, and what runs its command line."""
     bare = "import sys; before = {*sys.modules}; from crankstar.__main__ import main; "
     shown = bare + "print(sorted({*sys.modules} - before))"
-    made = subprocess.run([sys.executable, "-c", shown], capture_output=True, text=True, check=True)
+    run = [sys.executable, "-c", shown]
+    made = subprocess.run(run, env=UNMEASURED, capture_output=True, text=True, check=True)
     assert made.stdout.strip() == "['crankstar', 'crankstar.__main__', 'gc']"
