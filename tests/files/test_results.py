@@ -209,3 +209,5 @@ def test_the_arrays_of_a_torque_say_what_was_asked_and_what_they_are() -> None:
     motored = crankstar.torque("audi-25-tfsi", motored=True).to_xarray()
     assert motored.attrs["motored"] == 1
     assert "off" not in motored.attrs
+    weak = crankstar.torque("audi-25-tfsi", weaker={3: 0.25, 5: 0.5}).to_xarray()
+    assert weak.attrs["weaker"] == "3=0.25, 5=0.5"

@@ -248,6 +248,8 @@ class Result:
             value = getattr(self.question, one.name)
             if value != one.default and (isinstance(value, str | bool) or _is_list(value)):
                 facts.setdefault(one.name, int(value) if isinstance(value, bool) else value)
+        if weaker := self._numbers.facts.get("weaker"):  # no attribute of an array is a mapping
+            facts["weaker"] = ", ".join(f"{number}={share!r}" for number, share in weaker.items())
         return Part(name, records, self.tables.get(name), self.grids.get(name), facts)
 
     def __getattr__(self, name: str) -> Any:
