@@ -41,9 +41,9 @@ quick: $(READY) front-end
 unit: $(READY)
 	$(BIN)/pytest -q -m "quick and not release"
 
-# The gate. The types take as long as all the rest of the first line, so that no core waits.
+# The gate. Of its first line the longest come first, so that no core waits.
 test: $(READY) front-end
-	@$(MAKE) --no-print-directory -j 2 pyright style docs vitest chromium poppler unit
+	@$(MAKE) --no-print-directory -j 2 pyright unit docs vitest style chromium poppler
 	$(BIN)/pytest -n 2 --dist worksteal -m "not quick and not release"
 
 # Everything, with random numbers that are others each time: `make release SEED=...` repeats them.

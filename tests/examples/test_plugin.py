@@ -54,6 +54,7 @@ def test_it_is_a_command_that_computes(installed: dict[str, str]) -> None:
     assert "cylinder.stroke" in refused.stderr
 
 
+@pytest.mark.release
 def test_it_is_in_the_help_and_in_the_report(installed: dict[str, str], tmp_path: Path) -> None:
     assert "piston-speed" in run(installed, "-m", "crankstar", "--help").stdout
     place = tmp_path / "report.html"

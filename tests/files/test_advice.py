@@ -48,6 +48,7 @@ def test_a_drive_line_goes_where_the_advice_sends_it(run: Run, tmp_path: Path) -
         assert run("export", "line.toml", "--to", program, "-o", f"{program}.py").code == 0
 
 
+@pytest.mark.release
 def test_a_doubt_that_ends_with_a_question_has_no_full_stop_behind_it(run: Run) -> None:
     over = "gas.compression_ratio=8..60/4"
     done = run("sweep", "audi-25-tfsi", "--over", over, "--quantity", "mean_torque")

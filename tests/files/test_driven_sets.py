@@ -27,6 +27,7 @@ def test_a_driven_engine_has_its_course_left_out_once_and_in_the_record(
     assert NO_WORK not in run(command, PUMP).out
 
 
+@pytest.mark.release
 def test_a_set_that_is_driven_rolls_without_a_course(run: Run) -> None:
     said = " ".join(run("genset", PUMP, *DRIVEN).out.split())
     assert "a course of the load included" not in said

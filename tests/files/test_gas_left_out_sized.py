@@ -67,6 +67,7 @@ def test_guide_moments_have_the_gas_of_a_usual_bore(command: str, run: Run, tmp_
         assert row["moves"][end] == pytest.approx(expected, rel=2e-3)
 
 
+@pytest.mark.release
 def test_bearings_and_torsion_have_it_too(run: Run, tmp_path: Path) -> None:
     row = _row(run, tmp_path, FIVE, "gas", "bearings")
     assert row["moves"]["quantity"] == "main bearing"

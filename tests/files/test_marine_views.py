@@ -241,6 +241,7 @@ def test_the_unbalance_is_in_the_units_that_are_chosen(run: Run, tmp_path: Path,
     assert "[N m/kW]" in run(*asked).out
 
 
+@pytest.mark.release
 def test_a_workbook_has_a_sheet_for_each_table(run: Run, tmp_path: Path) -> None:
     book = tmp_path / "seven.xlsx"
     run("marine", written(tmp_path), "--speeds", "60..110 rpm by 10", "-o", str(book))

@@ -91,6 +91,7 @@ def test_a_pressure_that_is_no_number_is_told_with_file_and_line(
     assert f"gas.trace names t.csv, whose line 7 is -345, {cell}; give numbers" in refused.err
 
 
+@pytest.mark.release
 def test_a_key_that_nothing_comes_of_beside_a_trace_is_refused(run: Run, files: Path) -> None:
     """The ratio counts where a cylinder only compresses, the temperature where heat is lost."""
     (files / "t.csv").write_text(CSV, encoding="utf-8")

@@ -403,6 +403,7 @@ def test_very_long_engines_are_derived(
         assert faults(Judged.of(engine, told)) == []
 
 
+@pytest.mark.release
 def test_masses_of_many_figures_are_derived() -> None:
     """Their squares are whole numbers too large to factor.
 

@@ -85,7 +85,7 @@ def test_offset_rods_of_a_crankshaft_that_turns_backward_are_in_equilibrium() ->
     assert_in_equilibrium(engine)
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("kind", OF_ANY_KIND)
 def test_the_rods_of_any_engine_are_in_equilibrium(kind: str) -> None:
     @settings(max_examples=15, deadline=None)

@@ -433,6 +433,7 @@ def page() -> str:
     )
 
 
+@pytest.mark.release
 def test_every_source_is_on_the_page_and_in_the_references(page: str) -> None:
     assert set(
         re.findall(

@@ -248,7 +248,7 @@ SAYING = [
 ]
 
 
-@pytest.mark.many(first=10)
+@pytest.mark.many(first=5)
 @pytest.mark.parametrize("words", SAYING, ids=lambda words: words[0])
 def test_every_command_says_what_it_rests_on(run: Run, words: tuple[str, ...]) -> None:
     assert "rests on:" in run(*words).out

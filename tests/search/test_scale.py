@@ -443,7 +443,8 @@ def test_sigterm_ends_a_search_quietly_with_its_workers_and_its_semaphores(worke
     assert not psutil.wait_procs(children, timeout=PATIENCE)[1]
 
 
-@pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.release), "2"])
+@pytest.mark.release
+@pytest.mark.parametrize("workers", ["0", "2"])
 def test_ctrl_c_ends_quietly_with_what_is_under_way_and_nothing_is_lost(workers, tmp_path, fifteen):
     """No stretch is given out after it: those under way may still come."""
     path = tmp_path / "file"

@@ -147,6 +147,7 @@ def flat_page(browser: Browser) -> Iterator[Page]:
     assert complaints == []
 
 
+@pytest.mark.release
 def test_without_webgl_it_is_drawn_flat_and_the_panels_work(
     built_page: Build, flat_page: Page
 ) -> None:
