@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import cycle, islice
-from math import pi
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,7 +26,7 @@ from crankstar.charts.grammar import Chart, constant, field, of_rows, own, span
 from crankstar.charts.resting import of_speeds
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.numbers import RPM, number, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
@@ -44,7 +43,7 @@ from crankstar.tables.over_speeds import COMPONENTS, Component, remaining, rpm, 
 HEIGHT = 120
 MOST_ORDERS, VISIBLE = 4, 0.01
 """Orders that are drawn by themselves, and the share of the greatest that one of them has."""
-USUAL = 6000 * pi / 30
+USUAL = 6000 / RPM
 """The highest speed [rad/s] where neither the chart nor the engine names one."""
 LOWEST = 0.1
 """Share of the highest speed at which the usual range begins."""
@@ -132,7 +131,7 @@ def amplitudes(
 def _words(engine: Engine, sweep: Sweep) -> list[str]:
     lines = [_("Inertia forces grow with the square of the speed.")]
     if sweep.units.force != "N" and sweep.highest_speed:
-        highest = number(sweep.highest_speed * 30 / pi)
+        highest = number(sweep.highest_speed * RPM)
         lines.append(_("ω0 is the highest speed, {rpm} rpm.", rpm=highest))
     return [*lines, *filter(None, [missing_sentence(engine)])]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from html import escape
-from math import degrees, isfinite, pi
+from math import degrees, isfinite
 from typing import TYPE_CHECKING, Any
 
 from crankstar.charts.canvas import BETWEEN, curve_height, foot_room, names_engine, panel_width
@@ -13,7 +13,7 @@ from crankstar.charts.grammar import Channel, Chart, Layer, field
 from crankstar.charts.letters import TEXT, folded
 from crankstar.charts.resting import Rests, foot_panel, told
 from crankstar.language.messages import MessageError, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
@@ -212,7 +212,7 @@ def speed_lines(engines: Sequence[Engine], speed: float | None) -> list[str]:
     """At which speed the forces of engines are, where that is known and they have masses."""
     if speed is None or any({"mass", "radius"} & {*engine.relative} for engine in engines):
         return []
-    return [_("at {rpm} rpm", rpm=number(speed * 30 / pi))]
+    return [_("at {rpm} rpm", rpm=number(speed * RPM))]
 
 
 def checked_angle(theta: float) -> float:

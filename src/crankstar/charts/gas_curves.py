@@ -22,7 +22,7 @@ from crankstar.charts.grammar import Chart, Layer, constant, field, of_rows, own
 from crankstar.charts.letters import folded
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.numbers import RPM, number, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.gas import Cycle
 from crankstar.spectra import Real
@@ -116,7 +116,7 @@ def about(engine: Engine, cycle: Cycle) -> list[str]:
     lines = heading(engine)
     told = [_("imep {pressure}", pressure=said_pressure(cycle.imep))]
     if cycle.speed is not None:
-        told.insert(0, _("at {rpm} rpm", rpm=number(float(f"{cycle.speed * 30 / pi:.6g}"))))
+        told.insert(0, _("at {rpm} rpm", rpm=number(float(f"{cycle.speed * RPM:.6g}"))))
     if cycle.name or len(cycle.shares) > 1:
         told.insert(0, points_text(cycle.shares))
     lines.append(", ".join(told))

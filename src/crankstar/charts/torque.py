@@ -33,7 +33,7 @@ from crankstar.charts.sums import checked_quantity
 from crankstar.engine.engine import Engine
 from crankstar.firing.exhaust_orders import firing_rate
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, order_text, unit_text
+from crankstar.language.numbers import RPM, number, order_text, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import Cycle, check_gas, cycle
@@ -192,7 +192,7 @@ def _loads(engine: Engine, found: Cycle) -> list[Panel]:
         label = (
             name
             if each.speed is None
-            else _("{load}, {rpm} rpm", load=name, rpm=number(round(each.speed * 30 / np.pi)))
+            else _("{load}, {rpm} rpm", load=name, rpm=number(round(each.speed * RPM)))
         )
         lines.append(Line(label, colour, 1.8, gas if moving is None else gas + moving))
     return [over_angle(theta, lines, title=AXIS, unit="N*m", height=220)]

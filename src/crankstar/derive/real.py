@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
-from math import pi
 
 from flint import acb, arb
 
@@ -29,6 +28,7 @@ from crankstar.derive.task import Task, sides
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import series_coefficient
 from crankstar.language.messages import N_, _
+from crankstar.language.numbers import RPM
 from crankstar.mechanics.balance import unit_unbalance
 
 
@@ -132,7 +132,7 @@ def size(engine: Engine, quantity: Quantity, speed: float | None, greatest: floa
     value = greatest * speed**2
     told = _(
         _SIZES[quantity],
-        speed=f"{speed * 30 / pi:.6g}",
+        speed=f"{speed * RPM:.6g}",
         size=f"{float(f'{value:.3g}') if guessed else value:.6g}",
     )
     doubt = _("This size is estimated; its range stands in the analysis.")

@@ -32,6 +32,7 @@ from crankstar import spectra
 from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import MessageError
+from crankstar.language.numbers import RPM
 from crankstar.mechanics.excitation import part_spectra
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import chamber_torque, friction_torque, over_cycle
@@ -197,7 +198,7 @@ def _stopped(speed: float) -> UnevenError:
     return UnevenError(
         "at {rpm} rpm the engine would stop within a cycle: give it more flywheel, more speed or "
         "less load",
-        rpm=f"{speed * 30 / np.pi:.4g}",
+        rpm=f"{speed * RPM:.4g}",
     )
 
 

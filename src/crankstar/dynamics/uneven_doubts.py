@@ -13,6 +13,7 @@ from math import pi
 from crankstar.dynamics.uneven import fluctuation
 from crankstar.engine.engine import Engine
 from crankstar.language.faults import Fault
+from crankstar.language.numbers import RPM
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.operating_points import GasError
 
@@ -84,7 +85,7 @@ def uneven_doubts(engine: Engine, found: Cycle, *, generating: bool = False) -> 
     values = {
         "value": drive.inertia,
         "parts": float(f"{1 / uneven:.2g}"),
-        "rpm": float(f"{speed * 30 / pi:.4g}"),
+        "rpm": float(f"{speed * RPM:.4g}"),
         "enough": float(f"{swing / (usual * speed**2) - moving:.2g}"),
     }
     code = "doubt.uneven-set" if generating else "doubt.uneven"

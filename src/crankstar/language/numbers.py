@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from math import degrees
+from math import degrees, pi
+from typing import overload
 
 import numpy as np
 
 from crankstar.language.kept import CLOSING, MIDDLE, OPENING, are_kept, value_text
 from crankstar.language.messages import _n
 
+RPM = 30 / pi
+"""Revolutions per minute in a radian per second."""
 NEGLIGIBLE = 1e-9
 """A number smaller than this share of the largest beside it is written as 0."""
 
@@ -32,6 +35,23 @@ def number(value: complex, largest: float = 0.0, *, digits: int = 5) -> str:
     else:
         text = f"{value:.{digits}g}"
     return f"{OPENING}{value_text(own)}{MIDDLE}{text}{CLOSING}" if are_kept() else text
+
+
+@overload
+def rpm_of(speed: float) -> float: ...
+
+
+@overload
+def rpm_of(speed: float | None) -> float | None: ...
+
+
+def rpm_of(speed: float | None) -> float | None:
+    """A speed (rad/s) in rpm for machines, without the rounding of the conversion; None for none.
+
+    >>> 1500 / RPM * RPM, rpm_of(1500 / RPM), rpm_of(None)
+    (1499.9999999999998, 1500.0, None)
+    """
+    return None if speed is None else float(f"{speed * RPM:.12g}")
 
 
 def order_text(order: float) -> str:

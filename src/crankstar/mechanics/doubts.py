@@ -28,6 +28,7 @@ from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.torsion import CrankDimensions, Torsion
 from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
+from crankstar.language.numbers import RPM, rpm_of
 from crankstar.mechanics.central_rods import central_doubts
 from crankstar.mechanics.charge_air import CHARGED, STOICHIOMETRIC
 from crankstar.mechanics.friction import friction_of
@@ -175,7 +176,7 @@ def _shadowed(engine: Engine) -> Iterator[Fault]:
         return
     for index, point in enumerate(gas.points):
         if point.speed is not None and isclose(point.speed, own, rel_tol=1e-9):
-            named = {"name": point.name, "rpm": float(f"{own * 30 / pi:.12g}")}
+            named = {"name": point.name, "rpm": rpm_of(own)}
             yield Fault(("gas", "point", index), "doubt.shadowed", named)
 
 
@@ -256,7 +257,7 @@ def cycle_doubts(cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
         enough = CHARGED[fires] * STOICHIOMETRIC[fires] / cycle.air_fuel_ratio
         bound["enough"] = float(f"{bound['intake'] * enough:.3g}")
         yield Fault((*path, "intake_pressure"), "doubt.charge", bound)
-    rpm = None if cycle.speed is None else cycle.speed * 30 / pi
+    rpm = rpm_of(cycle.speed)
     known = cycle.values.get("friction_pressure") is not None
     if cycle.friction is None:
         return
@@ -269,7 +270,7 @@ def cycle_doubts(cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
         yield Fault((*path, "friction_pressure"), "doubt.great-friction", bound)
     limit = FRICTIONS.get(cycle.values.get("friction", ""))
     if rpm is not None and limit is not None and not known and rpm > limit:
-        usual = friction_of({**cycle.values, "speed": limit * pi / 30}) or 0.0
+        usual = friction_of({**cycle.values, "speed": limit / RPM}) or 0.0
         bound = {"rpm": rpm, "bound": limit, "value": cycle.friction / 1e5, "usual": usual / 1e5}
         yield Fault((*path, "friction_pressure"), "doubt.friction", bound)
 

@@ -13,6 +13,8 @@ from collections.abc import Mapping
 from math import pi
 from typing import Any, Literal
 
+from crankstar.language.numbers import RPM
+
 Correlation = Literal["spark-ignition", "diesel", "none"]
 
 
@@ -24,7 +26,7 @@ def friction_pressure(correlation: Correlation, *, speed: float, stroke: float) 
     >>> friction_pressure("none", speed=100.0, stroke=0.08)
     0.0
     """
-    thousands = speed * 30 / pi / 1000
+    thousands = speed * RPM / 1000
     if correlation == "spark-ignition":
         return 1e5 * (0.97 + 0.15 * thousands + 0.05 * thousands**2)
     if correlation == "diesel":

@@ -15,6 +15,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.mount_checks import carried_mass
 from crankstar.engine.proportions import STEEL, weighed_bores
 from crankstar.language.faults import Fault
+from crankstar.language.numbers import RPM
 from crankstar.mechanics.balance import default_reference
 
 LEAST_RATIO = 2.5
@@ -134,7 +135,7 @@ def _speed_doubts(engine: Engine) -> Iterator[Fault]:
     mean = max(2 * engine.throw(own).radius for own in engine.cylinders) * engine.speed / pi
     if mean > FASTEST_PISTON:
         values = {
-            "rpm": float(f"{engine.speed * 30 / pi:.6g}"),
+            "rpm": float(f"{engine.speed * RPM:.6g}"),
             "value": float(f"{mean:.3g}"),
             "bound": FASTEST_PISTON,
         }

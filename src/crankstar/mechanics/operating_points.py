@@ -21,13 +21,14 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Mapping, Sequence
-from math import pi, radians
+from math import radians
 from typing import Any, NamedTuple
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS, Gas, Ignition, Load, Process, said_ignition
 from crankstar.engine.proportions import SPARK, inferred, look_of
 from crankstar.language.messages import MessageError
+from crankstar.language.numbers import RPM
 
 CRANKCASE = 101_325.0
 """Pa: the standard atmosphere behind the pistons."""
@@ -71,7 +72,7 @@ LIMIT = 80e5
 """Pa: the assumed limit of pressure of a limited-pressure cycle that draws in free air."""
 AIR = 1e5
 """Pa: free air; a higher charge pressure raises the assumed limit alike."""
-USUAL_SPEED = 1000 * pi / 30
+USUAL_SPEED = 1000 / RPM
 """rad/s, at which engines are compared where no file has a speed."""
 SPEEDS_BETWEEN = 2
 """Speeds that points must have for there to be a load between them."""

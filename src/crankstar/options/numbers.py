@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from math import inf, pi
+from math import inf
 from typing import Any
 
 from crankstar.engine.arguments import check_number as check_number  # with the other numbers
@@ -11,6 +11,7 @@ from crankstar.engine.arguments import is_number as is_number
 from crankstar.engine.quantities import INERTIA, POWER, PRESSURE, SPEED, Quantity
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
+from crankstar.language.numbers import RPM
 from crankstar.language.quoting import given as quoted
 
 GREATEST_BARE_SPEED = 2500.0
@@ -42,7 +43,7 @@ def speed(given: Any) -> float | str:
                     "speed is {given} rad/s, which is {rpm} rpm; if {given} rpm is meant, write "
                     'speed="{given} rpm"',
                     given=f"{number:.6g}",
-                    rpm=f"{number * 30 / pi:.6g}",
+                    rpm=f"{number * RPM:.6g}",
                 )
             )
     else:

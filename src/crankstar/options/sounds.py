@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from math import pi
 
 from crankstar.dynamics.sound import PIPE, Ride
 from crankstar.engine.quantities import LENGTH, SPEED
 from crankstar.files import units
 from crankstar.language.messages import _
+from crankstar.language.numbers import RPM
 from crankstar.options.refusals import refusal
 from crankstar.options.values import reading
 
@@ -44,7 +44,7 @@ def _speeds(text: str) -> tuple[float, float]:
         found = [
             units.si(f"{part} {unit}" if units.is_bare(part) else part, SPEED) for part in parts
         ]
-    if not all(SPEEDS[0] <= round(speed * 30 / pi, 6) <= SPEEDS[1] for speed in found):
+    if not all(SPEEDS[0] <= round(speed * RPM, 6) <= SPEEDS[1] for speed in found):
         least, most = (f"{speed:,.0f}" for speed in SPEEDS)
         raise refusal(
             "--rpm", text, "give speeds from {least} to {most} rpm", least=least, most=most

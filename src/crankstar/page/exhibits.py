@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from math import lcm, pi
+from math import lcm
 from typing import Any, NamedTuple
 
 from crankstar import __version__, files
@@ -20,6 +20,7 @@ from crankstar.language.faults import EngineError
 from crankstar.language.glossary import terms
 from crankstar.language.kept import alike
 from crankstar.language.messages import _
+from crankstar.language.numbers import rpm_of
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import Balance, balance, scales
 from crankstar.page import orders as vectors
@@ -136,7 +137,7 @@ def exhibit(
         weight_throws=tuple(map(throws_of_weights, engine.shafts)),
         relative=engine.relative,
         sense=1 if engine.sense > 0 else -1,
-        speed_rpm=None if engine.speed is None else float(f"{engine.speed * 30 / pi:.12g}"),
+        speed_rpm=rpm_of(engine.speed),
         scale=_scale(engine),
         estimated=tuple(estimated_paths(engine)),
         can_estimate=can_be_estimated(engine),

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import lru_cache
-from math import pi
 from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
 
 from crankstar.engine.engine import Engine
-from crankstar.language.numbers import unit_text
+from crankstar.language.numbers import RPM, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.operating_points import GasError
 from crankstar.page.mount_driving import driving, place_of, points_of, short
@@ -44,7 +43,6 @@ PROMINENT = 0.1
 """How far a resonance stands out of the velocity beside it, of the greatest at any speed."""
 LEAST = 1e-10
 """Share of the greatest motion or force at every speed below which an order is left out."""
-RPM = 30 / pi
 
 
 class _Driven(NamedTuple):

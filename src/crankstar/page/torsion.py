@@ -9,14 +9,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
-from math import pi
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.numbers import RPM, number, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.gas import cycle
 from crankstar.page.keys import chart_key
@@ -47,7 +46,6 @@ MOST_POINTS, MOST_CRITICAL = 6, 4
 """Operating points and critical speeds whose vibration is sent."""
 MOST_STARS, STARRED = 6, 3
 """Stars of a mode, and modes that have some."""
-RPM = 30 / pi
 FIGURES = {
     "torsion-modes": (N_("Mode shapes of torsion"), (None,)),
     "campbell": (N_("Campbell diagram of torsion"), (None,)),

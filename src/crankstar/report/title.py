@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number
 from crankstar.remedy import loads
 from crankstar.report.markup import section
 from crankstar.report.subject import Subject
@@ -106,7 +106,7 @@ def _data(subject: Subject) -> list[Datum]:
     if subject.at is None:
         return [*out, Datum(_("Unit of force, at any speed"), "m r ω²")]
     own = engine.speed is not None and abs(subject.at - engine.speed) < 1e-9 * engine.speed
-    speed = f"{number(subject.at * 30 / pi)} rpm"
+    speed = f"{number(subject.at * RPM)} rpm"
     return [*out, Datum(_("Speed for the forces"), speed, ("speed",) if own else ())]
 
 

@@ -17,7 +17,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
-from math import pi
 
 import numpy as np
 
@@ -28,7 +27,7 @@ from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, MessageError, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, rpm_of
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle, cycle_or_reason
@@ -173,7 +172,7 @@ def compared(
 
     if not speed_assumed or speed is None or speed == engine.speed:
         return answer
-    rpm, of_file = (float(f"{each * 30 / pi:.12g}") for each in (speed, engine.speed or 0.0))
+    rpm, of_file = (rpm_of(each) for each in (speed, engine.speed or 0.0))
     chosen = Assumption("assumed", "speed", ONE_SPEED, rpm, "rpm")
     usual = usual_speeds(engine)
     if engine.speed is not None:

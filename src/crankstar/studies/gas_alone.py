@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import replace
-from math import pi
 
 from crankstar.analysis.assumptions import Assumption
 from crankstar.analysis.tried_values import Figures
@@ -18,6 +17,7 @@ from crankstar.engine.proportions import inferred, look_of, piston_speed, propor
 from crankstar.files import engine_of, explicit
 from crankstar.files.references import absolute
 from crankstar.language.messages import N_
+from crankstar.language.numbers import RPM
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
 from crankstar.mechanics.operating_points import ignition
 
@@ -163,4 +163,4 @@ def usual_speeds(engine: Engine) -> tuple[float, float] | None:
 
 def with_speed(engine: Engine, rpm: float) -> Engine:
     """The engine with a speed of its own, ignited as before."""
-    return with_values(engine, speed=rpm * pi / 30, gas=_ignited(engine))
+    return with_values(engine, speed=rpm / RPM, gas=_ignited(engine))

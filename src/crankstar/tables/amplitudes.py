@@ -7,7 +7,6 @@ can be put one below the other.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import pi
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from crankstar import spectra
 from crankstar.analysis.document import ROW_UNIT, Column, Document, Kind, Table
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import are_kept
+from crankstar.language.numbers import rpm_of
 from crankstar.mechanics.balance import Balance, Grouping, grouped, total
 from crankstar.mechanics.bounds import lengths
 from crankstar.mechanics.excitation import Totals
@@ -55,7 +55,7 @@ def amplitudes(
         {"part": [*shares]},
     )
     rows = _with_gas(rows, engine, result, orders or ())
-    rpm = None if result.speed is None else float(f"{result.speed * 30 / pi:.12g}")
+    rpm = rpm_of(result.speed)
     return document(engine.name, {"speed_rpm": [rpm] * len(rows["order"]), **rows})
 
 

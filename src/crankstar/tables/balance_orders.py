@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import degrees, pi
+from math import degrees
 from typing import Any
 
 from crankstar import spectra
@@ -11,7 +11,7 @@ from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import first_harmonic
 from crankstar.language.messages import _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number, rpm_of
 from crankstar.mechanics.balance import Balance, Units, total
 from crankstar.mechanics.bounds import greatest
 from crankstar.mechanics.excitation import Totals, rolling_moment
@@ -34,7 +34,7 @@ def answer(engine: Engine, result: Balance, *, orders: Sequence[float] | None = 
     facts = {
         "engine": engine.name,
         "rotation": engine.rotation,
-        "speed_rpm": None if result.speed is None else float(f"{result.speed * 30 / pi:.12g}"),
+        "speed_rpm": rpm_of(result.speed),
         "reference": {"z": point.z, "up": point.up, "right": point.right},
         "units": result.units._asdict(),
         **_points(engine, result),
@@ -137,5 +137,5 @@ def notebook_table(result: Balance) -> Document:
             path = spectra.ellipse(complex(vector.forward[row]), complex(vector.backward[row]))
             cells += [path.semi_major, shape(path)]
         rows.append((*cells, complex(roll[row])))
-    speed = "" if result.speed is None else _("At {rpm} rpm", rpm=number(result.speed * 30 / pi))
+    speed = "" if result.speed is None else _("At {rpm} rpm", rpm=number(result.speed * RPM))
     return Document("", (Table(speed, tuple(heads), tuple(rows)),))

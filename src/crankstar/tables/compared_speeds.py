@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, rpm_of
 from crankstar.mechanics.operating_points import common_speed
 
 HEADS = {
@@ -26,12 +25,13 @@ def speed_head(
     """The sentence on the `speeds` (rad/s) of engines; empty where they are in m r w^2.
 
     >>> from crankstar.files.catalog import load
+    >>> from crankstar.language.numbers import RPM
     >>> both = [load("audi-25-tfsi", changes={"speed": each}) for each in ("3000 rpm", None)]
-    >>> speed_head(both, ["five", "other"], [100 * pi] * 2)
+    >>> speed_head(both, ["five", "other"], [3000 / RPM] * 2)
     'All at 3000 rpm, the lowest of those in the files: five: 3000 rpm; other: none.'
     """
-    at = [_rounded(speed) for speed in speeds]
-    own = [_rounded(engine.speed) for engine in engines]
+    at = [rpm_of(speed) for speed in speeds]
+    own = [rpm_of(engine.speed) for engine in engines]
     if None in at:
         return ""
     guessed = [_estimated(engine) for engine in engines]
@@ -41,7 +41,7 @@ def speed_head(
         return _(HEADS[kind], rpm=_rpm(at[0]), speeds=told)
     none = not any(own)
     kind = "asked, none" if none else "asked"
-    if at[0] == _rounded(common_speed(engines)):
+    if at[0] == rpm_of(common_speed(engines)):
         kind = "assumed" if none else "least"
     return _(HEADS[kind], rpm=_rpm(at[0]), speeds=told)
 
@@ -62,8 +62,3 @@ def _told(name: str, speed: float | None, estimated: bool) -> str:
 
 def _rpm(speed: float | None) -> str:
     return number(speed or 0.0)
-
-
-def _rounded(speed: float | None) -> float | None:
-    """In rpm, as it was typed."""
-    return None if speed is None else float(f"{speed * 30 / pi:.12g}")

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain, count
-from math import pi
 from typing import Any, NamedTuple
 
 from crankstar.analysis.assumptions import Assumption
@@ -14,7 +13,7 @@ from crankstar.analysis.registry import added, analyses
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any, plain
 from crankstar.language.messages import _, spoken
-from crankstar.language.numbers import NEGLIGIBLE
+from crankstar.language.numbers import NEGLIGIBLE, rpm_of
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.bounds import peak, size
 from crankstar.mechanics.excitation import Reference
@@ -140,11 +139,11 @@ def _gas_rows(compared: _Compared) -> tuple[list[tuple[Value, ...]], dict[str, A
     engines = [shown.engine for shown in compared.shown]
     if any(engine.gas is None for engine in engines):
         return [], {}
-    from crankstar.tables.gas_comparison import gas_cycles, gas_sizes, gas_state_facts, rpm_of
+    from crankstar.tables.gas_comparison import gas_cycles, gas_sizes, gas_state_facts
 
     cycles = gas_cycles(engines, _speeds(compared))
     rows: list[tuple[Value, ...]] = [
-        ("torque_with_gas", order, name, rpm_of(own), cell, "N*m", _share(cell, cells[0], 1))
+        ("torque_with_gas", order, name, rpm_of(own.speed), cell, "N*m", _share(cell, cells[0], 1))
         for order, cells in gas_sizes(engines, compared.names, cycles, _asked(compared))
         for name, own, cell in zip(compared.names, cycles, cells, strict=True)
     ]
@@ -342,7 +341,7 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
             for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
                 share = _share(cell, cells[0], 1)
                 rows.append(
-                    (name, order, engine, _rpm(result.speed), cell, _unit(result, name), share)
+                    (name, order, engine, rpm_of(result.speed), cell, _unit(result, name), share)
                 )
     with_gas, facts = _gas_rows(compared)
     rows += [*with_gas, *_response_rows(compared)]
@@ -368,13 +367,9 @@ def _response_rows(compared: _Compared) -> list[tuple[Value, ...]]:
                     having, compared.names, compared.results, cells, strict=True
                 ):
                     share = _share(cell, cells[0] or 0.0, 1) if cell else None
-                    row = (what, order, engine, _rpm(result.speed), cell, unit, share)
+                    row = (what, order, engine, rpm_of(result.speed), cell, unit, share)
                     rows += [row] if has else []
     return rows
-
-
-def _rpm(speed: float | None) -> float | None:
-    return None if speed is None else float(f"{speed * 30 / pi:.12g}")
 
 
 def _engines(compared: _Compared) -> Table:
@@ -387,7 +382,7 @@ def _engines(compared: _Compared) -> Table:
     heads.append(Column(_("unverified values")))
     rows: list[tuple[Value, ...]] = []
     for name, own, result in zip(compared.names, compared.shown, compared.results, strict=True):
-        speed = (_rpm(result.speed),) if compared.real else ()
+        speed = (rpm_of(result.speed),) if compared.real else ()
         rows.append((name, _fires(own.engine), *speed, len(unverified(own.engine))))
     return Table(_("Engines"), tuple(heads), tuple(rows))
 
@@ -406,8 +401,8 @@ def _engine_rows(compared: _Compared) -> Table:
             (
                 name,
                 plain(_fires(own.engine)),
-                _rpm(result.speed),
-                _rpm(own.engine.speed),
+                rpm_of(result.speed),
+                rpm_of(own.engine.speed),
                 len(unverified(own.engine)),
             )
             for name, own, result in zip(

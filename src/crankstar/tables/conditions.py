@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from math import pi
-
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, ROD_SOURCE
 from crankstar.engine.engine import Engine
 from crankstar.engine.proportions import TWO_MASSES, inferred, look_of
 from crankstar.language.messages import N_, _, passage
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number
 from crankstar.mechanics.balance import Balance, unit_mass
 from crankstar.mechanics.lacking import KEYS, SIZES, is_explicit, lacking_keys, pitch_key
 from crankstar.tables.scales import scales
@@ -47,7 +45,7 @@ def unit_sentence(engine: Engine, result: Balance) -> str:
     'cylinder.reciprocating_mass, layout.bore_pitch.'
     """
     if result.speed is not None:
-        speed = _("Forces and moments at {speed} rpm.", speed=number(result.speed * 30 / pi))
+        speed = _("Forces and moments at {speed} rpm.", speed=number(result.speed * RPM))
         return passage((speed, _pitch_sentence(engine)))
     if not {*SIZES} & {*engine.relative}:
         return _(UNITS["speed"])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from crankstar.analysis.document import Column, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import _
+from crankstar.language.numbers import rpm_of
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.operating_points import GasError
 from crankstar.studies.gas_results import torque_of
@@ -62,14 +62,9 @@ def gas_sizes(
 def gas_state_facts(names: Sequence[str], cycles: Sequence[Cycle]) -> list[dict[str, Any]]:
     """The speed and operating points of the gas of each engine, for machines."""
     return [
-        {"engine": name, "speed_rpm": rpm_of(own), **state_facts(cycle_state(own))}
+        {"engine": name, "speed_rpm": rpm_of(own.speed), **state_facts(cycle_state(own))}
         for name, own in zip(names, cycles, strict=False)
     ]
-
-
-def rpm_of(own: Cycle) -> float | None:
-    """The speed of a cycle, rpm."""
-    return None if own.speed is None else float(f"{own.speed * 30 / pi:.12g}")
 
 
 def gas_comparison(

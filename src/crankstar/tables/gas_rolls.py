@@ -7,7 +7,6 @@ leaves that of gas as it is, so that it is judged by the sum of both.
 
 from __future__ import annotations
 
-from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +15,7 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, order_text
+from crankstar.language.numbers import RPM, number, order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.lacking import lacking_keys
 from crankstar.mechanics.operating_points import operating_state
@@ -120,7 +119,7 @@ def largest_sentence(engine: Engine, *, speed: float | None) -> str:
     order = as_given("largest roll with gas", found.largest)
     return _(
         "Rolling moment with gas at {rpm} rpm: largest at order {order}, {size}.",
-        rpm=number(found.speed * 30 / pi),
+        rpm=number(found.speed * RPM),
         order=order_text(order),
         size=quantity_text(found.at(order), "N*m"),
     )
@@ -145,7 +144,7 @@ def change_sentence(before: GasRoll, now: GasRoll, order: float) -> str:
         course = "grows" if sizes[1] > sizes[0] else "falls"
     return _(
         CHANGES[as_given(("roll changes", order), course)],
-        rpm=number(before.speed * 30 / pi),
+        rpm=number(before.speed * RPM),
         order=order_text(order),
         before=quantity_text(before.at(order), "N*m"),
         now=quantity_text(now.at(order), "N*m"),

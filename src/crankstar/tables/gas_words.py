@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 from typing import Any
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
-from crankstar.language.numbers import number, numbers_text
+from crankstar.language.numbers import RPM, number, numbers_text, rpm_of
 from crankstar.language.quoting import one_line
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.operating_points import (
@@ -128,14 +127,14 @@ def range_facts(engine: Engine, point: str = "") -> list[dict[str, Any]]:
     if engine.gas is None and not point:
         return []
     return [
-        {"name": name or None, "speed_rpm": None if speed is None else speed * 30 / pi}
+        {"name": name or None, "speed_rpm": rpm_of(speed)}
         for name, speed in range_points(engine, point)
     ]
 
 
 def rpm_text(speed: float | None) -> str:
     """A speed (rad/s) in rpm."""
-    return "" if speed is None else number(round(speed * 30 / pi, 6))
+    return "" if speed is None else number(round(speed * RPM, 6))
 
 
 def state_facts(state: OperatingState | None) -> dict[str, Any]:

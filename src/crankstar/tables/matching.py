@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 from typing import Any
 
 from crankstar.analysis.document import Column, Document, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number, order_text
+from crankstar.language.numbers import RPM, number, order_text, rpm_of
 from crankstar.language.shown_units import quantity_text
 from crankstar.studies.matched_sets import Division
 from crankstar.studies.matching import Matched, Place, labels
@@ -97,7 +96,7 @@ def _facts(found: Matched, speed: float | None) -> dict[str, Any]:
         "whole_unbalance": found.whole_unbalance,
         "whole_alike": found.whole_alike,
         "proved": found.proved,
-        "speed_rpm": None if speed is None else float(f"{speed * 30 / pi:.12g}"),
+        "speed_rpm": rpm_of(speed),
     }
 
 
@@ -174,7 +173,7 @@ def _left_table(found: Matched, speed: float | None) -> Table:
 def _force_column(speed: float | None) -> tuple[Column, ...]:
     if speed is None:
         return ()
-    said = _("force, rms, at {rpm} rpm", rpm=number(speed * 30 / pi))
+    said = _("force, rms, at {rpm} rpm", rpm=number(speed * RPM))
     return (Column(said, "N", key="force", digits=4),)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -13,10 +12,9 @@ from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_response import MountResponse, rms
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number
 from crankstar.language.shown_units import quantity_text
 
-RPM = 30 / pi
 MM = 1e3
 FREEDOM_NAMES = {
     "up": N_("up"),

@@ -17,7 +17,7 @@ from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _, passage
-from crankstar.language.numbers import order_text
+from crankstar.language.numbers import RPM, order_text
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.bounds import lengths, peaks
 from crankstar.mechanics.excitation import Totals, rolling_moment
@@ -94,7 +94,7 @@ def remaining(result: Balance, orders: Sequence[float] | None) -> dict[str, tupl
 
 def rpm(sweep: Sweep) -> Real:
     """The speeds of a sweep of the speed, rpm."""
-    return np.array([float(f"{v:.12g}") for v in rad_per_s(sweep.values, sweep.unit) * 30 / np.pi])
+    return np.array([float(f"{v:.12g}") for v in rad_per_s(sweep.values, sweep.unit) * RPM])
 
 
 def document(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from cmath import phase
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +15,7 @@ from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number, order_text
+from crankstar.language.numbers import RPM, number, order_text
 from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
@@ -338,7 +337,7 @@ def _remaining(job: Job) -> Table:
     )
     title = _("Remaining unbalance")
     if after.speed is not None:
-        title = _("Remaining unbalance at {rpm} rpm", rpm=number(after.speed * 30 / pi))
+        title = _("Remaining unbalance at {rpm} rpm", rpm=number(after.speed * RPM))
     return Table(title, columns, tuple(rows), notes=(*worse, *notes), key="remaining")
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +13,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _, passage
-from crankstar.language.numbers import number, order_text
+from crankstar.language.numbers import RPM, number, order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.remains import OPTIMISED, Sums, remains, summed
@@ -132,7 +131,7 @@ def roll_left(engine: Engine, *, speed: float | None, before: Engine | None = No
     sentence = _(
         (WITH_GAS if was is None else FITTED)[case],
         order=order_text(order),
-        rpm=number(now.speed * 30 / pi),
+        rpm=number(now.speed * RPM),
         size=quantity_text(whole, "N*m"),
         inertia=quantity_text(whole - left, "N*m"),
         left=quantity_text(left, "N*m"),

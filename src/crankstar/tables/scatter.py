@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import pi
 from typing import Any
 
 from crankstar.analysis.document import (
@@ -22,7 +21,7 @@ from crankstar.files.tolerances import Tolerance
 from crankstar.files.units import text
 from crankstar.language.faults import listed
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number, order_text
+from crankstar.language.numbers import number, order_text, rpm_of
 from crankstar.language.shown_units import quantity_text
 from crankstar.studies.linear_law import BEARING
 from crankstar.studies.scatter import SIGNALS, OrderScatter, Scatter
@@ -108,7 +107,7 @@ def _facts(found: Scatter) -> dict[str, Any]:
     return {
         "format": 1,
         "engine": found.engine.name,
-        "speed_rpm": None if found.speed is None else found.speed * 30 / pi,
+        "speed_rpm": rpm_of(found.speed),
         "reference": list(found.reference),
         "distribution": found.distribution,
         "builds": found.count,

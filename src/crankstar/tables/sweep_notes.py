@@ -10,7 +10,7 @@ import numpy as np
 from crankstar.analysis.document import Document, Remarks, remarks
 from crankstar.analysis.registry import measures
 from crankstar.language.messages import _, passage
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number
 from crankstar.mechanics.balance import balance
 from crankstar.studies.answers import rests_on
 from crankstar.studies.gas_results import GAS_WATCHABLE
@@ -208,6 +208,6 @@ def speed_note(sweep: Sweep) -> str:
     )
     if sweep.units.force == "N":
         return law
-    rpm = number(sweep.highest_speed * 30 / np.pi)
+    rpm = number(sweep.highest_speed * RPM)
     unit = _("ω0 is the highest speed, {rpm} rpm.", rpm=rpm)
     return f"{law} {unit}"

@@ -21,7 +21,7 @@ from crankstar.analysis.document import (
     Value,
 )
 from crankstar.language.messages import _, passage
-from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.language.numbers import NEGLIGIBLE, number, rpm_of
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.labelled import AXIAL, VECTORS
 from crankstar.spectra import Real
@@ -119,7 +119,7 @@ def facts(sweep: Sweep) -> dict[str, object]:
         for axis in sweep.axes
     ]
     rpm = {
-        name: None if speed is None else float(f"{speed * 30 / np.pi:.12g}")
+        name: rpm_of(speed)
         for name, speed in (("speed_rpm", sweep.speed), ("highest_speed_rpm", sweep.highest_speed))
     }
     counted = {"units": sweep.units._asdict(), "axes": axes}

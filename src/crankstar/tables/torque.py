@@ -12,7 +12,7 @@ from crankstar.engine.dead_centres import pistons
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number, numbers_text
+from crankstar.language.numbers import RPM, number, numbers_text, rpm_of
 from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.doubts import point_doubts
@@ -94,7 +94,7 @@ def torque_document(
         "format": 1,
         "engine": engine.name,
         **state_facts(cycle_state(cycle)),
-        "speed_rpm": None if turning is None else float(f"{turning * 30 / pi:.12g}"),
+        "speed_rpm": rpm_of(turning),
         "mean_torque": float(found.mean.sum()),
         "brake_torque": mean,
         "power": None if turning is None else float(found.mean.sum()) * turning,
@@ -220,7 +220,7 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
             rows.append((_("brake power"), "brake_power", brake * cycle.speed, "W"))
     title = _("One cycle")
     if cycle.speed is not None:
-        title = _("One cycle at {rpm} rpm", rpm=number(cycle.speed * 30 / pi))
+        title = _("One cycle at {rpm} rpm", rpm=number(cycle.speed * RPM))
     return _pairs("work", burning_words(at_points(title, cycle), cycle), rows)
 
 
@@ -236,9 +236,9 @@ def running_table(running: Running) -> Table:
             (_("fluctuation of energy"), "fluctuation", running.fluctuation, "J"),
             (_("degree of irregularity"), "irregularity", irregular, ""),
             (_("the same, linear estimate"), "linear", running.linear, ""),
-            (_("least speed"), "least_rpm", ends.least * 30 / pi, "rpm"),
+            (_("least speed"), "least_rpm", ends.least * RPM, "rpm"),
             (_("crank angle of the least speed"), "least_deg", degrees(ends.least_at), "deg"),
-            (_("greatest speed"), "greatest_rpm", ends.greatest * 30 / pi, "rpm"),
+            (_("greatest speed"), "greatest_rpm", ends.greatest * RPM, "rpm"),
             (
                 _("crank angle of the greatest speed"),
                 "greatest_deg",

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from crankstar.analysis.document import Column, Document, Table, Value, remarks
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number, rpm_of
 from crankstar.language.shown_units import quantity_text
 from crankstar.remedy.drilling import Drill, Holes
 from crankstar.remedy.grades import GRADES, grade_met, grade_of, grade_of_planes, permissible
@@ -212,11 +212,7 @@ def grade_document(
 ) -> Document:
     """The permissible residual unbalance by grade, and its force; before it what was measured."""
     grades = USUAL if grade is None else (grade,)
-    facts = {
-        "mass_kg": rotor.mass,
-        "speed_rpm": float(f"{rotor.speed * 30 / pi:.12g}"),
-        "shares": list(rotor.planes),
-    }
+    facts = {"mass_kg": rotor.mass, "speed_rpm": rpm_of(rotor.speed), "shares": list(rotor.planes)}
     parts = [_permissible(rotor, grades)]
     lines: list[str] = []
     if measured:
@@ -280,7 +276,7 @@ def _permissible(rotor: Rotor, grades: Sequence[float]) -> Table:
         "{front} to {rear}, by their distances from the centre of mass (--bearing-distances; "
         "default: equal).",
         mass=quantity_text(rotor.mass, "kg"),
-        rpm=number(rotor.speed * 30 / pi),
+        rpm=number(rotor.speed * RPM),
         front=number(rotor.planes[0]),
         rear=number(rotor.planes[1]),
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import degrees, pi
+from math import degrees
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from crankstar.dynamics.bearings import BearingLoads, Model, bending_moment
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import NEGLIGIBLE, number, numbers_text
+from crankstar.language.numbers import NEGLIGIBLE, RPM, number, numbers_text, rpm_of
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import greatest, highest, length, tops
@@ -72,7 +72,7 @@ def document(engine: Engine, computed: Loads, question: Question) -> Document:
     facts = {
         "engine": engine.name,
         "model": model,
-        "speed_rpm": None if loads.speed is None else float(f"{loads.speed * 30 / pi:.12g}"),
+        "speed_rpm": rpm_of(loads.speed),
         "unit": loads.unit,
         **(
             {}
@@ -145,7 +145,7 @@ def gas_sentences(cycle: Cycle) -> tuple[str, ...]:
     """Which gas is in the loads, and how fast the engine turns."""
     values = {
         "point": points_text(cycle.shares),
-        "rpm": number((cycle.speed or 0.0) * 30 / pi),
+        "rpm": number((cycle.speed or 0.0) * RPM),
         "pressure": quantity_text(cycle.imep, "Pa"),
     }
     lines = [_("With gas at {rpm} rpm, {pressure} indicated mean effective pressure.", **values)]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import pi
 from typing import Any
 
 import numpy as np
@@ -15,12 +14,11 @@ from crankstar.analyses.diagnose.readings import AXES
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, for_each, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number
 from crankstar.language.shown_units import quantity_text
 from crankstar.studies.single_faults import Fault, fault_facts, fault_text, limits
 from crankstar.tables.gas_words import state_facts, state_words
 
-RPM = 30 / pi
 ROWS = 12
 """Suspects that are shown to readers; all are in JSON and CSV."""
 SAME_MASS = 1e-6

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 from typing import Any
 
 import numpy as np
@@ -22,12 +21,11 @@ from crankstar.analysis.document import (
 from crankstar.dynamics.whirl import body
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, passage
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number
 from crankstar.spectra import Real
 from crankstar.studies.single_faults import Shaken, fault_facts, fault_text
 from crankstar.tables.gas_words import state_facts, state_words
 
-RPM = 30 / pi
 AUDIENCES: tuple[Audience, Audience] = ("readers", "machines")
 VISIBLE = 1e-3
 """Share of the greatest of a column from which a change is shown to readers."""

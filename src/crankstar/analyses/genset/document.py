@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import degrees, pi
+from math import degrees
 from typing import Any
 
 from crankstar.analyses.genset.generating_set import SHARES, GeneratingSet
@@ -22,7 +22,7 @@ from crankstar.dynamics.generator_angle import GeneratorAngle
 from crankstar.dynamics.uneven import Running
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number, rpm_of
 from crankstar.mechanics.lacking import running_sentence
 from crankstar.tables.gas_words import (
     at_points,
@@ -33,7 +33,6 @@ from crankstar.tables.gas_words import (
 )
 from crankstar.tables.headings import heading
 
-RPM = 30 / pi
 NAMES = {
     "force_vertical": N_("force, vertical"),
     "force_horizontal": N_("force, horizontal"),
@@ -70,7 +69,7 @@ def _facts(found: GeneratingSet) -> dict[str, Any]:
         "weaker": weaker_facts(found.cycle),
         "pole_pairs": pairs,
         "frequency_hz": found.frequency,
-        "speed_rpm": None if found.speed is None else found.speed * RPM,
+        "speed_rpm": rpm_of(found.speed),
         "inertia": None if running is None else running.inertia,
         "irregularity": None if running is None else running.irregularity,
         "ahead_deg": None if angle is None else degrees(angle.ends[1]),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 from typing import TYPE_CHECKING, Any
 
 from crankstar.analyses.guide.published_orders import Published
@@ -13,7 +12,7 @@ from crankstar.analyses.marine.doubts import missing_units
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.numbers import number, rpm_of, unit_text
 from crankstar.mechanics.external_moments import unbalance_class
 from crankstar.mechanics.operating_points import OperatingState
 from crankstar.tables.gas_words import at_points, cycle_state, state_facts
@@ -21,7 +20,6 @@ from crankstar.tables.gas_words import at_points, cycle_state, state_facts
 if TYPE_CHECKING:
     from crankstar.analyses.guide.engine_family import Member
 
-RPM = 30 / pi
 CHOSEN = {"best": N_("best"), "given": N_("given"), "published": N_("published")}
 
 
@@ -51,7 +49,7 @@ def _state(members: Sequence[Member]) -> OperatingState | None:
 
 def _speed(member: Member) -> float | None:
     speed = member.found and member.found.after.speed
-    return None if speed is None else speed * RPM
+    return rpm_of(speed)
 
 
 def _heading(engine: Engine, members: Sequence[Member]) -> str:

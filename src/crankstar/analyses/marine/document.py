@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import degrees, pi
+from math import degrees
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from crankstar.analyses.marine.question import Question
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, for_each, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number, order_text
+from crankstar.language.numbers import RPM, number, order_text, rpm_of
 from crankstar.mechanics import guide_moments as guides
 from crankstar.mechanics.balance import scales, unit_unbalance
 from crankstar.mechanics.external_moments import (
@@ -28,7 +28,6 @@ from crankstar.mechanics.guide_moments import GuideMoments
 from crankstar.tables.gas_words import cycle_state, cycle_words, state_facts
 from crankstar.tables.headings import heading
 
-RPM = 30 / pi
 MM = 1e3
 OF_GUIDES = {"moment": ("kN*m",), "power": ("kW",)}
 """The units of project guides, whatever the size of the engine."""
@@ -64,7 +63,7 @@ def _facts(found: MarineAnalysis, bracing: tuple[float, float] | None) -> dict[s
     return {
         "format": 1,
         "engine": found.engine.name,
-        "speed_rpm": None if found.after.speed is None else found.after.speed * RPM,
+        "speed_rpm": rpm_of(found.after.speed),
         "power_kw": None if found.power is None else found.power / 1e3,
         **state_facts(None if found.cycle is None else cycle_state(found.cycle)),
         "about": found.after.z,

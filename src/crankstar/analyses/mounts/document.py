@@ -18,7 +18,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.rigid_block import FREEDOMS
 from crankstar.language.messages import _
-from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.language.numbers import NEGLIGIBLE, RPM, number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.mass_doubts import body_doubts
 from crankstar.spectra import Complex
@@ -27,7 +27,6 @@ from crankstar.tables.gas_words import range_facts, range_words, state_facts, st
 from crankstar.tables.headings import heading_lines
 from crankstar.tables.mount_points import FREEDOM_NAMES, point_tables, told_point
 
-RPM = 30 / pi
 MM, UM = 1e3, 1e6
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 from typing import NamedTuple
 
 from crankstar.analysis.document import Column, Table, Value
@@ -13,10 +12,9 @@ from crankstar.dynamics.mounted_block import MountError
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given
 from crankstar.language.messages import _
-from crankstar.language.numbers import number, order_text
+from crankstar.language.numbers import RPM, number, order_text
 from crankstar.language.shown_units import quantity_text
 
-RPM = 30 / pi
 MM = 1e3
 NONE = 1e-9
 """N, or m/s: less is nothing."""

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import pi
 
 from crankstar.analysis.record import Grid
 from crankstar.dynamics.mount_analysis import MountAnalysis
+from crankstar.language.numbers import RPM
 
 AXES = ("up", "right", "z")
 
@@ -24,7 +24,7 @@ def grids(result: MountAnalysis) -> Mapping[str, Grid]:
     return {
         "over": Grid(
             {
-                "speed_rpm": over.speeds * 30 / pi,
+                "speed_rpm": over.speeds * RPM,
                 "order": over.orders,
                 "axis": [*AXES],
                 "mount": [

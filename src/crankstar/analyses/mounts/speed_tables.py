@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 
 import numpy as np
 
@@ -11,11 +10,10 @@ from crankstar.analysis.document import Column, Table, Value, for_each
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_response import MountResponse, peak, rms
 from crankstar.language.messages import _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number
 from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Real
 
-RPM = 30 / pi
 MM, UM = 1e3, 1e6
 ROUNDING = 1e-9
 ROWS = 13

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import degrees, pi
+from math import degrees
 from typing import Any
 
 import numpy as np
@@ -27,7 +27,7 @@ from crankstar.dynamics.torsion_response import Response
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL, Chain
 from crankstar.language.messages import _, _n
-from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.language.numbers import NEGLIGIBLE, RPM, number
 from crankstar.mechanics.doubts import torsion_doubts
 from crankstar.mechanics.gas import Cycle
 from crankstar.spectra import Complex, Real
@@ -46,7 +46,6 @@ from crankstar.tables.torque import notes as cycle_notes
 
 MODES = 4
 """How many are shown to readers, unless they ask."""
-RPM = 30 / pi
 MPA = 1e-6
 
 

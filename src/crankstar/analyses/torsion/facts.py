@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 
 from crankstar.analyses.torsion.fatigue_tables import fatigue_sentence
 from crankstar.analysis.document import Column, Table, Value
@@ -12,9 +11,8 @@ from crankstar.dynamics.torsion_criticals import Critical
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given
 from crankstar.language.messages import _
-from crankstar.language.numbers import number, order_text
+from crankstar.language.numbers import RPM, number, order_text
 
-RPM = 30 / pi
 MODES = 3
 
 

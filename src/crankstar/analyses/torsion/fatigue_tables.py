@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 from typing import Literal
 
 from crankstar.analysis.document import Column, Table, Value, for_each
@@ -20,9 +19,8 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.fillets import fillet_ratios
 from crankstar.language.kept import as_given
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import RPM, number
 
-RPM = 30 / pi
 MPA = 1e-6
 ALIKE = 1e-9
 FILLETS = {"pin": N_("pin"), "journal": N_("journal")}

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import pi
 
 import numpy as np
 
 from crankstar.analysis.record import Grid
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis
+from crankstar.language.numbers import RPM
 
 
 def grids(result: TorsionAnalysis) -> Mapping[str, Grid]:
@@ -42,7 +42,7 @@ def grids(result: TorsionAnalysis) -> Mapping[str, Grid]:
     return {
         "response": Grid(
             {
-                "speed_rpm": response.speeds * 30 / pi,
+                "speed_rpm": response.speeds * RPM,
                 "order": response.orders,
                 "mass": [*chain.names],
                 "section": [

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from crankstar.analyses.mounts.charts.words import NO_SPEED, RPM, about, place_text, rests
+from crankstar.analyses.mounts.charts.words import NO_SPEED, about, place_text, rests
 from crankstar.charts.canvas import curve_height, panel_width, relative_width
 from crankstar.charts.drawing import (
     GREY,
@@ -29,7 +29,7 @@ from crankstar.dynamics.mount_response import MountResponse, rms
 from crankstar.dynamics.mounted_block import SIX, MountError
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, order_text, unit_text
+from crankstar.language.numbers import RPM, number, order_text, unit_text
 from crankstar.language.shown_units import Shown, shown
 from crankstar.mechanics.gas_torque import HIGHEST
 from crankstar.mechanics.occurring_orders import check_orders

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
 from typing import Any
 
 from crankstar.analyses.mounts.figures import mounted_modes, on_mounts
@@ -16,7 +15,6 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.shown_units import quantity_text
 
-RPM = 30 / pi
 NO_SPEED = N_("Without a speed nothing shakes it: give --speeds, or speed in the file.")
 
 

@@ -17,10 +17,9 @@ from crankstar.dynamics.torsion_analysis import TorsionAnalysis
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, order_text
+from crankstar.language.numbers import RPM, number, order_text
 from crankstar.tables.gas_words import points_text, range_points
 
-RPM = 30 / pi
 NO_SPEED = N_("Without a speed nothing is driven: give --speeds, or speed in the file.")
 TWISTING = ("natural frequency", "torsional amplitude", "resonant amplitude")
 TWISTED = ("torsional stress", "torsional torque")
