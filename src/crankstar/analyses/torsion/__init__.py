@@ -7,6 +7,7 @@
 | `fatigue_tables` | fatigue of the crankshaft |
 | `facts` | what a verdict and a comparison say of it |
 | `question` | what is asked |
+| `response_tables` | the forced vibration: over the speeds, at one, heat, barred ranges |
 | `chain_tables` | masses and shafts, modes with their shapes and nodes, Holzer's table |
 | `figures` | what an answer rests on moves them |
 | `answer` | what answers it, and what that rests on |
