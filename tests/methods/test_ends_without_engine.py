@@ -188,3 +188,26 @@ def test_ends_that_are_engines_are_as_before() -> None:
         value=1.0,
     )
     assert (tried.ends, tried.beyond, sorted(tried.known)) == ((0.0, 4.0), [], [0.0, 1.0, 4.0])
+
+
+def test_a_mass_beyond_that_of_the_block_ends_a_range_and_refuses_nothing() -> None:
+    """With estimated big ends the pistons and rods weigh more than the whole engine."""
+    master: dict[str, Any] = {"number": 1, "shaft": "crank", "throw": 1}
+    master |= {"rod_length": "250 mm", "reciprocating_mass": "1 kg"}
+    slave = master | {"number": 2, "rod_length": "200 mm", "reciprocating_mass": "0 kg"}
+    slave |= {"articulated": {"master": 1, "radius": "50 mm", "angle": "0 deg"}}
+    tree = {
+        "name": "light",
+        "speed": "100 rpm",
+        "shaft": [{"name": "crank", "throw": [{"angle": "0 deg", "radius": "125 mm"}]}],
+        "cylinders": [master, slave],
+        "block": {"mass": "1.5 kg"},
+    }
+    engine = engine_of(tree)
+    rests = rests_on(engine, amplitudes(engine, speed=engine.speed))
+    (rotating,) = [each for each in rests if each.path == "cylinder.rotating_mass"]
+    assert rotating.moved is not None
+    ((end, why),) = rotating.moved.beyond
+    assert rotating.high == pytest.approx(0.5, rel=1e-2)  # kg, beside the piston of 1 kg
+    assert end > 0.5
+    assert "block.mass is 1.5 kg" in why

@@ -167,19 +167,25 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
                 own = replace(each, moved=None)
             elif each.status != "doubtful" or most.effect < UNMOVED:
                 continue
-        elif most is not None and _goes_alone(engine, each, most, answer):
+        elif most is not None and _goes_alone(engine, own, most, answer):
             own = replace(each.alone or each, moved=most)
         out.append(own)
     return tuple(sorted(out, key=_rank))
 
 
 def _goes_alone(engine: Engine, each: Assumption, most: Moved, answer: Answer) -> bool:
-    """Whether the figure that an assumption moves most is the same without what goes along."""
+    """Whether the figure that an assumption moves most is the same without what goes along.
+
+    At the upper end of its range, where both make an engine.
+    """
     if each.alone is None:
         return False
     key, end = (most.quantity, most.order), float(each.high or 0)
     ways = [way for way in (each.vary, each.alone.vary) if way is not None]
-    sizes = [answer.figures(way(engine, end)).get(key, 0.0) for way in ways]
+    try:
+        sizes = [answer.figures(way(engine, end)).get(key, 0.0) for way in ways]
+    except (EngineError, MessageError):
+        return False
     return max(sizes) - min(sizes) <= UNMOVED * max(map(abs, sizes))
 
 
