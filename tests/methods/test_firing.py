@@ -6,6 +6,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from itertools import pairwise, permutations, product
 from math import asin, degrees, pi, radians
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,6 +19,7 @@ from crankstar.engine.dead_centres import DeadCentre, _dead_centres, _kept, dead
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import _evenest
 from crankstar.engine.layouts import Row, inline, opposed, radial, tandem, vee
+from crankstar.files import engine_of
 from crankstar.firing.intervals import firing
 from crankstar.language.faults import EngineError, Fault
 
@@ -224,3 +226,24 @@ def test_a_common_pin_twin_fires_at_its_bank_angle_and_the_rest() -> None:
         throws=(0.0,),
     )
     assert firing(big_bang).intervals_deg == pytest.approx((45, 675))
+
+
+@pytest.mark.parametrize("radius", ["55.18809855 mm", "55.1880985501 mm"])
+def test_of_two_dead_centres_that_a_mirror_makes_the_first_counts(radius: str) -> None:
+    """Two pistons on knuckle pins compress as far at 7.9 deg as at 172.1: rounding is no choice."""
+    master: dict[str, Any] = {"number": 1, "shaft": "crank", "throw": 1, "bearing": "180 deg"}
+    master |= {"rod_length": "100.521 mm", "reciprocating_mass": "1 kg"}
+    pin = {"master": 1, "radius": radius, "angle": "45 deg"}
+    first = master | {"number": 2, "rod_length": "156.812860521 mm", "chamber": 2}
+    other = first | {"number": 3, "bearing": "0 deg", "rod_length": "259.683894810675 mm"}
+    first["articulated"] = pin
+    other["articulated"] = pin | {"radius": "26.17734375 mm", "angle": "90 deg"}
+    throw = {"angle": "0 deg", "radius": "98.55 mm"}
+    tree = {
+        "name": "mirror",
+        "cycle": "two-stroke",
+        "shaft": [{"name": "crank", "throw": [throw]}],
+        "cylinders": [master, first, other],
+    }
+    engine = engine_of(tree)
+    assert dead_centres(engine)[2].angle_deg == pytest.approx(7.907031041, abs=1e-6)

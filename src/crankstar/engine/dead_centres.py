@@ -17,6 +17,8 @@ import numpy as np
 from crankstar.engine import motion
 from crankstar.engine.assembly import Assembly
 
+NEARLY_OUT, AS_FAR = 0.02, 1e-9
+"""Shares of the stroke below the highest: of samples near a maximum, and of maxima as high."""
 SAME_ANGLE = 1e-6
 """Degrees: dead centres closer than this are simultaneous."""
 
@@ -189,36 +191,54 @@ def _searched(
 ) -> list[DeadCentre]:
     """Search a grid over one turn of the pistons' own shaft, then refine by Newton's method.
 
-    All chambers at once: each has its own crank angle in a row of samples.
+    All maxima of all chambers at once: each has its own crank angle in a row of samples. Of several
+    that are as high, as a mirror makes them, the first is meant.
     """
     parts = np.zeros((len(chambers), len(area)))
     for row, own in zip(parts, chambers, strict=True):
         row[own] = 1.0
     axis = np.exp(1j * links.bearing)[:, None]
 
-    def travelled(theta: np.ndarray) -> list[np.ndarray]:
-        """Bore area times outward travel [chamber, sample], and two derivatives."""
+    def travelled(theta: np.ndarray, parts: np.ndarray) -> list[np.ndarray]:
+        """Bore area times outward travel [row, sample], and two derivatives."""
         moved = motion.rods(links, ratio[:, None] * theta + lag[:, None])
         return [
             parts @ ((area * ratio**power)[:, None] * (path / axis).real)
             for power, path in enumerate(moved.piston)
         ]
 
-    speeds = np.array([abs(float(ratio[own[0]])) for own in chambers])
+    own_speeds = np.array([abs(float(ratio[own[0]])) for own in chambers])
     grid = np.arange(360) * (2 * np.pi / 360)
-    theta = np.zeros(len(chambers))
-    for speed in {*speeds.tolist()}:
-        at = speeds == speed
-        theta[at] = grid[np.argmax(travelled(grid / speed)[0][at], axis=-1)] / speed
-    moving = np.ones(len(chambers), bool)
+    starts: list[tuple[int, float]] = []
+    lengths = np.zeros(len(chambers))
+    for speed in {*own_speeds.tolist()}:
+        travel = travelled(grid / speed, parts)[0]
+        for chamber in np.flatnonzero(own_speeds == speed).tolist():
+            path = travel[chamber]
+            lengths[chamber] = float(np.ptp(path))
+            high = path >= path.max() - NEARLY_OUT * lengths[chamber]
+            top = high & (path > np.roll(path, 1)) & (path >= np.roll(path, -1))
+            top[np.argmax(path)] = True
+            starts += [(chamber, float(each) / speed) for each in grid[top]]
+    whose = np.array([chamber for chamber, _start in starts])
+    theta = np.array([start for _chamber, start in starts])
+    parts, speeds = parts[whose], own_speeds[whose]
+    moving = np.ones(theta.size, bool)
     for _ in range(20):
-        _travel, slope, bend = (np.diagonal(part) for part in travelled(theta))
+        _travel, slope, bend = (np.diagonal(part) for part in travelled(theta, parts))
         step = np.divide(-slope, bend, out=np.zeros_like(theta), where=moving & (bend < 0))
         theta += np.clip(step, -0.02 / speeds, 0.02 / speeds)
         moving &= np.abs(step) >= 1e-15
         if not moving.any():
             break
-    return [_centre(float(at), float(speed)) for at, speed in zip(theta, speeds, strict=True)]
+    heights = np.diagonal(travelled(theta, parts)[0])
+    found: list[DeadCentre] = []
+    for chamber, length in enumerate(lengths.tolist()):
+        own = whose == chamber
+        farthest = own & (heights >= heights[own].max() - AS_FAR * length)
+        turning = float(own_speeds[chamber])
+        found.append(min(_centre(each, turning) for each in theta[farthest].tolist()))
+    return found
 
 
 def outward(
