@@ -537,7 +537,7 @@ def assert_cut(figures: str, value: Any) -> None:
     """The figures are those of the number, cut off; rounded only where a cut is undecided."""
     places = len(figures.partition(".")[2])
     cut, near = int(MP.floor(abs(value) * 10**places)), int(MP.nint(abs(value) * 10**places))
-    if abs(abs(value) * 10**places - near) < MP.mpf("0.11"):
+    if abs(abs(value) * 10**places - near) < MP.mpf("1e-5" if places else "0.11"):
         shown = int(figures.lstrip("-").replace(".", ""))
         assert shown in (cut, near)
         cut = shown
@@ -570,6 +570,13 @@ def test_the_figures_of_any_ball_are_those_of_all_numbers_in_it(
         true * (1 - MP.mpf(10) ** -(sure + 1)),
     ):
         assert_cut(figures, value)
+
+
+def test_a_number_that_is_not_known_well_has_fewer_figures() -> None:
+    """12.9788888 +- 2e-6 deg: 12.97889 is a number that it may be, and not its figures."""
+    with cyclotomic.precision(60):
+        ball = arb("12.9788888031", "2e-6")
+    assert typeset.figures(Decimal(ball, 7)) == "12.9788"
 
 
 # -- enclosures

@@ -97,6 +97,10 @@ def negative(formula: Formula) -> bool:
     return _printed(formula, TEXT).negative
 
 
+NARROW = 1e-6
+"""Share of the last figure within which a number is known that may be rounded to it."""
+
+
 def figures(decimal: Decimal) -> str:
     """The digits of a decimal that are certain, at most as many as it asks for.
 
@@ -110,8 +114,9 @@ def figures(decimal: Decimal) -> str:
     most = max(0, min(decimal.digits - 1 - floor(log10(float(abs(ball).mid()))), GREATEST_PLACES))
     for places in range(most, -1, -1):
         scaled = abs(ball) * 10**places
-        # Cut; or rounded where it is so near to a round number that a cut is undecided.
-        for start in (scaled, scaled + arb(0.5)):
+        # Cut; or rounded where it is known to be so near to a round number that a cut is undecided.
+        known = scaled.rad() < NARROW or places == 0
+        for start in (scaled, *([scaled + arb(0.5)] if known else [])):
             low, high = start.lower().floor(), start.upper().floor()
             if low == high:
                 shown = _pointed(int(low.unique_fmpz()), places)
