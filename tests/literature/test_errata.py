@@ -461,6 +461,7 @@ def test_the_page_has_each_erratum_with_both_formulas_and_the_slip(page: str, on
     )
 
 
+@pytest.mark.release
 def test_every_result_has_a_drawing_with_a_title_and_nothing_from_elsewhere(page: str) -> None:
     drawings = re.findall(r"<svg.*?</svg>", page)
     assert len(drawings) == len([one for one in ALL.values() if one.drawn])

@@ -40,6 +40,7 @@ def test_every_engine_of_the_catalog_has_a_card_that_leads_to_it(gallery: Page) 
     assert dict(zip(links, titles, strict=True)) == every
 
 
+@pytest.mark.release
 def test_filters_leave_the_engines_that_are_wanted(gallery: Page) -> None:
     gallery.get_by_label("Layout").select_option("vee")
     gallery.get_by_label("Cylinders").select_option("8")
@@ -150,6 +151,7 @@ def test_an_engine_file_that_is_dropped_is_opened(gallery: Page) -> None:
     expect(gallery.get_by_role("heading", level=1)).to_have_text("Mine")
 
 
+@pytest.mark.release
 def test_the_mistakes_of_a_file_that_is_chosen_are_told(browser: Browser, server: Server) -> None:
     complaints: list[str] = []  # the browser reports every refusal
     with watched(browser, complaints) as page:

@@ -95,6 +95,7 @@ def test_the_first_stop_of_the_keyboard_leads_to_the_panels(built_page: Build, p
     expect(page.get_by_role("tab", name="Orders")).to_be_focused()
 
 
+@pytest.mark.release
 def test_a_key_lists_the_keys_and_letters_typed_are_no_keys(built_page: Build, page: Page) -> None:
     opened(page, built_page(ENGINE), "a=40")
     page.keyboard.press("?")

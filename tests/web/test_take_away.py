@@ -119,6 +119,7 @@ def test_a_dark_ground_is_chosen_apart_from_the_page(
     assert background == "rgb(251, 251, 250)"
 
 
+@pytest.mark.release
 def test_the_svg_of_a_sheet_has_every_part_and_no_style(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:

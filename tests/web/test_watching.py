@@ -26,6 +26,7 @@ def following(file: Path) -> Iterator[Server]:
         yield running
 
 
+@pytest.mark.release
 def test_a_page_is_redrawn_when_its_file_is_saved_and_tells_mistakes(
     page: Page, following: Server, file: Path
 ) -> None:
