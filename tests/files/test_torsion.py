@@ -353,7 +353,7 @@ def test_readers_have_chain_modes_criticals_stress_and_heat(run: Run, eight: str
     text = run("torsion", eight, "--holzer", "1").out
     for words in (
         *("Masses", "Shafts between them", "Natural frequencies", "Mode shapes"),
-        *("Holzer's table of mode 1", "Critical speeds", "Greatest vibration between 700"),
+        *("Holzer's table of mode 1", "Critical speeds", "Maximum vibration between 700"),
         *("Barred speeds", "Heat of damping", "stands still in the natural frequencies"),
     ):
         assert words in text

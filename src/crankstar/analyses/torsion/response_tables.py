@@ -58,12 +58,12 @@ def _list(values: Real) -> tuple[float | None, ...]:
 
 
 def worst_table(found: TorsionAnalysis, own: Response) -> Table:
-    """The greatest torque and stress of each shaft over the speeds."""
+    """The maximum torque and stress of each shaft over the speeds."""
     peak, added = own.peak, own.added
     worst = np.argmax(peak, axis=0)
     here = np.arange(peak.shape[1])
     title = _(
-        "Greatest vibration between {low} and {high} rpm",
+        "Maximum vibration between {low} and {high} rpm",
         low=number(float(own.speeds[0] * RPM)),
         high=number(float(own.speeds[-1] * RPM)),
     )
@@ -163,7 +163,7 @@ def order_table(
 
 
 def _without_rounding(amplitudes: Complex) -> Complex:
-    """Amplitudes of all orders, zero where there is nothing beside the greatest."""
+    """Amplitudes of all orders, zero where there is nothing beside the maximum."""
     size = np.abs(amplitudes)
     return np.where(size > NEGLIGIBLE * size.max(initial=0.0), amplitudes, 0j)
 
@@ -173,7 +173,7 @@ def _is_among(order: float, asked: Sequence[float]) -> bool:
 
 
 def heat_table(own: Response) -> Table:
-    """Where the work of the excitation goes, at the speed at which it is greatest."""
+    """Where the work of the excitation goes, at the speed of its maximum."""
     whole = own.heat.sum(axis=-1) + own.absolute_heat.sum(axis=-1)
     top = int(np.argmax(whole))
     rpm = float(own.speeds[top] * RPM)
