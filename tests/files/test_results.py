@@ -211,3 +211,11 @@ def test_the_arrays_of_a_torque_say_what_was_asked_and_what_they_are() -> None:
     assert "off" not in motored.attrs
     weak = crankstar.torque("audi-25-tfsi", weaker={3: 0.25, 5: 0.5}).to_xarray()
     assert weak.attrs["weaker"] == "3=0.25, 5=0.5"
+
+
+def test_speeds_of_arrays_are_those_that_were_asked_for() -> None:
+    """1500 rpm by way of radians per second is 1499.9999999999998, which nobody finds."""
+    six = Path(__file__).parents[1] / "cases" / "torsion-six.toml"
+    data = crankstar.torsion(six, speeds="500..1500 rpm by 500").to_xarray()
+    assert {500.0, 1000.0, 1500.0} <= {*data.speed_rpm.values.tolist()}
+    assert data.attrs["speed_rpm"] == 1500.0

@@ -14,7 +14,7 @@ from crankstar.analyses.diagnose.readings import AXES
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, for_each, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import RPM, number
+from crankstar.language.numbers import number, rpm_of
 from crankstar.language.shown_units import quantity_text
 from crankstar.studies.single_faults import Fault, fault_facts, fault_text, limits
 from crankstar.tables.gas_words import state_facts, state_words
@@ -38,7 +38,7 @@ def document(engine: Engine, found: Diagnosis, question: Question) -> Document:
     parts += remarks(*_notes(found, before=question.before is not None), kind="note")
     facts = {
         "format": 1,
-        "speeds_rpm": [float(f"{(each.speed or 0.0) * RPM:.12g}") for each in found.states],
+        "speeds_rpm": [rpm_of(each.speed or 0.0) for each in found.states],
         "operating_points": [each.point or None for each in found.states],
         "points": [state_facts(each)["points"] for each in found.states],
         "difference_share": found.share,

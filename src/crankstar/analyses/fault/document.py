@@ -21,7 +21,7 @@ from crankstar.analysis.document import (
 from crankstar.dynamics.whirl import body
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, passage
-from crankstar.language.numbers import RPM, number
+from crankstar.language.numbers import number, rpm_of
 from crankstar.spectra import Real
 from crankstar.studies.single_faults import Shaken, fault_facts, fault_text
 from crankstar.tables.gas_words import state_facts, state_words
@@ -57,7 +57,7 @@ def document(engine: Engine, result: tuple[Shaken, Shaken], question: Question) 
         )
     facts: dict[str, Any] = {
         "format": 1,
-        "speed_rpm": float(f"{before.speed * RPM:.12g}"),
+        "speed_rpm": rpm_of(before.speed),
         "operating_point": before.state.point or None,
         "points": state_facts(before.state)["points"],
         "mounted": before.mounted,

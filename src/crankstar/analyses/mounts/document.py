@@ -18,7 +18,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.rigid_block import FREEDOMS
 from crankstar.language.messages import _
-from crankstar.language.numbers import NEGLIGIBLE, RPM, number
+from crankstar.language.numbers import NEGLIGIBLE, RPM, number, rpm_of
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.mass_doubts import body_doubts
 from crankstar.spectra import Complex
@@ -59,7 +59,7 @@ def _facts(engine: Engine, found: MountAnalysis) -> dict[str, Any]:
         "inertia": block.mass[3:SIX, 3:SIX].tolist(),
         "point": list(found.point),
         "freedoms": list(FREEDOMS),
-        "speed_rpm": None if found.state is None else (found.state.speed or 0.0) * RPM,
+        "speed_rpm": None if found.state is None else rpm_of(found.state.speed or 0.0),
         "operating_point": None if found.state is None else found.state.point or None,
         "points": state_facts(found.state)["points"],
         "gas_over_speeds": range_facts(engine, found.operating_point),

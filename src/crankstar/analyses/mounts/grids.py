@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from crankstar.analysis.record import Grid
 from crankstar.dynamics.mount_analysis import MountAnalysis
-from crankstar.language.numbers import RPM
+from crankstar.language.numbers import rpm_of
 
 AXES = ("up", "right", "z")
 
@@ -24,7 +26,7 @@ def grids(result: MountAnalysis) -> Mapping[str, Grid]:
     return {
         "over": Grid(
             {
-                "speed_rpm": over.speeds * RPM,
+                "speed_rpm": np.array([*map(rpm_of, over.speeds.tolist())]),
                 "order": over.orders,
                 "axis": [*AXES],
                 "mount": [

@@ -30,7 +30,7 @@ from crankstar.dynamics.torsion_modes import holzer
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL, Chain
 from crankstar.language.messages import _, _n
-from crankstar.language.numbers import RPM, number
+from crankstar.language.numbers import RPM, number, rpm_of
 from crankstar.mechanics.doubts import torsion_doubts
 from crankstar.tables.gas_words import (
     cycle_state,
@@ -88,7 +88,7 @@ def _facts(source: Engine | Chain, found: TorsionAnalysis) -> dict[str, Any]:
         "format": 1,
         "chain" if isinstance(source, Chain) else "engine": source.name,
         **state_facts(None if cycle is None else cycle_state(cycle)),
-        "speed_rpm": None if cycle is None or cycle.speed is None else cycle.speed * RPM,
+        "speed_rpm": None if cycle is None else rpm_of(cycle.speed),
         "gas_over_speeds": range_facts(source, found.point) if isinstance(source, Engine) else [],
         "imep": None if cycle is None else cycle.imep,
         "off": [] if cycle is None else list(cycle.off),

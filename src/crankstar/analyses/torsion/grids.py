@@ -8,7 +8,7 @@ import numpy as np
 
 from crankstar.analysis.record import Grid
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis
-from crankstar.language.numbers import RPM
+from crankstar.language.numbers import rpm_of
 
 
 def grids(result: TorsionAnalysis) -> Mapping[str, Grid]:
@@ -42,7 +42,7 @@ def grids(result: TorsionAnalysis) -> Mapping[str, Grid]:
     return {
         "response": Grid(
             {
-                "speed_rpm": response.speeds * RPM,
+                "speed_rpm": np.array([*map(rpm_of, response.speeds.tolist())]),
                 "order": response.orders,
                 "mass": [*chain.names],
                 "section": [
