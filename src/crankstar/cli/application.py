@@ -20,8 +20,7 @@ from crankstar.cli.complaints import complaint, unwritable
 from crankstar.cli.output import LOST, OutputError, abandon, complain, is_file
 from crankstar.cli.system_language import of_system
 from crankstar.engine.packages import PackageWarning
-from crankstar.files import STANDARD_INPUT
-from crankstar.files.read_files import files_noted
+from crankstar.files.read_files import STANDARD_INPUT, files_noted
 from crankstar.language import spelling
 from crankstar.language.messages import (
     LANGUAGES,
@@ -37,11 +36,12 @@ from crankstar.language.quoting import one_line, seen
 from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice, shown_in
 from crankstar.options.forms import STANDARD_OUTPUT
 from crankstar.options.refusals import RequestError, refuse_empty
-from crankstar.options.values import NEEDED
 from crankstar.options.vocabulary import OPTIONS
 from crankstar.stars.faults import SearchError
 
 COMPLETION = "--install-completion"
+NEEDED = "needed"
+"""What --shafts means without speed ratios."""
 FILES = ("--before", "--beside", "--checkpoint", "--engine-file", "--output", "--save")
 """Options that take a file."""
 WRITTEN = ("-o", "--output", "--engine-file", "--save")

@@ -11,8 +11,9 @@ from crankstar.cli.options import Output, option, read_engine
 from crankstar.cli.output import complain, display, is_file, write, write_bytes
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
-from crankstar.files import STANDARD_INPUT, EngineFileError, tree_of
+from crankstar.files import EngineFileError, tree_of
 from crankstar.files.changes import stale_sources
+from crankstar.files.read_files import STANDARD_INPUT
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
 from crankstar.options.forms import form_of

@@ -35,7 +35,7 @@ from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import values as request
-from crankstar.options.forms import TABLES, form_of
+from crankstar.options.forms import TABLES, form_of, named
 from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
@@ -210,7 +210,7 @@ def compare(
     wanted = request.orders(orders, whole.normalised.force.orders.tolist()) or ()
     own = tables.told_apart(
         [engine.name for engine in engines],
-        [request.named(name) for name in names],
+        [named(name) for name in names],
         [one_line(name) for name in names],
         [", ".join(texts) for texts in changes],
     )

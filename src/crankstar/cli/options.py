@@ -206,7 +206,8 @@ def sheet_tree(
     name: str, settings: Sequence[str] | None, found: Loaded, *, estimate: bool = False
 ) -> dict[str, Any]:
     """The tree for a spreadsheet: that of the file, or the explicit form where values were set."""
-    from crankstar.files import STANDARD_INPUT, explicit
+    from crankstar.files import explicit
+    from crankstar.files.read_files import STANDARD_INPUT
 
     as_read = not (settings or estimate or name == STANDARD_INPUT)
     return found.tree if as_read else explicit(found.engine)

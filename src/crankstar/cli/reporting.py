@@ -20,7 +20,7 @@ from crankstar.cli.output import complain, working, writable, write_result
 from crankstar.language.messages import _, language
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
-from crankstar.options.forms import STANDARD_OUTPUT, form_of, refuse_terminal, usual_place
+from crankstar.options.forms import STANDARD_OUTPUT, form_of, named, refuse_terminal, usual_place
 
 KINDS = ("html", "pdf")
 SHOWN = 12
@@ -68,14 +68,14 @@ def write_report(
     options = {
         "--speed": speed and [speed],
         "--orders": orders and [orders],
-        "--beside": second and [request.named(second)],
+        "--beside": second and [named(second)],
         "--full": [""] if full else None,
         "--set": settings,
         "--estimate": [""] if estimate else None,
         "--language": None if language() == "en" else [language()],
-        "-o": [request.named(output) if output not in STANDARD_OUTPUT else usual],
+        "-o": [named(output) if output not in STANDARD_OUTPUT else usual],
     }
-    command = command_text("report", request.named(engine), options)
+    command = command_text("report", named(engine), options)
     subject = report.Subject(
         loaded.engine,
         loaded.tree,

@@ -12,10 +12,11 @@ from cyclopts import Parameter
 
 from crankstar.cli.options import Estimating, Settings, command_text, option, read_engine
 from crankstar.cli.output import complain, working
-from crankstar.files import STANDARD_INPUT
 from crankstar.files.catalog import path_of
+from crankstar.files.read_files import STANDARD_INPUT
 from crankstar.language.messages import _
 from crankstar.options import values as request
+from crankstar.options.forms import named
 from crankstar.options.values import RequestError
 
 GREATEST_PORT = 65535
@@ -64,7 +65,7 @@ def serve(
         if open_:
             _open(address)
 
-    shown = request.named(engine)
+    shown = named(engine)
     flags = {"--estimate": [""] if estimate else None}
     command = command_text("serve", shown, {"--set": settings, **flags})
     with taken:

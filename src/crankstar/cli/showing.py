@@ -17,7 +17,7 @@ from crankstar.cli.options import (
 from crankstar.cli.output import progress, writable, write_result
 from crankstar.language.messages import _
 from crankstar.options import values as request
-from crankstar.options.forms import form_of, refuse_terminal, usual_place
+from crankstar.options.forms import form_of, named, refuse_terminal, usual_place
 
 
 def page(
@@ -45,7 +45,7 @@ def page(
         *(partial(read_engine, name, estimate=estimate) for name in [second] if name is not None),
     )
     engines = [loaded.engine for loaded in given]
-    names = [request.named(word) for word in (engine, second) if word is not None]
+    names = [named(word) for word in (engine, second) if word is not None]
     flags = {"--estimate": [""] if estimate else None}
     options = {"--beside": names[1:], "--set": settings, **flags, "-o": [usual]}
     pages.bundle()

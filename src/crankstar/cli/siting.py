@@ -12,8 +12,7 @@ from crankstar.cli.output import complain, progress
 from crankstar.files.catalog import names, tree_of
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
-from crankstar.options import values as request
-from crankstar.options.forms import STANDARD_OUTPUT, require
+from crankstar.options.forms import STANDARD_OUTPUT, named, require
 from crankstar.options.values import RequestError, refusal
 
 USUAL = "crankstar-site"
@@ -41,8 +40,8 @@ def site(
     subjects = []
     for word in engines or names():
         _name, tree = tree_of(word)
-        name = PurePath(request.named(word)).stem
-        subjects.append(Subject("engine" if name == "-" else name, tree, request.named(word)))
+        name = PurePath(named(word)).stem
+        subjects.append(Subject("engine" if name == "-" else name, tree, named(word)))
     together(*(lambda own=own: card_of(own) for own in subjects))
     stems = [subject.name for subject in subjects]
     if twice := sorted({name for name in stems if stems.count(name) > 1}):

@@ -26,8 +26,8 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import complain, working, writable, write_bytes
 from crankstar.cli.tabulating import give
-from crankstar.files import STANDARD_INPUT
 from crankstar.files.changes import path_and_value
+from crankstar.files.read_files import STANDARD_INPUT
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import charts as chart_request

@@ -33,58 +33,6 @@ Engine -> Derivation -> document.
 True
 """
 
-from __future__ import annotations
+from crankstar.engine.arguments import late
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from crankstar.derive.chapters import Chapter, Derivation
-    from crankstar.derive.expansion import motion_chapter
-    from crankstar.derive.families import family
-    from crankstar.derive.firing_sums import gas_orders
-    from crankstar.derive.records import DerivationError, Line, Step
-    from crankstar.derive.six_signs import Sign, signs, signs_chapter
-    from crankstar.derive.steps import derivation
-    from crankstar.derive.torques import inertia_torque
-    from crankstar.derive.twist_sums import twist_orders
-
-_LATE = {
-    "motion_chapter": "expansion",
-    "family": "families",
-    "gas_orders": "firing_sums",
-    "Chapter": "chapters",
-    "Derivation": "chapters",
-    "DerivationError": "records",
-    "Line": "records",
-    "Step": "records",
-    "Sign": "six_signs",
-    "signs": "six_signs",
-    "signs_chapter": "six_signs",
-    "derivation": "steps",
-    "inertia_torque": "torques",
-    "twist_orders": "twist_sums",
-}
-__all__ = [
-    "Chapter",
-    "Derivation",
-    "DerivationError",
-    "Line",
-    "Sign",
-    "Step",
-    "derivation",
-    "family",
-    "gas_orders",
-    "inertia_torque",
-    "motion_chapter",
-    "signs",
-    "signs_chapter",
-    "twist_orders",
-]
-
-
-def __getattr__(name: str) -> Any:
-    """Names are loaded when they are asked for: a search needs the exact algebra alone."""
-    if name not in _LATE:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_LATE[name]}"), name)
+__getattr__, __dir__, __all__ = late(__name__, __file__)

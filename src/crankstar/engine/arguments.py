@@ -6,6 +6,7 @@ rooms take an Engine and SI numbers only, and say so.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
 from inspect import isroutine, signature
@@ -14,7 +15,8 @@ from numbers import Real
 from pathlib import Path
 from typing import Any
 
-from crankstar.engine.engine import Engine
+from lazy_loader import attach_stub
+
 from crankstar.language.messages import _
 from crankstar.language.quoting import given as quoted
 
@@ -48,6 +50,27 @@ def check_planes(given: Any) -> None:
         )
 
 
+def late(room: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """`__getattr__`, `__dir__` and `__all__` of a room whose names are loaded on first use.
+
+    They stand in the stub beside its `file`, with their modules; functions of an engine refuse what
+    is none, as in `of_engines`.
+
+    >>> from crankstar import files
+    >>> "toml" in dir(files), files.toml.__module__
+    (True, 'crankstar.files.write')
+    """
+    load, names, public = attach_stub(room, file)
+
+    def attribute(name: str) -> Any:
+        load(name)
+        own = vars(sys.modules[room])
+        of_engines(own, [name])
+        return own[name]
+
+    return attribute, names, public
+
+
 def of_engines(room: dict[str, Any], names: Sequence[str]) -> None:
     """Have the functions of a room with these names refuse an `engine` that is none.
 
@@ -68,6 +91,8 @@ def of_engines(room: dict[str, Any], names: Sequence[str]) -> None:
 def _of_engine(function: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(function)
     def asking(*args: Any, **kwargs: Any) -> Any:
+        from crankstar.engine.engine import Engine  # what names a room alone needs none
+
         given = args[0] if args else kwargs.get("engine", function)
         if given is not function and not isinstance(given, Engine):
             raise TypeError(_no_engine(function.__name__, given))

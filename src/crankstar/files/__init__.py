@@ -36,30 +36,6 @@
 | `catalog` | the engines of the package, and a file or engine by its name |
 """
 
-from crankstar.engine.arguments import of_engines
-from crankstar.files.changes import changed, keys_of
-from crankstar.files.errors import EngineFileError
-from crankstar.files.read import engine_of, read
-from crankstar.files.rewritten import rewritten, rewritten_by_parts
-from crankstar.files.source import STANDARD_INPUT, read_tree, tree_of
-from crankstar.files.write import explicit, part_by_part, schema, toml, tree_text
+from crankstar.engine.arguments import late
 
-__all__ = [
-    "STANDARD_INPUT",
-    "EngineFileError",
-    "changed",
-    "engine_of",
-    "explicit",
-    "keys_of",
-    "part_by_part",
-    "read",
-    "read_tree",
-    "rewritten",
-    "rewritten_by_parts",
-    "schema",
-    "toml",
-    "tree_of",
-    "tree_text",
-]
-
-of_engines(globals(), __all__)
+__getattr__, __dir__, __all__ = late(__name__, __file__)

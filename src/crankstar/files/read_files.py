@@ -13,6 +13,8 @@ from contextvars import ContextVar
 from pathlib import Path
 from typing import IO
 
+STANDARD_INPUT = "/dev/stdin"
+"""What `-` stands for where a file is read."""
 Identity = tuple[int, int]
 _read: ContextVar[set[Identity] | None] = ContextVar("files that were read", default=None)
 

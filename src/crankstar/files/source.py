@@ -14,7 +14,7 @@ from typing import Any
 from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.kinds import kind_of
 from crankstar.files.mistakes import Tree
-from crankstar.files.read_files import note
+from crankstar.files.read_files import STANDARD_INPUT, note
 from crankstar.files.traces import with_trace
 from crankstar.files.workbook import PROTECTED, ZIP, workbook_tree
 from crankstar.language.quoting import one_line, seen
@@ -24,7 +24,6 @@ GREATEST_FILE = 1_000_000
 GREATEST_DEPTH = 16
 _DOTTED = re.compile(r"""(?<![\w"'-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){100}""")
 """A key of TOML with so many dots that tomllib, quadratic in them, would not come to an end."""
-STANDARD_INPUT = "/dev/stdin"
 _STANDARD_INPUTS = ("-", STANDARD_INPUT)
 
 

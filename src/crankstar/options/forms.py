@@ -7,7 +7,9 @@ from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import PurePath
 
-from crankstar.options.values import RequestError, named, refusal
+from crankstar.files.read_files import STANDARD_INPUT
+from crankstar.language.quoting import one_line
+from crankstar.options.refusals import RequestError, refusal
 
 STANDARD_OUTPUT = (None, "-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")
 """Standard output is written to in place: another program may write to the same file."""
@@ -28,6 +30,15 @@ EXTRAS = {
     "mp4": ("imageio_ffmpeg", "film"),
 }
 """The library that a form needs, and the extra of this package that brings it."""
+
+
+def named(engine: str) -> str:
+    """The name of an engine in a command for others: a file without its directory, printable.
+
+    >>> named("v8-cross-plane"), named("/home/me/v8.toml"), named("/dev/stdin")
+    ('v8-cross-plane', 'v8.toml', '-')
+    """
+    return "-" if engine == STANDARD_INPUT else one_line(PurePath(engine).name)
 
 
 def form_of(

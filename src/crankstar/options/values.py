@@ -8,14 +8,15 @@ from contextlib import contextmanager
 from dataclasses import replace
 from fractions import Fraction
 from math import degrees as rad2deg
-from pathlib import Path, PurePath
+from pathlib import Path
 from typing import Any, Literal, cast, get_args
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import ANGLE, LEAST, LENGTH, POSITION, SPEED, Quantity
-from crankstar.files import STANDARD_INPUT, changed, keys_of, units
+from crankstar.files import changed, keys_of, units
 from crankstar.files.catalog import tree_of
 from crankstar.files.changes import path_and_value
+from crankstar.files.read_files import STANDARD_INPUT
 from crankstar.files.traces import TRACE, read_trace
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
@@ -31,8 +32,6 @@ Derived = Literal["force", "couple", "torque"]
 Derivable = Literal["motion", "force", "couple", "torque", "gas", "twist"]
 ALONE = ("motion", "gas", "twist")
 """What is not derived order by order."""
-NEEDED = "needed"
-"""What --shafts means without speed ratios."""
 
 
 def listed(text: str | None) -> list[str]:
@@ -64,15 +63,6 @@ def reading(option: str, *, example: str = "") -> Iterator[None]:
         if example:
             mistake = _("{mistake}, {example}", mistake=mistake, example=example)
         raise RequestError(mistake) from None
-
-
-def named(engine: str) -> str:
-    """The name of an engine in a command for others: a file without its directory, printable.
-
-    >>> named("v8-cross-plane"), named("/home/me/v8.toml"), named("/dev/stdin")
-    ('v8-cross-plane', 'v8.toml', '-')
-    """
-    return "-" if engine == STANDARD_INPUT else one_line(PurePath(engine).name)
 
 
 def settings(texts: Sequence[str] | None) -> dict[str, Any]:
