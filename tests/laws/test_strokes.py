@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from tests.strategies import engines, fired, number, timed_valves
 
 import crankstar
+from crankstar.analyses.strokes import RECORD as STROKES
 from crankstar.engine import motion
 from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import Basis, Sizes
@@ -34,7 +35,6 @@ from crankstar.firing.strokes import (
 )
 from crankstar.firing.succession import followers
 from crankstar.language.faults import EngineError
-from crankstar.tables.strokes import strokes
 
 pytestmark = pytest.mark.quick
 
@@ -354,7 +354,11 @@ def test_exhaust_orders_are_listed_up_to_the_one_in_which_an_engine_fires(
     Second road: in that order the pulses at the dead centres add up.
     """
     engine = crankstar.load(name)
-    table = next(t for t in strokes(engine).tables if t.key == "exhaust_orders")
+    table = next(
+        t
+        for t in STROKES.told(engine, STROKES.question.value()).tables
+        if t.key == "exhaust_orders"
+    )
     columns = {column.key: place for place, column in enumerate(table.columns)}
     last = table.rows[-1]
     fires = np.radians([top.angle_deg for top in dead_centres(engine).values()])

@@ -20,6 +20,7 @@ from tests.catalog import EVERY_ENGINE
 from tests.newton import road
 from tests.strategies import OF_ANY_KIND, RELEASE, engines
 
+from crankstar.analyses.strokes import RECORD as STROKES
 from crankstar.charts import CHARTS, ChartError
 from crankstar.derive import DerivationError
 from crankstar.derive import derivation as derived
@@ -45,7 +46,6 @@ from crankstar.remedy.counterweights import with_web_weights
 from crankstar.remedy.fitting import recommended
 from crankstar.tables.balance_orders import answer
 from crankstar.tables.machine import tree as public_tree
-from crankstar.tables.strokes import strokes as stroke_document
 
 SOME = [
     "v8-cross-plane",
@@ -303,7 +303,7 @@ def test_strokes_are_those_of_the_public_answer(name: str) -> None:
     if not engine.firing_order:
         assert shown.stroke_windows == ()
         return
-    public = public_tree(stroke_document(engine))
+    public = public_tree(STROKES.told(engine, STROKES.question.value()))
     windows = {
         (one.chamber, one.stroke): [one.from_deg, one.to_deg - 720 * (one.to_deg > 720)]
         if engine.cycle == "four-stroke"
@@ -328,7 +328,11 @@ def test_what_a_notebook_says_of_strokes_is_all_there() -> None:
     from crankstar.tables.html import document_html
 
     engine = load("v8-cross-plane")
-    plain = re.sub(r"\s+", " ", re.sub(r"<[^>]+>", " ", document_html(stroke_document(engine))))
+    plain = re.sub(
+        r"\s+",
+        " ",
+        re.sub(r"<[^>]+>", " ", document_html(STROKES.told(engine, STROKES.question.value()))),
+    )
     shown = told("v8-cross-plane").strokes
     said = " ".join([*(t.title for t in shown), *(line for t in shown for line in t.notes)])
     for words in (

@@ -14,8 +14,8 @@ from tests.methods.test_charts_pictures import words_of
 
 import crankstar
 from crankstar import charts
+from crankstar.analyses.strokes.charts.timing_diagram import BLOW_DOWN, EXHAUST, INTAKE, POWER
 from crankstar.charts.drawing import GREY
-from crankstar.charts.strokes import BLOW_DOWN, EXHAUST, INTAKE, POWER
 from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import Basis
 from crankstar.engine.layouts import tandem

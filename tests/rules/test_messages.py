@@ -17,8 +17,8 @@ from babel.messages.catalog import Catalog
 
 import crankstar
 from crankstar import charts, cli
+from crankstar.analyses.strokes import RECORD as STROKES
 from crankstar.language.messages import LANGUAGES, _, _n, spoken
-from crankstar.tables.strokes import strokes
 
 pytestmark = pytest.mark.quick
 
@@ -269,7 +269,7 @@ def test_firing_angles_and_exhaust_groups_are_in_the_language() -> None:
     engine = crankstar.load("i4")
     with spoken("ja"):
         chart = json.dumps(charts.stroke_chart(engine).to_dict(), ensure_ascii=False)
-        lines = str(strokes(engine))
+        lines = str(STROKES.told(engine, STROKES.question.value()))
     assert "全気筒" in chart
     assert "all cylinders:" not in chart
     assert "1 は 0, 3 は 180" in lines

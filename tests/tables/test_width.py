@@ -11,6 +11,7 @@ from rich.cells import cell_len
 from rich.console import Console
 
 from crankstar import load
+from crankstar.analyses.strokes import RECORD as STROKES
 from crankstar.analysis.document import Column, Document, Table
 from crankstar.derive.errata import errata
 from crankstar.files import catalog
@@ -25,7 +26,6 @@ from crankstar.tables.cells import cell
 from crankstar.tables.comparison import comparison
 from crankstar.tables.conversion import in_units
 from crankstar.tables.errata import errata_document
-from crankstar.tables.strokes import strokes
 from crankstar.tables.terminal import rendered
 from crankstar.tables.verdict import verdict, verdict_document
 
@@ -63,7 +63,7 @@ def documents(name: str) -> Iterator[Document]:
     if (found := fitting.recommended(engine)) is not None:
         yield remedies.balancing_sheet(remedies.Job(engine, found.after, found.factor, speed=500.0))
     try:
-        yield strokes(engine)
+        yield STROKES.told(engine, STROKES.question.value())
         yield firing_orders.firing_orders(
             firing_orders.Listing(engine, orders.most_even_orders(engine)), limit=20
         )

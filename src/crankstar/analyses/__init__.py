@@ -10,6 +10,7 @@
 | `isolate/` | the best mounts within limits |
 | `marine/` | external and guide-force moments of a marine engine, and compensators |
 | `mounts/` | an engine on its mounts: natural modes, vibration, what the mounts pass on |
+| `strokes/` | strokes, valve events, exhaust intervals, cylinders that disturb each other |
 | `torque/` | torque of gas and inertia, and how evenly the engine runs |
 | `torsion/` | how a crankshaft or a drive line twists |
 """

@@ -30,9 +30,6 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `hodographs` | the path of force or couple |
 | `curves` | force, couple, rolling moment and torque over the crank angle |
 | `spectra` | the size of each order |
-| `strokes` | when valves are open, and when each cylinder fires |
-| `firing_rings` | the cylinders round a circle at their firing angles |
-| `exhaust_orders` | the orders of the exhaust of each bank or manifold |
 | `gas_curves` | curves over a working cycle, and what a figure of gas says |
 | `pressures` | the pressure over volume or crank angle |
 | `torque` | gas and inertia torque over a cycle, by cylinder, load and order |

@@ -13,8 +13,6 @@ from .drawing import GREY as GREY, ChartError as ChartError, svg as svg
 from .elevations import shaft_elevation as shaft_elevation
 from .errata import judged as judged, over_rods as over_rods
 from .estimates import over_ranges as over_ranges
-from .exhaust_orders import exhaust_order_chart as exhaust_order_chart
-from .firing_rings import firing_ring as firing_ring
 from .fronts import pareto_front as pareto_front, sequence_chart as sequence_chart
 from .hodographs import hodograph as hodograph
 from .pair_sweeps import contours as contours
@@ -26,7 +24,6 @@ from .scatter import scatter_chart as scatter_chart
 from .search_stars import best_stars as best_stars
 from .side_thrusts import side_thrust_chart as side_thrust_chart
 from .spectra import spectrum as spectrum
-from .strokes import stroke_chart as stroke_chart
 from .sweeps import swept as swept
 from .torque import torque_chart as torque_chart
 from .torsion_fronts import sequence_stars as sequence_stars

@@ -23,7 +23,7 @@ from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.letters import SMALL, together
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, picture
-from crankstar.charts.resting import LAYOUT, of_drawing
+from crankstar.charts.resting import of_layout
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.language.messages import N_, _
@@ -89,7 +89,7 @@ def balance_shaft_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
     about += estimate_lines([engine], drawn=_(RANGES))
     turns = turns_together(engine)
     title = _("Balance shafts, seen from the front")
-    rests = of_drawing(engine, LAYOUT)
+    rests = of_layout(engine)
     return figure(rows, title=title, subtitle=about, theta=theta, turns=turns, rests=rests)
 
 

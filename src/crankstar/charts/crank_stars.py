@@ -14,7 +14,7 @@ from crankstar.charts.drawing import BLUE, GREY, Panel, figure, heading
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, label_margin, picture
-from crankstar.charts.resting import LAYOUT, of_drawing
+from crankstar.charts.resting import of_layout
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.language.messages import _
@@ -50,7 +50,7 @@ def crank_star(engine: Engine, *, theta: float = 0.0) -> Chart:
         subtitle.append(_("distances between shafts not to scale"))
     title = _("Crank star, seen from the front")
     turns = turns_together(engine)
-    rests = of_drawing(engine, LAYOUT)
+    rests = of_layout(engine)
     return figure([[panel]], title=title, subtitle=subtitle, theta=theta, turns=turns, rests=rests)
 
 

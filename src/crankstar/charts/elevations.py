@@ -13,7 +13,7 @@ from crankstar.charts.drawing import BLUE, GREY, VERMILION, Panel, figure, headi
 from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, own, span
 from crankstar.charts.letters import SMALL, TEXT, text_width, together
 from crankstar.charts.plane import turning
-from crankstar.charts.resting import LAYOUT, of_drawing
+from crankstar.charts.resting import of_layout
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Shaft
 from crankstar.language.messages import _
@@ -89,7 +89,7 @@ def shaft_elevation(
     height = _("at θ = {theta}°, heights to scale", theta=f"{degrees(theta):.4g}")
     subtitle = [*heading(engine), height, *_arm_range(engine)]
     turns = turns_together(engine)
-    rests = of_drawing(engine, LAYOUT)
+    rests = of_layout(engine)
     return figure(rows, title=title, subtitle=subtitle, theta=theta, turns=turns, rests=rests)
 
 

@@ -66,21 +66,6 @@ _FIGURES = (
         N_("every shaft from the side, with its weights and arms"),
     ),
     _chart(
-        "stroke-chart",
-        "strokes:stroke_chart",
-        N_("open valves and ignition of each cylinder over one cycle"),
-    ),
-    _chart(
-        "firing-ring",
-        "firing_rings:firing_ring",
-        N_("the cylinders around a circle at their firing angles"),
-    ),
-    _chart(
-        "exhaust-orders",
-        "exhaust_orders:exhaust_order_chart",
-        N_("the orders of the exhaust pulses of each bank or manifold"),
-    ),
-    _chart(
         "torque",
         "torque:torque_chart",
         N_("gas and inertia torque over a cycle: together, by cylinder, by load or by order"),

@@ -25,7 +25,7 @@ from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle
 from crankstar.studies import answers
 from crankstar.studies.answer_parts import TURNING, in_own_unit, narrowed, without_speed
-from crankstar.studies.chart_answers import vectors
+from crankstar.studies.chart_answers import firing, of_no_force, vectors
 from crankstar.studies.load_answers import bearing_peaks
 from crankstar.tables.assumptions import (
     assumption_facts,
@@ -51,8 +51,6 @@ LEADING = 1.25
 OF_INERTIA = ("force", "couple", "roll")
 LAYOUT = ("layout", "cylinder.stroke", "cylinders", "rotation", "shaft", "crankshaft")
 """Key paths from which the shape of a crankshaft comes."""
-FIRING = ("layout", "firing_order", "cylinders", "shaft", "rotation")
-"""Key paths from which the crank angles come at which cylinders fire."""
 OF_COMPONENT = {
     "vertical": "force", "horizontal": "force", "pitch": "couple", "yaw": "couple"
 }  # fmt: skip
@@ -303,22 +301,15 @@ def of_speeds(
     return Rests([engine], answer, "analyze")
 
 
-def of_drawing(engine: Engine, keys: Sequence[str], *, valves: bool = False) -> Rests:
-    """Of a figure of shape or firing: no force is in it, only what is read from these keys.
+def of_layout(engine: Engine) -> Rests:
+    """Of a figure of shape: no force is in it, only what is read from the layout."""
+    others = [path for path in engine.provenance if not path.startswith(LAYOUT)]
+    return Rests([engine], lambda _engine: of_no_force(given=others), "analyze")
 
-    `keys` begin the key paths that count; with `valves` the timing that the file does not give.
-    """
-    others = [path for path in engine.provenance if not path.startswith((*keys,))]
 
-    def answer(_engine: Engine) -> Answer:
-        return Answer(
-            figures=lambda _each: {("shape", None): 0.0},
-            unit=lambda _quantity, _each: "",
-            uses=("valves",) if valves else (),
-            given=others,
-        )
-
-    return Rests([engine], answer, "analyze")
+def of_firing(engine: Engine, *, valves: bool = False) -> Rests:
+    """Of a figure of firing angles; with `valves` also of timing that the file does not give."""
+    return Rests([engine], partial(firing, valves=valves), "strokes")
 
 
 def of_sweep(sweep: Sweep, curves: Sequence[Curve]) -> Rests:

@@ -86,7 +86,6 @@ VERBS = {
     "show": "inspect:show",
     "site": "siting:site",
     "sound": "sounding:sound",
-    "strokes": "inspect:strokes",
     "sweep": "sweeping:sweep",
     "tolerance": "tolerances:tolerance",
     "vees": "firing:vees",

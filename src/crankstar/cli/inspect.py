@@ -1,6 +1,6 @@
 """Verbs that print what is known of engines.
 
-list, show, analyze, compare, verdict, strokes.
+list, show, analyze, compare, verdict.
 """
 
 from __future__ import annotations
@@ -277,20 +277,3 @@ def verdict(
         )
         document = replace(document, parts=(*document.parts, *remarks(how)))
     give(document, output, form=form)
-
-
-def strokes(
-    engine: EngineName, /, *, settings: Settings = None, json: Json = False, output: Output = None
-) -> None:
-    """Print strokes, valve events and exhaust intervals of each cylinder; find exhaust overlaps."""
-    from crankstar.language.faults import EngineError
-    from crankstar.tables.strokes import strokes as document
-
-    form = form_of(output, TABLES, json=json)
-    loaded = read_engine(engine, settings, ranged=False).engine
-    try:
-        with words_for(form):
-            shown = document(loaded)
-        give(shown, output, form=form)
-    except EngineError as error:
-        raise RequestError(f"{one_line(engine)}: {error}") from None

@@ -9,8 +9,9 @@ from math import lcm
 from typing import Any, NamedTuple
 
 from crankstar import __version__, files
+from crankstar.analyses.strokes.charts.timing_diagram import STROKE_COLOURS
+from crankstar.analyses.strokes.document import tables as stroke_tables
 from crankstar.analysis.document import Document
-from crankstar.charts.strokes import STROKE_COLOURS
 from crankstar.dynamics.bearings import BearingLoads, bearing_loads
 from crankstar.engine.copies import throws_of_weights, with_values
 from crankstar.engine.engine import Engine
@@ -47,7 +48,7 @@ from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
 from crankstar.remedy.sizing import Remedied, resized
 from crankstar.studies.answers import amplitudes, rests_on
-from crankstar.tables import headings, remedies, strokes
+from crankstar.tables import headings, remedies
 from crankstar.tables.assumptions import assumption_lines
 from crankstar.tables.conditions import can_be_estimated, unit_sentence, unit_sizes
 from crankstar.tables.ranges import estimated_paths, merged, ranged_lines
@@ -154,7 +155,7 @@ def exhibit(
         bearings=bearings_shown(engine, loads),
         gas_bearings=gas_bearings_shown(engine),
         scene=scene(engine, sizes),
-        strokes=printed(strokes.tables(engine, cycle)) if cycle else (),
+        strokes=printed(stroke_tables(engine, cycle)) if cycle else (),
         stroke_windows=_windows(cycle) if cycle else (),
         torque=torque(engine),
         gas_needs=gas_needs(engine),

@@ -8,6 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from crankstar import derive
+from crankstar.analyses.strokes.document import tables as stroke_tables
 from crankstar.analysis.document import Table
 from crankstar.firing.strokes import working_cycle
 from crankstar.language.faults import EngineError
@@ -18,7 +19,7 @@ from crankstar.report.gallery import ACROSS, Gallery
 from crankstar.report.markup import figure, figures, parts_html, section
 from crankstar.report.subject import Quantity, Subject
 from crankstar.report.views import orthographic
-from crankstar.tables import analysis, comparison, engines, strokes
+from crankstar.tables import analysis, comparison, engines
 from crankstar.tables.conditions import conditions, unit_sentence
 from crankstar.tables.headings import timing_lines
 from crankstar.tables.html import paragraph
@@ -119,7 +120,7 @@ def strokes_page(subject: Subject, gallery: Gallery) -> str:
         gallery.figure("stroke-chart", _("Open intake and exhaust, and ignition.")),
         gallery.figure("firing-ring", _("The cylinders around the working cycle.")),
     ]
-    parts = list(strokes.tables(engine, cycle))
+    parts = list(stroke_tables(engine, cycle))
     tables = parts_html(parts if subject.full else parts[:1])
     return section(_("Strokes"), tables + figures(drawn), name=name)
 

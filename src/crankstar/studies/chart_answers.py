@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 
 import numpy as np
 
@@ -14,6 +14,43 @@ from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.remains import pushed
 from crankstar.studies.answer_parts import TURNING
+
+FIRING = ("layout", "firing", "cylinders", "shaft", "rotation")
+"""How key paths begin from which the crank angles come at which cylinders fire."""
+NO_ANGLES = (
+    *(".bank_offset", ".bore_pitch", ".crank_distance", ".rows", ".bore", ".z", ".right", ".up"),
+    *("_mass", ".radius", ".rod_length"),
+)
+"""How those of them end that are no angles."""
+
+
+def of_no_force(*, given: Collection[str] = (), valves: bool = False) -> Answer:
+    """What no force is in, but for the key paths `given` all that the file says of the engine.
+
+    With `valves` the timing that the file does not give.
+    """
+    return Answer(
+        figures=lambda _engine: {("shape", None): 0.0},
+        unit=lambda _quantity, _engine: "",
+        uses=("valves",) if valves else (),
+        given=given,
+    )
+
+
+def firing(engine: Engine, *, valves: bool = False) -> Answer:
+    """When the cylinders fire: of the angles in the file, and of no length along the shaft.
+
+    >>> from crankstar import load
+    >>> five = load("audi-25-tfsi")
+    >>> sorted({*five.provenance} - {*firing(five).given})
+    ['firing_order']
+    """
+    others = [
+        path
+        for path in engine.provenance
+        if not path.startswith(FIRING) or path.endswith(NO_ANGLES)
+    ]
+    return of_no_force(given=others, valves=valves)
 
 
 def vectors(

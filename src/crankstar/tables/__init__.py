@@ -29,7 +29,6 @@
 | `amplitudes` | amplitudes for machines, one row each |
 | `mount_places` | the mounts of an engine file, as they are given |
 | `engines` | an engine's parts, the sources of its values, the catalog |
-| `strokes` | strokes, valve events and exhaust intervals |
 | `firing_orders` | firing orders of a crank |
 | `vee_engines` | V engines that fire evenly |
 | `search_stars` | the stars of a search |

@@ -22,7 +22,7 @@ from crankstar.charts.drawing import (
     layered,
 )
 from crankstar.charts.grammar import Channel, Chart, Layer, constant, field, of_rows, span
-from crankstar.charts.resting import FIRING, of_drawing
+from crankstar.charts.resting import of_firing
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import EVENTS
 from crankstar.firing.strokes import (
@@ -97,7 +97,7 @@ def stroke_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
         subtitle=[*heading(engine), *words],
         theta=theta,
         turns=turns,
-        rests=of_drawing(engine, FIRING, valves=True),
+        rests=of_firing(engine, valves=True),
     )
 
 

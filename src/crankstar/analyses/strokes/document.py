@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analyses.strokes.question import Question
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import EVENTS
@@ -23,7 +24,6 @@ from crankstar.firing.strokes import (
     disturbances,
     exhaust_groups,
     exhaust_intervals,
-    working_cycle,
 )
 from crankstar.firing.succession import Follower, in_succession, neighbours, partners
 from crankstar.language.messages import _
@@ -35,9 +35,8 @@ HIGHEST = 4.0
 """The highest order of the exhaust that is listed."""
 
 
-def strokes(engine: Engine) -> Document:
-    """The working cycle of an engine. Raises EngineError as `strokes.working_cycle`."""
-    cycle = working_cycle(engine)
+def document(engine: Engine, cycle: WorkingCycle, _question: Question) -> Document:
+    """The working cycle of an engine."""
     return Document(
         engine.name, (heading(engine), *tables(engine, cycle)), facts=_facts(engine, cycle)
     )

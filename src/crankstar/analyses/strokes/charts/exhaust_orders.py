@@ -6,12 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from crankstar.analyses.strokes.charts.timing_diagram import NO_ORDER
 from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.drawing import GREY, PALETTE, Panel, figure, heading, layered
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
 from crankstar.charts.letters import SMALL, text_width
-from crankstar.charts.resting import FIRING, of_drawing
-from crankstar.charts.strokes import NO_ORDER
+from crankstar.charts.resting import of_firing
 from crankstar.engine.engine import Engine
 from crankstar.firing.exhaust_orders import exhaust_orders, firing_rate
 from crankstar.language.messages import _
@@ -66,7 +66,7 @@ def exhaust_order_chart(engine: Engine) -> Chart:
         [[panel] for panel in panels],
         title=_("Exhaust orders"),
         subtitle=[*heading(engine), _("equal pulses at the firing angles")],
-        rests=of_drawing(engine, FIRING),
+        rests=of_firing(engine),
     )
 
 

@@ -8,14 +8,14 @@ from math import pi, radians
 
 import numpy as np
 
+from crankstar.analyses.strokes.charts.timing_diagram import NO_ORDER, cycle_of, spacing
 from crankstar.charts.canvas import panel_width
 from crankstar.charts.drawing import GREY, PALETTE, VERMILION, figure, heading
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label
 from crankstar.charts.letters import TEXT, folded, text_width
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, empty, picture, round_frame
-from crankstar.charts.resting import FIRING, of_drawing
-from crankstar.charts.strokes import NO_ORDER, cycle_of, spacing
+from crankstar.charts.resting import of_firing
 from crankstar.engine.engine import Engine
 from crankstar.firing.strokes import (
     EVEN,
@@ -70,7 +70,7 @@ def firing_ring(engine: Engine, *, theta: float = 0.0) -> Chart:
         subtitle=[*heading(engine), *words],
         theta=theta,
         turns=turns,
-        rests=of_drawing(engine, FIRING),
+        rests=of_firing(engine),
     )
 
 
