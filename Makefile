@@ -90,8 +90,10 @@ site: $(READY) front-end
 	CRANKSTAR_GALLERY=engines NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site
 	$(BIN)/crankstar site -o $(VENV)/site/engines
 
-# The TypeScript types of the records that Python sends; a test compares them.
+# The TypeScript types of the records that Python sends, and the Python types of the functions of
+# analyses; tests compare them.
 types: $(READY) front-end
+	$(BIN)/python tools/signatures.py
 	$(BIN)/python web/build/schema.py > $(VENV)/exhibit.json
 	cd web && $(NODE) build/types.mjs < ../$(VENV)/exhibit.json > ../$(VENV)/exhibit.ts
 	mv $(VENV)/exhibit.ts web/src/exhibit.ts

@@ -47,7 +47,6 @@ import sys
 # interrupt would be a traceback
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from typing import Any
 
     from crankstar.derive import family, signs
@@ -68,6 +67,19 @@ if TYPE_CHECKING:
     from crankstar.mechanics.side_thrust import SideThrust, side_thrust
     from crankstar.page.widget import widget
     from crankstar.python import records as records
+    from crankstar.python.analyses import (
+        bearings,
+        diagnose,
+        fault,
+        genset,
+        guide,
+        isolate,
+        marine,
+        mounts,
+        strokes,
+        torque,
+        torsion,
+    )
     from crankstar.python.derivations import derivation
     from crankstar.python.results import Result
     from crankstar.python.searches import Found, search
@@ -78,17 +90,6 @@ if TYPE_CHECKING:
     from crankstar.studies.sweep import sweep, watched
     from crankstar.tables.comparison import compare
     from crankstar.tables.verdict import verdict
-
-    bearings: Callable[..., Result]
-    diagnose: Callable[..., Result]
-    fault: Callable[..., Result]
-    genset: Callable[..., Result]
-    guide: Callable[..., Result]
-    isolate: Callable[..., Result]
-    marine: Callable[..., Result]
-    mounts: Callable[..., Result]
-    torque: Callable[..., Result]
-    torsion: Callable[..., Result]
 
 __version__ = "0.1.0"
 
@@ -176,6 +177,7 @@ __all__ = [
     "search",
     "side_thrust",
     "signs",
+    "strokes",
     "sweep",
     "torque",
     "torsion",

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from tests.rules.test_docs import script
+from tools import signatures
 
 import crankstar
 
@@ -67,3 +68,9 @@ def test_every_public_name_has_an_entry_in_the_reference(name: str) -> None:
     home = f"{thing.__module__}.{thing.__name__}"
     known = entries()
     assert home in known or thing.__module__ in known, home
+
+
+def test_the_types_of_the_functions_are_those_of_their_questions() -> None:
+    """`make types` writes them anew."""
+    written = signatures.STUB.read_text(encoding="utf-8")
+    assert signatures.formatted(signatures.stub()) == written

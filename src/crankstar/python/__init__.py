@@ -8,4 +8,5 @@
 | `derivations` | the derivation of an order, with what it rests on |
 | `searches` | the search for crank stars, and what it found |
 | `functions` | the function of each analysis, its arguments read as people write them |
+| `analyses` | the functions of the analyses, with their types in a stub |
 """

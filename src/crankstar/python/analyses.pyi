@@ -1,0 +1,372 @@
+"""The functions of the analyses; made by tools/signatures.py."""
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+from crankstar.options.sources import EngineLike
+from crankstar.python.results import Result
+
+def bearings(
+    engine: EngineLike,
+    /,
+    *,
+    speed: float | str | None = None,
+    gas: bool = False,
+    point: str | None = None,
+    off: Iterable[int] | str = (),
+    model: Literal["determinate", "continuous"] | str = "determinate",
+    orders: Iterable[float] | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
+) -> Result:
+    """Compute loads on main bearings and crank pins, guide forces, bending of the crankshaft.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        gas: With the gas pressure of an operating point.
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+            With --gas.
+        off: Cylinders that do not fire, as in 2,3; the others burn as much.
+        model: Crankshaft on its main bearings: determinate (hinged at each) or continuous (one
+            beam).
+        orders: Crank orders with commas, such as 1,2,4, or all. Default: those up to 6 that
+            occur.
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+        estimate: fill in what the file leaves out.
+    """
+
+def diagnose(
+    engine: EngineLike,
+    /,
+    measured: Path | str,
+    *,
+    before: Path | str | None = None,
+    speed: float | str | None = None,
+    point: str = "",
+    changes: Mapping[str, Any] | None = None,
+) -> Result:
+    """Find the likeliest fault by measured vibration.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        measured: CSV file (or .xlsx): columns order, up, right, z, direction, amplitude, phase;
+            also speed, error.
+        before: CSV file with the same measurement before the fault; without it the engine file
+            says what it was.
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+    """
+
+def fault(
+    engine: EngineLike,
+    /,
+    *,
+    cut: Iterable[int] | str = (),
+    weaker: Iterable[str] | Mapping[Any, Any] | str = (),
+    heavier: Iterable[str] | Mapping[Any, Any] | str = (),
+    lost_weight: Iterable[str] | Mapping[Any, Any] | str = (),
+    speed: float | str | None = None,
+    point: str = "",
+    at: tuple[float, float, float] | str | None = None,
+    orders: Iterable[float] | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+) -> Result:
+    """Tell what would be felt of a fault.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        cut: Cylinders that do not fire, with commas, such as 3.
+        weaker: Cylinder with less of its combustion, as in 3=20%; repeatable.
+        heavier: Part that is heavier, as in piston.3=20g or big_end.2=15g; lighter with a minus
+            sign; repeatable.
+        lost_weight: Counterweight that is lost, by its number in the file, or a share of it, as
+            in 2, 2=30% or balancer.1; repeatable.
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+        at: Point of the block whose vibration is told: along (z), or along, up and right in
+            this order, such as "-120 mm" or "300 mm, 200 mm, 0 mm", or one of [[block.points]]
+            by its name (default: the first of these, or the centre of mass).
+        orders: Crank orders with commas, such as 1,2,4, or all. Default: up to 6, with halves.
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+    """
+
+def genset(
+    engine: EngineLike,
+    /,
+    *,
+    pole_pairs: int | None = None,
+    engines: int | None = None,
+    flywheel: float | str | None = None,
+    irregularity: float | str | None = None,
+    off: Iterable[int] | str = (),
+    weaker: Iterable[str] | Mapping[Any, Any] | str = (),
+    point: str = "",
+    speed: float | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
+) -> Result:
+    """Compute how evenly a generating set runs, and what several do to one foundation.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        pole_pairs: Pairs of poles of the generator, on the crankshaft.
+        engines: How many engines: alike on one foundation, or those among which a batch is
+            divided. Default: 1.
+        flywheel: Moment of inertia of crankshaft, flywheel and what is coupled to them, such as
+            "0.25 kg*m^2" (default: drive.inertia of the file).
+        irregularity: Degree of irregularity for which the flywheel is wanted, such as 1/50 or
+            0.02.
+        off: Cylinders that do not fire, as in 2,3; the others burn as much.
+        weaker: Cylinder with less of its combustion, as in 3=20%; repeatable.
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+        estimate: fill in what the file leaves out.
+    """
+
+def guide(
+    engine: EngineLike,
+    /,
+    *,
+    numbers: Iterable[int] | str = (5, 6, 7, 8, 9, 10, 11, 12),
+    firing_orders: Iterable[str] | Mapping[Any, Any] | str = (),
+    minimise: str | None = None,
+    limit: Iterable[str] | Mapping[Any, Any] | str = (),
+    chain_drive: Path | str | None = None,
+    first_order: float | str | None = None,
+    point: str = "",
+    speed: float | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+) -> Result:
+    """List engines with the cylinders of one in rows of 5 to 12, with the best firing orders.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        numbers: Numbers of cylinders, such as 5..12 or 5,6,8. Default: 5..12.
+        firing_orders: A firing order to be listed beside the best, as in 1-7-2-5-4-3-6;
+            repeatable.
+        minimise: Quantity to minimise. As in `search`, together; default: M1,M2.
+        limit: Greatest permissible value of a quantity, as in QUANTITY=VALUE, with a unit or in
+            that of the result; repeatable. As in `search`.
+        chain_drive: From how many cylinders up the two middle ones are farther apart, and by
+            how much, such as "9: 600 mm": the chain or the gears of the camshaft stand there.
+        first_order: Weights at the ends of the crankshaft that make the first-order moment
+            vertical, equal (as much vertical as horizontal) or horizontal, or so great a share
+            horizontal, such as 0.3.
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+    """
+
+def isolate(
+    engine: EngineLike,
+    /,
+    *,
+    minimise: str = "force",
+    stiffness: tuple[float, float] | str | None = None,
+    shift: tuple[float, float, float] | str = (0.0, 0.0, 0.0),
+    sag: float | str | None = None,
+    frequencies: tuple[float, float] | str | None = None,
+    point: str = "",
+    speeds: Iterable[float] | str = (),
+    at: tuple[float, float, float] | str | None = None,
+    starts: int | None = None,
+    changes: Mapping[str, Any] | None = None,
+) -> Result:
+    """Find the stiffness and place of mounts, within limits, that pass on or shake least.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        minimise: Quantity to minimise. force (on the ground), mounts (the forces of all) or
+            velocity (of the point): the greatest over the speeds; each also with rms in front;
+            or roll (what is not roll in the mode of roll).
+        stiffness: Within which the stiffnesses of the mounts may be chosen, such as "50..400
+            N/mm" (default: those of the file).
+        shift: How far each mount may be moved each way: "30 mm", or along, up and right as in
+            "30 mm, 0 mm, 20 mm" (default: not at all).
+        sag: How far the block may sit down on its mounts under its weight, such as "5 mm".
+        frequencies: Band in which all natural frequencies on the mounts must lie, such as
+            "5..15 Hz".
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+        speeds: Crank speeds, such as "600..6000 rpm by 200", "600..6000 rpm/28" (28 speeds) or
+            "1000, 2000, 4000 rpm". Default: those of the file.
+        at: Point of the block whose vibration is told: along (z), or along, up and right in
+            this order, such as "-120 mm" or "300 mm, 200 mm, 0 mm", or one of [[block.points]]
+            by its name (default: the first of these, or the centre of mass).
+        starts: From how many mounts the search starts, those of the file first. Default: 6.
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+    """
+
+def marine(
+    engine: EngineLike,
+    /,
+    *,
+    point: str = "",
+    speed: float | str | None = None,
+    speeds: Iterable[float] | str = (),
+    rated_power: float | str | None = None,
+    first_order: float | str | None = None,
+    compensate: Iterable[str] | Mapping[Any, Any] | str | None = None,
+    phase_error: float | str | None = None,
+    node: float | str | None = None,
+    bracing: tuple[float, float] | str | None = None,
+    orders: Iterable[float] | Literal["all"] | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
+) -> Result:
+    """Compute external and guide-force moments as project guides have them, and compensators.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        speeds: Crank speeds, such as "600..6000 rpm by 200", "600..6000 rpm/28" (28 speeds) or
+            "1000, 2000, 4000 rpm". External moments go with its square.
+        rated_power: Power against which moments are set, such as "12 MW" (default: that of the
+            operating point).
+        first_order: Weights at the ends of the crankshaft that make the first-order moment
+            vertical, equal (as much vertical as horizontal) or horizontal, or so great a share
+            horizontal, such as 0.3.
+        compensate: Compensators for the vertical moment of an order, and the one place or two
+            along the crankshaft at which they stand, such as "2: 6 m, -6 m"; repeatable.
+        phase_error: By how much compensators are late, in degrees of their own turn, such as "5
+            deg".
+        node: Place along the crankshaft of a node of the hull, about which moments are told and
+            compensated, such as "-25 m".
+        bracing: Height of the top bracings over the crankshaft, and the distance of their two
+            planes along it, such as "5.2 m, 8 m".
+        orders: Crank orders with commas, such as 1,2,4, or all. Of both tables. Default: those
+            of note.
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+        estimate: fill in what the file leaves out.
+    """
+
+def mounts(
+    engine: EngineLike,
+    /,
+    *,
+    point: str = "",
+    speed: float | str | None = None,
+    speeds: Iterable[float] | str = (),
+    at: tuple[float, float, float] | str | None = None,
+    orders: Iterable[float] | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+) -> Result:
+    """Compute how an engine shakes on its mounts: modes, motion of a point, forces passed on.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        speeds: Crank speeds, such as "600..6000 rpm by 200", "600..6000 rpm/28" (28 speeds) or
+            "1000, 2000, 4000 rpm". Default: those of the file.
+        at: Point of the block whose vibration is told: along (z), or along, up and right in
+            this order, such as "-120 mm" or "300 mm, 200 mm, 0 mm", or one of [[block.points]]
+            by its name (default: the first of these, or the centre of mass).
+        orders: Crank orders with commas, such as 1,2,4, or all. Default: up to 24.
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+    """
+
+def strokes(engine: EngineLike, /, *, changes: Mapping[str, Any] | None = None) -> Result:
+    """Print strokes, valve events and exhaust intervals of each cylinder; find exhaust overlaps.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+    """
+
+def torque(
+    engine: EngineLike,
+    /,
+    *,
+    speed: float | str | None = None,
+    point: str = "",
+    imep: float | str | None = None,
+    bmep: float | str | None = None,
+    peak_pressure: float | str | None = None,
+    motored: bool = False,
+    off: Iterable[int] | str = (),
+    weaker: Iterable[str] | Mapping[Any, Any] | str = (),
+    flywheel: float | str | None = None,
+    irregularity: float | str | None = None,
+    tangential: Iterable[float] | str = (),
+    orders: Iterable[float] | Literal["all"] | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
+) -> Result:
+    """Compute gas and inertia torque, half orders included, and how evenly the engine runs.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+        imep: Indicated mean effective pressure of the whole cycle, such as "10 bar".
+        bmep: Brake mean effective pressure, such as "9 bar".
+        peak_pressure: Greatest pressure of the cycle, such as "75 bar".
+        motored: The engine is turned and burns nothing.
+        off: Cylinders that do not fire, as in 2,3; the others burn as much.
+        weaker: Cylinder with less of its combustion, as in 3=20%; repeatable.
+        flywheel: Moment of inertia of crankshaft, flywheel and what is coupled to them, such as
+            "0.25 kg*m^2" (default: drive.inertia of the file).
+        irregularity: Degree of irregularity for which the flywheel is wanted, such as 1/50 or
+            0.02.
+        tangential: Harmonics of the tangential pressure of one cylinder at these indicated mean
+            effective pressures, such as "4 bar, 8 bar".
+        orders: Crank orders with commas, such as 1,2,4, or all. Default: those of note.
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+        estimate: fill in what the file leaves out.
+    """
+
+def torsion(
+    engine: EngineLike,
+    /,
+    *,
+    point: str = "",
+    speed: float | str | None = None,
+    speeds: Iterable[float] | str = (),
+    orders: Iterable[float] | str | None = None,
+    modes: int | None = None,
+    holzer: int | None = None,
+    off: Iterable[int] | str = (),
+    weaker: Iterable[str] | Mapping[Any, Any] | str = (),
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
+) -> Result:
+    """Compute torsional vibration: modes, critical speeds, response and stress of a crankshaft.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        speeds: Crank speeds, such as "600..6000 rpm by 200", "600..6000 rpm/28" (28 speeds) or
+            "1000, 2000, 4000 rpm". Default: those of the file.
+        orders: Crank orders with commas, such as 1,2,4, or all. Default: up to 24.
+        modes: How many modes are shown. Default: 4.
+        holzer: Also Holzer's table of this mode.
+        off: Cylinders that do not fire, as in 2,3; the others burn as much.
+        weaker: Cylinder with less of its combustion, as in 3=20%; repeatable.
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+        estimate: fill in what the file leaves out.
+    """

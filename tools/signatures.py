@@ -1,0 +1,119 @@
+"""The types of the functions of analyses, for editors and type checkers.
+
+`python tools/signatures.py` writes the stub anew from the questions of all analyses of the package;
+a test compares them.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import MISSING
+from inspect import formatannotation
+from pathlib import Path
+from textwrap import indent
+from typing import Any, get_type_hints
+
+from crankstar.analysis.reader import Asked, asked
+from crankstar.analysis.record import Analysis
+from crankstar.analysis.registry import NAMES, analysis
+from crankstar.options.vocabulary import OPTIONS
+from crankstar.python.functions import function
+
+STUB = Path(__file__).resolve().parents[1] / "src" / "crankstar" / "python" / "analyses.pyi"
+HEAD = '''"""The functions of the analyses; made by tools/signatures.py."""
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+from crankstar.options.sources import EngineLike
+from crankstar.python.results import Result
+'''
+
+
+def stub() -> str:
+    """The text of the stub."""
+    records = [analysis(name) for name in sorted(NAMES)]
+    return "\n\n".join([HEAD.rstrip(), *map(_function, records)]) + "\n"
+
+
+def _function(record: Analysis) -> str:
+    fields = asked(record.question.value)
+    hints = get_type_hints(record.question.value)
+    follow = [f"{one.name}: {_taken(one, hints[one.name])}" for one in fields if _follows(one)]
+    named = [
+        f"{one.name}: {_taken(one, hints[one.name])} = {one.default!r}"
+        for one in fields
+        if not _follows(one)
+    ]
+    named += ["changes: Mapping[str, Any] | None = None"]
+    named += ["estimate: bool = False"] if record.estimates else []
+    arguments = ["engine: EngineLike", "/", *follow, "*", *named]
+    body = indent(f'"""{_doc(record)}\n"""', "    ")
+    listed = "".join(f"    {each},\n" for each in arguments)
+    return f"def {record.name}(\n{listed}) -> Result:\n{body}"
+
+
+def _follows(one: Asked) -> bool:
+    return one.default is MISSING or one.reader.follows
+
+
+def _doc(record: Analysis) -> str:
+    """What the function and its arguments are, without the example."""
+    text = (function(record.name).__doc__ or "").partition("\n>>>")[0].rstrip()
+    return "\n".join(_folded(text)).replace("\\", "\\\\")
+
+
+def _folded(text: str, width: int = 92) -> Iterator[str]:
+    """Its lines, long ones folded below their beginning."""
+    for line in text.splitlines():
+        margin = len(line) - len(line.lstrip())
+        row = ""
+        for word in line.split():
+            longer = f"{row} {word}" if row else " " * margin + word
+            if len(longer) > width:
+                yield row
+                longer = " " * (margin + 4 * (margin > 0)) + word
+            row = longer
+        yield row
+
+
+def _taken(one: Asked, hint: Any) -> str:
+    """What an argument may be: its value in SI units, or text as on the command line."""
+    takes = "text" if one.reader.follows else OPTIONS[one.reader.option].takes
+    if takes == "nothing":
+        return "bool"
+    kind = re.sub(r"Union\[(.*)\]$", lambda found: _parts(found[1]), formatannotation(hint))
+    kind = kind.replace("collections.abc.", "").replace("Sequence[", "Iterable[")
+    if takes == "several texts":
+        kind = "Iterable[str] | Mapping[Any, Any]" + " | None" * ("None" in kind)
+    elif "crankstar." in kind:  # a record of its own, which is given as text or in a file
+        kind = "Path | None" if "None" in kind else "Path"
+    elif one.name == "orders":
+        kind = kind.replace("str", "Iterable[float]")
+    more = [] if takes == "whole number" else ["str"]
+    parts = [*kind.split(" | "), *more]
+    parts = [*dict.fromkeys("None" if each == "NoneType" else each for each in parts)]
+    return " | ".join([*(each for each in parts if each != "None"), *["None"][: "None" in parts]])
+
+
+def _parts(text: str) -> str:
+    """What stands between the commas of a union, those in brackets apart."""
+    return re.sub(r", (?![^\[]*\])", " | ", text)
+
+
+def formatted(text: str) -> str:
+    """The stub as ruff writes it."""
+    words = ("format", "--quiet", "--stdin-filename", str(STUB), "-")
+    ruff = Path(sys.executable).parent / "ruff"
+    done = subprocess.run(  # its own text
+        [ruff, *words], input=text, capture_output=True, text=True, encoding="utf-8", check=True
+    )
+    return done.stdout
+
+
+if __name__ == "__main__":
+    STUB.write_text(formatted(stub()), encoding="utf-8")
