@@ -34,6 +34,7 @@
 | `serving` | serve |
 | `exporting` | export |
 | `files` | check, new, schema |
+| `words` | the words of a command line before they are parsed |
 | `application` | how a command line is read, the verbs by name, how the process ends |
 """
 

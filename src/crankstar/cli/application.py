@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import os
-import re
 import sys
 import warnings
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
-from itertools import pairwise
+from contextlib import contextmanager
 from typing import Any
 
 from cyclopts import App, CycloptsError
@@ -17,10 +15,11 @@ from crankstar import __version__
 from crankstar.analysis.registry import NAMES as ANALYSES
 from crankstar.analysis.registry import added
 from crankstar.cli.complaints import complaint, unwritable
-from crankstar.cli.output import LOST, OutputError, abandon, complain, is_file
+from crankstar.cli.output import abandon, complain
 from crankstar.cli.system_language import of_system
+from crankstar.cli.words import COMPLETION, refuse_files, spelt_out, wanted_language, wanted_units
 from crankstar.engine.packages import PackageWarning
-from crankstar.files.read_files import STANDARD_INPUT, files_noted
+from crankstar.files.read_files import files_noted
 from crankstar.language import spelling
 from crankstar.language.messages import (
     LANGUAGES,
@@ -32,24 +31,9 @@ from crankstar.language.messages import (
     speak,
     spoken,
 )
-from crankstar.language.quoting import one_line, seen
-from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice, shown_in
-from crankstar.options.forms import STANDARD_OUTPUT
-from crankstar.options.refusals import RequestError, refuse_empty
-from crankstar.options.vocabulary import OPTIONS
+from crankstar.language.shown_units import shown_in
 from crankstar.stars.faults import SearchError
 
-COMPLETION = "--install-completion"
-NEEDED = "needed"
-"""What --shafts means without speed ratios."""
-FILES = ("--before", "--beside", "--checkpoint", "--engine-file", "--output", "--save")
-"""Options that take a file."""
-WRITTEN = ("-o", "--output", "--engine-file", "--save")
-"""Options that take a file which is written."""
-NAMING = (*WRITTEN, "--before", "--point")
-"""Options that name something, which an empty text does not."""
-LANGUAGE = ("--language", "--lang")
-"""The option of the language, and its short name."""
 LEAST_WIDTH = 20
 """Columns of help, at least."""
 EVERYWHERE = N_(
@@ -127,10 +111,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
 def _code(words: list[str]) -> int:
     """Run a command line, its complaints in the language it asks for. Returns the exit code."""
     try:
-        wanted = _language(words)
+        wanted = wanted_language(words)
         speak(wanted or language(), named=wanted is not None)
         _doubt_encoding()
-        with shown_in(_units(words)), files_noted(), _packages_told():
+        with shown_in(wanted_units(words)), files_noted(), _packages_told():
             if not words and _gallery():
                 raise SystemExit(0)
             helping = not words or bool({"--help", "-h"} & set(words))
@@ -138,8 +122,8 @@ def _code(words: list[str]) -> int:
                 _add_verbs(words)
             if helping:  # only help needs its libraries
                 _prepare_help(words)
-            _refuse_source(words)
-            code = app(_spelt_out(words), exit_on_error=False, print_error=False) or 0
+            refuse_files(words)
+            code = app(spelt_out(words), exit_on_error=False, print_error=False) or 0
         if sys.stdout is not None:
             sys.stdout.flush()
     except CycloptsError as error:
@@ -212,22 +196,6 @@ def _gallery() -> bool:
     return wanted
 
 
-def _language(words: list[str]) -> str | None:
-    """The language of --language, taken out of the words, else of its variable, if any.
-
-    Raises RequestError.
-    """
-    asked, wanted = _taken(words, LANGUAGE, "CRANKSTAR_LANG")
-    if wanted is not None and wanted not in LANGUAGES:
-        raise RequestError(
-            "{option} {language}: the languages are {languages}",
-            option=asked,
-            language=seen(wanted),
-            languages=", ".join(LANGUAGES),
-        )
-    return wanted
-
-
 def _doubt_encoding() -> None:
     """Say so, in English, where standard output has no letters for the language of the context."""
     encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
@@ -244,103 +212,6 @@ def _doubt_encoding() -> None:
                     language=wanted,
                 )
             )
-
-
-def _units(words: list[str]) -> Choice:
-    """The units of --units, which is taken out of the words, or of CRANKSTAR_UNITS, or SI."""
-    asked, text = _taken(words, ("--units",), "CRANKSTAR_UNITS")
-    try:
-        return SYSTEMS["si"] if text is None else read_choice(text)
-    except UnitsError as error:
-        raise RequestError(f"{asked}: {error}") from None
-
-
-def _taken(words: list[str], names: Sequence[str], variable: str) -> tuple[str, str | None]:
-    """An option for all commands, taken out of the words, or its variable: which, and its value.
-
-    Raises RequestError where it stands twice.
-    """
-    given = [word for word in words if word.partition("=")[0] in names]
-    if len(given) > 1:
-        raise RequestError("{option} stands twice; give it once", option=given[1].partition("=")[0])
-    for place, word in enumerate(words):
-        option, equals, value = word.partition("=")
-        if option in names:
-            value = value if equals else "".join(words[place + 1 : place + 2])
-            del words[place : place + (1 if equals else 2)]
-            return option, value
-    return variable, os.environ.get(variable) or None
-
-
-def _spelt_out(arguments: Sequence[str]) -> list[str]:
-    """Arguments in the form that the parser needs.
-
-    It would take a lone hyphen, a file name, for an option; --shafts must have a value.
-    """
-    if COMPLETION in arguments and "-" in arguments:
-        raise RequestError(
-            "{option} writes a file that the shell reads when it starts; name one, or leave -o out",
-            option=COMPLETION,
-        )
-    pairs = zip(["", *arguments], arguments, strict=False)
-    named = {"-o": "/dev/stdout", "--output": "/dev/stdout"}
-    words = [
-        word if word != "-" or _takes_words(before) else named.get(before, STANDARD_INPUT)
-        for before, word in pairs
-    ]
-    if words.count(STANDARD_INPUT) > 1:
-        raise RequestError("- is standard input, which can be read only once; name a file instead")
-    for place in [place for place, word in enumerate(words) if word == "--shafts"][:1]:
-        following = words[place + 1] if place + 1 < len(words) else "-o"
-        if following.startswith("-") and following != "-" and not following[1:2].isdigit():
-            words.insert(place + 1, NEEDED)
-    return words
-
-
-def _takes_words(option: str) -> bool:
-    """Whether what follows it is no file, so that a hyphen there is not standard input."""
-    known = OPTIONS.get(option)
-    return known is not None and known.takes != "nothing" and option not in FILES
-
-
-def _refuse_source(words: Sequence[str]) -> None:
-    """Refuse empty names, and to write on a file that the command reads, or twice on one.
-
-    Raises OutputError, RequestError.
-    """
-    apart = [re.sub("^-o(?=[^=])", "-o=", word) for word in words]
-    parts = [part for word in apart for part in word.split("=", 1) if _may_be_a_file(part)]
-    written = [(option, place) for option, place in pairwise(parts) if option in WRITTEN]
-    for option, name in pairwise(parts):
-        if option in NAMING:
-            refuse_empty({option: name})
-    _refuse_twice(written)
-    for option, place in written:
-        if not (is_file(place) or option in ("--engine-file", "--save")):
-            continue
-        real = os.path.realpath(place)
-        if [os.path.realpath(part) for part in parts].count(real) > 1:
-            raise OutputError(LOST, file=one_line(place), option=option)
-
-
-def _refuse_twice(written: Sequence[tuple[str, str]]) -> None:
-    """Refuse two options that name one file. Raises RequestError."""
-    seen_at: dict[str, str] = {}
-    for option, place in written:
-        other = seen_at.setdefault(os.path.realpath(place), option)
-        if other != option and place not in STANDARD_OUTPUT:
-            raise RequestError(
-                "{first} and {second} name the same file, {file}; name another with one of them",
-                first=other,
-                second=option,
-                file=one_line(place),
-            )
-
-
-def _may_be_a_file(text: str) -> bool:
-    with suppress(UnicodeEncodeError):
-        return b"\0" not in os.fsencode(text)
-    return False
 
 
 def _refuse(message: str) -> int:
