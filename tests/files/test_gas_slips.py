@@ -14,6 +14,7 @@ from tests.marine import marine_engine
 from tests.texts import SHORT, spoilt
 
 import crankstar
+from crankstar import spectra
 from crankstar.engine import motion
 from crankstar.engine.gas import Gas
 from crankstar.engine.valves import timing
@@ -372,6 +373,62 @@ def test_a_rod_ratio_that_is_one_to_the_stroke_is_doubted(ratio: float, run: Run
 @pytest.mark.parametrize("name", ["man-s50mc-c", "mwm-6-diesel", "radial-9", "i4"])
 def test_rods_of_crosshead_engines_and_usual_ones_are_not_doubted(name: str) -> None:
     assert "doubt.rod-ratio" not in [fault.code for fault in doubts(crankstar.load(name))]
+
+
+CROSSHEAD = """
+name = "six with crossheads"
+firing_order = [1, 5, 3, 4, 2, 6]
+speed = "105 rpm"
+[cylinder]
+stroke = "2400 mm"
+rod_length = "2460 mm"
+reciprocating_mass = "5600 kg"
+rotating_mass = "4300 kg"
+[layout]
+type = "inline"
+bore_pitch = "1020 mm"
+"""
+"""Without a cycle: its throws are those of four strokes, and it fires every 120 degrees."""
+
+
+@pytest.mark.parametrize("bore", ["600 mm", None])
+def test_four_strokes_of_an_engine_with_crossheads_are_doubted(
+    bore: str | None, run: Run, tmp_path: Path
+) -> None:
+    """Two strokes fire every 60 deg, and of six even throws no primary couple is left."""
+    sized = CROSSHEAD.replace(
+        "[cylinder]", f'[cylinder]\nbore = "{bore}"' if bore else "[cylinder]"
+    )
+    (tmp_path / "ship.toml").write_text(sized, encoding="utf-8")
+    four = crankstar.load(tmp_path / "ship.toml")
+    (fault,) = doubts(four)
+    assert fault.path == ("cycle",)
+    assert fault.code == ("doubt.cycle" if bore else "doubt.cycle-of-stroke")
+    if bore:
+        assert fault.values["ratio"] == 2400 / 600
+    for words in (["marine"], ["verdict"], ["analyze"], ["strokes"]):
+        out = run(*words, str(tmp_path / "ship.toml")).out
+        rests = out.partition("This rests on:\n")[2]
+        assert rests.startswith("cycle is four-stroke, as it is where a file gives none"), words
+    two = crankstar.load(tmp_path / "ship.toml", changes={"cycle": "two-stroke"})
+    assert doubts(two) == ()
+    couples = [crankstar.total(crankstar.balance(each)).couple for each in (four, two)]
+    first = [float(spectra.peak(spectra.selected(each, [1.0])).value) for each in couples]
+    assert first[0] > 1e6
+    assert first[1] < 1e-6
+
+
+def test_valves_that_are_ports_are_doubted() -> None:
+    """Of a two-stroke moped: ports are open as long before bottom dead centre as after it."""
+    own = {
+        "intake_opens": "58 deg", "intake_closes": "58 deg",
+        "exhaust_opens": "80 deg", "exhaust_closes": "80 deg",
+    }  # fmt: skip
+    (fault,) = doubts(crankstar.load("i4", changes={"valves": own}))
+    assert (fault.code, fault.path) == ("doubt.overlap", ("valves",))
+    assert fault.values["value"] == pytest.approx(58 + 80)
+    own["exhaust_closes"] = "60 deg"
+    assert doubts(crankstar.load("i4", changes={"valves": own})) == ()
 
 
 def test_a_pin_split_that_makes_firing_less_even_is_doubted() -> None:

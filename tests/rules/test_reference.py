@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 from tests.rules.test_docs import script
-from tools import signatures
 
 import crankstar
+from tools import signatures
 
 pytestmark = pytest.mark.quick
 

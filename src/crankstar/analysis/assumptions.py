@@ -34,9 +34,12 @@ Status = Literal[
 ]
 """What is not modelled the engine has and its file leaves out: no figure can say how it matters."""
 Uses = Literal[
-    "inertia", "gas", "running", "sized", "set", "bearings", "torsion", "mounts", "valves", "fitted"
-]
+    "inertia", "gas", "running", "sized", "set", "bearings", "torsion", "mounts", "fitted",
+    "valves", "firing",
+]  # fmt: skip
 """What an answer is made of: what of it may be lacking differs; weights that were fitted to it.
+
+Of firing it is when cylinders fire, of valves what they open at.
 
 Of uneven running there is a flywheel in it, or one is sized for it; it may be of a generating set.
 """

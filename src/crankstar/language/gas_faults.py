@@ -105,6 +105,20 @@ SENTENCES: dict[str, str | Plural] = {
         "hardly any driven machine has less than {least} %: are the signs and angles right?"
     ),
     "doubt.no-cycle": N_("{where}: {message}"),
+    "doubt.cycle": N_(
+        "{where} is four-stroke, as it is where a file gives none, and the stroke is {ratio} times "
+        "the bore; only two-stroke engines with crossheads have more than {most}: give {where} = "
+        '"two-stroke" if it is one'
+    ),
+    "doubt.cycle-of-stroke": N_(
+        "{where} is four-stroke, as it is where a file gives none, and no four-stroke engine has a "
+        "stroke of {stroke} mm, more than {most} mm: give {where} = "
+        '"two-stroke" if it is one'
+    ),
+    "doubt.overlap": N_(
+        "{where}: intake and exhaust are open together for {value} deg, and four-stroke engines "
+        'have at most {most} deg; if these are ports, give cycle = "two-stroke"'
+    ),
     "doubt.rod-ratio": N_(
         "{where}: the rod is {value} times as long as the crank radius, and only crosshead engines "
         "have less than {least}; if {value} is meant as rod length over stroke, rod_ratio is "

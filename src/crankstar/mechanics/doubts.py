@@ -40,6 +40,7 @@ from crankstar.mechanics.mass_doubts import (
     rod_doubts,
     scale_doubts,
     size_doubts,
+    stroke_doubts,
 )
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError, own_speed
@@ -89,13 +90,14 @@ LOWEST_DISC = 0.5
 """Hz: a car that shuffles on its drive shafts has 1 to 2."""
 
 
-FIRED = {"inertia", "gas", "valves"}
+FIRED = {"inertia", "gas", "valves", "firing"}
 """Uses of an engine that depend on when its cylinders fire: its throws are made for that."""
 
 
 def doubts(engine: Engine) -> tuple[Fault, ...]:
     """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
-    found = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
+    found = [*firing_doubts(engine), *stroke_doubts(engine)]
+    found += [*size_doubts(engine), *rod_doubts(engine)]
     found += [*central_doubts(engine), *piston_doubts(engine), *scale_doubts(engine)]
     found += [*body_doubts(engine), *inertia_doubts(engine), *torsion_doubts(engine)]
     gas = engine.gas
@@ -123,7 +125,7 @@ def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> 
     """
     found: list[Fault] = []
     if FIRED & {*uses}:
-        found += [*firing_doubts(engine), *central_doubts(engine)]
+        found += [*firing_doubts(engine), *stroke_doubts(engine), *central_doubts(engine)]
     if "inertia" in uses:
         found += [*size_doubts(engine), *rod_doubts(engine)]
         found += [*piston_doubts(engine), *scale_doubts(engine), *inertia_doubts(engine)]

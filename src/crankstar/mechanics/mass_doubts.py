@@ -7,13 +7,14 @@ gas nor a speed.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import pi
+from math import degrees, pi, radians
 
 import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.mount_checks import carried_mass
 from crankstar.engine.proportions import STEEL, weighed_bores
+from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
 from crankstar.language.numbers import RPM
 from crankstar.mechanics.balance import default_reference
@@ -21,7 +22,11 @@ from crankstar.mechanics.balance import default_reference
 LEAST_RATIO = 2.5
 """Rod length over crank radius; less have crosshead engines alone."""
 CROSSHEAD_RADIUS = 0.5
-"""m: of a crank whose piston has a crosshead in a two-stroke engine."""
+"""m: of a crank whose piston has a crosshead."""
+LONGEST_FOUR, TALLEST_FOUR = 2.0, 0.8
+"""Stroke over bore, and stroke (m), that four-stroke engines stay below: 1.6 and 0.64 are built."""
+BOTH_OPEN = radians(120.0)
+"""Through which intake and exhaust of a four-stroke engine may be open: racing engines have 115."""
 LEAST_STROKE, MOST_STROKE = 0.25, 8.0
 """Over the bore: racing engines have 0.4, the longest ship's engines 5."""
 LIGHTEST, HEAVIEST = 19.5e3, 250e3
@@ -146,10 +151,41 @@ def _mm(length: float) -> float:
     return float(f"{length * 1e3:.4g}")
 
 
+def stroke_doubts(engine: Engine) -> Iterator[Fault]:
+    """A four-stroke engine as long in the stroke as two-stroke ones alone, or timed as they are.
+
+    The cycle is four-stroke where the file gives none; the throws are made for it.
+
+    >>> from crankstar.files.catalog import load
+    >>> ship = load("man-s50mc-c", changes={"cycle": "four-stroke"})
+    >>> [(fault.code, fault.values["ratio"]) for fault in stroke_doubts(ship)]
+    [('doubt.cycle', 4.0)]
+    """
+    if engine.cycle != "four-stroke":
+        return
+    for cylinder in engine.cylinders:
+        stroke = 2 * engine.throw(cylinder).radius
+        if cylinder.bore is not None and stroke > LONGEST_FOUR * cylinder.bore:
+            values = {"ratio": float(f"{stroke / cylinder.bore:.3g}"), "most": LONGEST_FOUR}
+            yield Fault(("cycle",), "doubt.cycle", values)
+            return
+        if "radius" not in engine.relative and stroke > TALLEST_FOUR:
+            values = {"stroke": _mm(stroke), "most": _mm(TALLEST_FOUR)}
+            yield Fault(("cycle",), "doubt.cycle-of-stroke", values)
+            return
+    if engine.valves is not None:
+        angles = timing(engine.valves, cycle=engine.cycle)
+        both = angles.intake_opens + angles.exhaust_closes
+        if both > BOTH_OPEN:
+            values = {"value": float(f"{degrees(both):.4g}"), "most": degrees(BOTH_OPEN)}
+            yield Fault(("valves",), "doubt.overlap", values)
+
+
 def rod_doubts(engine: Engine) -> Iterator[Fault]:
     """A rod that is so short that its ratio to the stroke was taken for that to the crank radius.
 
-    Crosshead engines have such rods: two-stroke ones of long stroke, or of a stroke of a metre.
+    Crosshead engines have such rods, of long stroke or of a stroke of a metre; that they are no
+    four-stroke engines is another doubt.
 
     >>> from crankstar.files.catalog import load
     >>> [fault.code for fault in rod_doubts(load("i4", changes={"cylinder.rod_ratio": 1.63}))]
@@ -160,8 +196,7 @@ def rod_doubts(engine: Engine) -> Iterator[Fault]:
         ratio = cylinder.rod_length / radius
         tall = cylinder.bore is not None and radius > cylinder.bore
         long = "radius" not in engine.relative and radius > CROSSHEAD_RADIUS
-        crosshead = engine.cycle == "two-stroke" and (tall or long)
-        if cylinder.articulated is None and ratio < LEAST_RATIO and not crosshead:
+        if cylinder.articulated is None and ratio < LEAST_RATIO and not (tall or long):
             values = {
                 "value": float(f"{ratio:.4g}"),
                 "least": LEAST_RATIO,

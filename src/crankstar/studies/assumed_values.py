@@ -60,8 +60,8 @@ FLYWHEELS = {
 """What is said where a file has none, by what an answer is made of."""
 OF_GAS = ("gas", "drive", "valves")
 """Tables of a file that no inertia depends on."""
-TIMING = frozenset({"valves"})
-"""Answers that are about the timing of valves alone: no part that moves matters to them."""
+TIMING = frozenset({"valves", "firing"})
+"""Answers that are about timing alone: no part that moves matters to them."""
 POINT = re.compile(r"gas\.point(?:\[(\d+)\])?\.(\w+)")
 """A key of an operating point: of all, or of one counted from one."""
 LOSS_ENDS = (0.5, 2.0)

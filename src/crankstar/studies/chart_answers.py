@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection
 
 import numpy as np
 
-from crankstar.analysis.assumptions import Answer
+from crankstar.analysis.assumptions import Answer, Uses
 from crankstar.analysis.tried_values import Figures
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance
@@ -24,21 +24,20 @@ NO_ANGLES = (
 """How those of them end that are no angles."""
 
 
-def of_no_force(*, given: Collection[str] = (), valves: bool = False) -> Answer:
-    """What no force is in, but for the key paths `given` all that the file says of the engine.
-
-    With `valves` the timing that the file does not give.
-    """
+def of_no_force(*, given: Collection[str] = (), uses: Collection[Uses] = ()) -> Answer:
+    """What no force is in, but for the key paths `given` all that the file says of the engine."""
     return Answer(
         figures=lambda _engine: {("shape", None): 0.0},
         unit=lambda _quantity, _engine: "",
-        uses=("valves",) if valves else (),
+        uses=uses,
         given=given,
     )
 
 
 def firing(engine: Engine, *, valves: bool = False) -> Answer:
     """When the cylinders fire: of the angles in the file, and of no length along the shaft.
+
+    With `valves` also the timing that the file does not give.
 
     >>> from crankstar import load
     >>> five = load("audi-25-tfsi")
@@ -50,7 +49,7 @@ def firing(engine: Engine, *, valves: bool = False) -> Answer:
         for path in engine.provenance
         if not path.startswith(FIRING) or path.endswith(NO_ANGLES)
     ]
-    return of_no_force(given=others, valves=valves)
+    return of_no_force(given=others, uses=("firing", "valves") if valves else ("firing",))
 
 
 def vectors(
