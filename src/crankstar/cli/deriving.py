@@ -20,6 +20,7 @@ from crankstar.cli.options import (
 from crankstar.cli.output import complain, display, working, write
 from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
+from crankstar.options import points
 from crankstar.options import values as request
 from crankstar.options.forms import DERIVATIONS, form_of, format_of
 from crankstar.options.values import refusal
@@ -67,7 +68,7 @@ def derive(
         partial(read_engine, engine, settings, ranged=False), partial(request.speed, speed)
     )
     loaded = found.engine
-    point = request.reference(reference, loaded)
+    point = points.reference(reference, loaded)
     if power is not None and not 1 <= power <= 24:
         raise refusal("--power", power, "give a power of λ from 1 to 24")
     names, kinds = request.listed(quantity), request.quantities(quantity)

@@ -18,6 +18,7 @@ from crankstar.cli.options import (
 from crankstar.cli.output import complain, write, write_bytes
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, passage
+from crankstar.options import points
 from crankstar.options import values as request
 from crankstar.options.forms import form_of
 from crankstar.options.values import refusal
@@ -75,7 +76,7 @@ def export(
     if form == "py":
         from crankstar.exports.exudyn import exudyn_script
 
-        point = request.reference(reference, loaded)
+        point = points.reference(reference, loaded)
         write(exudyn_script(loaded, speed=turning, reference=point), output)
     else:
         from crankstar.exports.solids import assumed, glb_bytes, stl_bytes

@@ -34,6 +34,7 @@ from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
+from crankstar.options import points
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of, named
 from crankstar.options.values import RequestError
@@ -129,7 +130,7 @@ def analyze(
     )
     loaded, spread = found.engine, found.spread
     mark_speed(speed, loaded)
-    point = request.reference(reference, loaded)
+    point = points.reference(reference, loaded)
     request.refuse_foreign(orders, [loaded], gas=False)
     answered = partial(of_amplitudes, loaded, speed=turning, both=True)
     if form != "txt":
@@ -139,7 +140,7 @@ def analyze(
 
         def numbers(each: Engine) -> Document:
             at = each.speed if turning is None else turning
-            result = balance(each, speed=at, reference=request.reference(reference, each))
+            result = balance(each, speed=at, reference=points.reference(reference, each))
             if form != "json":
                 return amplitudes(each, result, orders=picked, by=shares)
             return answer(each, result, orders=picked)
@@ -155,7 +156,7 @@ def analyze(
     angles, grouping = request.angles(theta), request.grouping(by)
 
     def sheet(each: Engine) -> Document:
-        point = request.reference(reference, each)
+        point = points.reference(reference, each)
         shown = tables.analysis(each, speed=turning, reference=point).of(wanted)
         return tables.document(shown, angles=angles, by=grouping, vectors=vectors)
 
@@ -218,7 +219,7 @@ def compare(
 
     def sheet(each: Sequence[Engine]) -> Document:
         shown = [
-            analysis(engine, speed=turning, reference=request.reference(reference, engine))
+            analysis(engine, speed=turning, reference=points.reference(reference, engine))
             for engine in each
         ]
         return made([analysed.of(wanted) for analysed in shown], own)

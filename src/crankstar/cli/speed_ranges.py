@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from crankstar.cli.options import command_text, read_engine, sheet_tree, together
 from crankstar.cli.tabulating import give, resting_on
+from crankstar.options import points
 from crankstar.options import values as request
 from crankstar.options.ranges import refuse_one
 
@@ -49,7 +50,7 @@ def over_speeds(
     chart = command_text("plot", engine, words | ({"--estimate": [""]} if estimate else {}))
 
     def made(build: str, each: Engine) -> Document:
-        point = request.reference(reference, each)
+        point = points.reference(reference, each)
         swept = sweep(each, f"speed={speeds}", reference=point)
         if build == "txt":
             return tables.document(each, swept, orders=wanted, chart=chart)

@@ -31,6 +31,7 @@ from crankstar.files.read_files import STANDARD_INPUT
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import charts as chart_request
+from crankstar.options import points
 from crankstar.options import values as request
 from crankstar.options.forms import PICTURES, TABLES, form_of
 from crankstar.options.values import RequestError
@@ -133,7 +134,7 @@ def _swept(
     point = None
     if reference is not None:
         loaded = read_engine(engine, settings, estimate=estimate).engine
-        point = request.reference(reference, loaded)
+        point = points.reference(reference, loaded)
     what = one_line(", ".join(path_and_value(text)[0] for text in over), longest=80)
     with working(_("Sweeping {path} ...", path=what)) as tell:
         swept = sweeps.sweep(

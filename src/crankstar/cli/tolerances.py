@@ -26,6 +26,7 @@ from crankstar.cli.output import complain, working, writable, write_bytes
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
+from crankstar.options import points
 from crankstar.options import values as request
 from crankstar.options.forms import PICTURES, TABLES, form_of
 from crankstar.options.refusals import choice
@@ -155,7 +156,7 @@ def _scattered(
     if names and not any(name.startswith(ABOUT_A_POINT) for name in names):
         request.refuse_unused({"--reference": reference}, beside=f"--quantity {','.join(names)}")
     own = loaded.engine
-    point = None if reference is None else request.reference(reference, own)
+    point = None if reference is None else points.reference(reference, own)
     with working(_("Building engines at random ...")) as tell:
         found = scatter_of(
             Source(loaded.name, loaded.tree, own),

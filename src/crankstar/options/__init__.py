@@ -11,7 +11,8 @@
 | `vocabulary` | every option of every command: what it takes, what it means |
 | `names` | the option that an unknown name stands for |
 | `refusals` | requests that cannot be met |
-| `values` | speeds, orders, angles, points of reference, settings |
+| `values` | speeds, orders, angles, settings |
+| `points` | points, planes and lengths of an engine, in its units |
 | `ranges` | the speeds of --speeds |
 | `gas` | a degree of irregularity, mean effective pressures |
 | `remedies` | weights, what they minimise, balance shafts |

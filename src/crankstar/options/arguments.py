@@ -335,11 +335,11 @@ def _reference(given: Any, engine: Engine) -> Reference:
             check_place(f"reference.{name}", place)
         return given
     if isinstance(given, str):
-        from crankstar.options import values
+        from crankstar.options import points
         from crankstar.options.refusals import RequestError
 
         try:
-            point = values.reference(given, engine)
+            point = points.reference(given, engine)
         except RequestError as error:
             raise ValueError(str(error).replace("--reference", "reference")) from None
         return point or Reference(0.0)
@@ -359,11 +359,11 @@ def _at(given: Any, engine: Engine) -> tuple[float, float, float]:
     """A point of the block: up, right, z in metres, or as text. Raises ValueError, TypeError."""
     if not isinstance(given, str):
         return point(given)
-    from crankstar.options import values
+    from crankstar.options import points
     from crankstar.options.refusals import RequestError
 
     try:
-        there = values.block_point(given, engine)
+        there = points.block_point(given, engine)
     except RequestError as error:
         raise ValueError(str(error).replace("--at", "at")) from None
     return point(None) if there is None else there

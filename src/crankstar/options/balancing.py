@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
-from crankstar.options import remedies
+from crankstar.options import points, remedies
 from crankstar.options import values as request
 from crankstar.options.refusals import RequestError
 from crankstar.options.vocabulary import meaning
@@ -109,8 +109,8 @@ def _balanced(
     job = Job(
         engine,
         engine,
-        radius=request.length("--radius", options.radius, engine, positive=True),
-        shaft_radius=request.length("--shaft-radius", options.shaft_radius, engine, positive=True),
+        radius=points.length("--radius", options.radius, engine, positive=True),
+        shaft_radius=points.length("--shaft-radius", options.shaft_radius, engine, positive=True),
         speed=engine.speed if speed is None else request.speed(speed),
         model=remedies.model(options.model),
     )

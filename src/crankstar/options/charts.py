@@ -11,6 +11,7 @@ from crankstar.engine.quantities import Quantity
 from crankstar.engine.torsion import Chain
 from crankstar.files import units
 from crankstar.language.messages import N_, _
+from crankstar.options import points
 from crankstar.options import values as request
 from crankstar.options.forms import PICTURES, form_of, refuse_terminal, require
 from crankstar.options.values import refusal
@@ -95,9 +96,9 @@ def options(
     if speeds is not None:
         out["speeds"] = request.speeds(speeds)
     if reference is not None and isinstance(engine, Engine):
-        out["reference"] = request.reference(reference, engine)
+        out["reference"] = points.reference(reference, engine)
     if at is not None and isinstance(engine, Engine):
-        out["at"] = request.block_point(at, engine)
+        out["at"] = points.block_point(at, engine)
     if "gas" in takes and (gas or point is not None or off is not None):
         out["gas"] = True
     if point is not None:

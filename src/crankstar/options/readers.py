@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from crankstar.analysis.reader import Reader
 from crankstar.engine.quantities import PRESSURE
-from crankstar.options import numbers, values
+from crankstar.options import numbers, points, values
 from crankstar.options.gas import (
     degree_of_irregularity,
     gas_orders,
@@ -53,7 +53,7 @@ def _orders_or_all(text: str) -> list[float] | Literal["all"] | None:
 
 
 def _at(text: str, engine: Any) -> tuple[float, float, float] | None:
-    return values.block_point(text, engine)
+    return points.block_point(text, engine)
 
 
 def horizontal_share(text: str) -> float:

@@ -15,16 +15,9 @@ from crankstar.files import units
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.mechanics.balance import scales, unit_unbalance
+from crankstar.options.points import length, places, planes
 from crankstar.options.refusals import choice, refusal, refuse_unused
-from crankstar.options.values import (
-    bounded,
-    fractions,
-    length,
-    not_positive,
-    places,
-    planes,
-    reading,
-)
+from crankstar.options.values import bounded, fractions, not_positive, reading
 from crankstar.remedy import Aim, Box, Limit, Plane, aim_unit, without_weights
 from crankstar.remedy.counterweights import GREATEST_FACTOR, LEAST_FACTOR
 from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted

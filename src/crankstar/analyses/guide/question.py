@@ -11,7 +11,7 @@ from crankstar.analysis.reader import Reader
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import POSITION
 from crankstar.language.messages import _
-from crankstar.options import readers, values
+from crankstar.options import points, readers, values
 from crankstar.options.refusals import RequestError, not_compiled, refusal
 from crankstar.options.words import SearchWords
 
@@ -92,7 +92,7 @@ def chain_drive(text: str, engine: Engine, *, numbers: Sequence[int]) -> ChainDr
         )
     example = _('as in "9: 600 mm"')
     wider = wider.strip()
-    value = values.places("--chain-drive", [wider], [POSITION], engine, example)[0]
+    value = points.places("--chain-drive", [wider], [POSITION], engine, example)[0]
     if value <= 0:
         raise values.not_positive("--chain-drive", wider, POSITION)
     if int(count) < LEAST:

@@ -13,7 +13,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import LENGTH, SPEED, Quantity
 from crankstar.files import units
 from crankstar.language.messages import _
-from crankstar.options import readers
+from crankstar.options import points, readers
 from crankstar.options import values as request
 from crankstar.options.ranges import speeds_of
 from crankstar.options.refusals import refusal, refuse_unused
@@ -80,7 +80,7 @@ def _shift(text: str, engine: Engine) -> tuple[float, float, float]:
         raise refusal(
             "--shift", text, "give one length, or z, up and right, {example}", example=example
         )
-    sizes = request.places("--shift", parts, [LENGTH] * len(parts), engine, example)
+    sizes = points.places("--shift", parts, [LENGTH] * len(parts), engine, example)
     if not all(0 <= size <= LARGEST for size in sizes) or not any(sizes):
         raise refusal(
             "--shift",
@@ -95,7 +95,7 @@ def _shift(text: str, engine: Engine) -> tuple[float, float, float]:
 
 def _sag(text: str, engine: Engine) -> float | None:
     """Metres. Raises RequestError."""
-    return request.length("--sag", text, engine, positive=True)
+    return points.length("--sag", text, engine, positive=True)
 
 
 @dataclass(frozen=True)

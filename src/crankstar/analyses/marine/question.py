@@ -16,7 +16,7 @@ from crankstar.engine.quantities import LENGTH, POSITION, POWER
 from crankstar.files import units
 from crankstar.language.messages import _
 from crankstar.language.quoting import given as quoted
-from crankstar.options import numbers, readers, values
+from crankstar.options import numbers, points, readers, values
 from crankstar.options.numbers import check_number, check_place, is_number
 from crankstar.options.refusals import RequestError, refusal, refuse_unused
 
@@ -47,7 +47,7 @@ def compensations(texts: Sequence[str], engine: Engine) -> dict[int, tuple[float
                 greatest=GREATEST_ORDER,
             )
         example, marks = _('as in "2: 6 m, -6 m"'), [POSITION] * len(parts)
-        where = values.places("--compensate", parts, marks, engine, example)
+        where = points.places("--compensate", parts, marks, engine, example)
         if len(where) > 2 or len(set(where)) < len(where):
             raise refusal("--compensate", text, "give one place or two that differ")
         if int(order) in positions:
@@ -66,7 +66,7 @@ def phase_error(text: str) -> float:
 
 def node(text: str, engine: Engine) -> float:
     """The position of a node along the crankshaft. Raises RequestError."""
-    return values.places("--node", [text.strip()], [POSITION], engine, _('as in "-25 m"'))[0]
+    return points.places("--node", [text.strip()], [POSITION], engine, _('as in "-25 m"'))[0]
 
 
 def bracing(text: str) -> tuple[float, float]:
