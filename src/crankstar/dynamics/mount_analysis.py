@@ -115,7 +115,7 @@ def mounts(
         grid = wanted
         if grid.size > 1 and not point:
             grid = _inside(wanted, [*points_by_speed(engine)])
-        over = _peaked(block, modes, push(grid), partial(_told_curves, point=told))
+        over = peaked(block, modes, push(grid), partial(_told_curves, point=told))
     return MountAnalysis(
         block=block,
         modes=modes,
@@ -157,7 +157,7 @@ def greatest_ground_force(
     def curves(found: MountResponse) -> Real:
         return rms(found.ground_force[..., :3])[:, None]
 
-    found = _peaked(block, mount_modes(block), push, curves)
+    found = peaked(block, mount_modes(block), push, curves)
     return float(curves(found).max(initial=0.0))
 
 
@@ -167,7 +167,7 @@ def _inside(grid: Real, more: Sequence[float] | Real) -> Real:
     return np.union1d(grid, added[(grid[0] < added) & (added < grid[-1])])
 
 
-def _peaked(
+def peaked(
     block: MountedBlock,
     modes: Sequence[MountMode],
     push: MountExcitation,
@@ -176,6 +176,16 @@ def _peaked(
     """The response with the critical speeds, half-power points and maxima of the range in it.
 
     The maxima of the `curves` [speed, curve]. Mounts without damping have none at their resonance.
+
+    >>> from crankstar.files.catalog import load
+    >>> at = [("left", "-0.5 m", "0 m"), ("right", "0.5 m", "0 m"), ("rear", "0 m", "-0.3 m")]
+    >>> own = [{"name": n, "right": r, "z": z, "stiffness": "50 N/mm"} for n, r, z in at]
+    >>> five = load("audi-25-tfsi", changes={"mounts": own, "block": {"mass": "150 kg"}})
+    >>> block = mounted_block(five)
+    >>> push = mount_excitation(block, five, speeds=np.array([80.0, 600.0]))
+    >>> found = peaked(block, mount_modes(block), push, lambda own: rms(own.ground_force)[:, None])
+    >>> found.speeds.size > 2
+    True
     """
     damped = [each for each in modes if each.damping > 0]
     if push.speeds.size == 1 or not push.orders.size or len(damped) < len(modes):

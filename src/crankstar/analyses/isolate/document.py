@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from crankstar.analyses.isolate.answer import Isolated
-from crankstar.analyses.isolate.isolation import KEPT, Isolation, MountLimits
+from crankstar.analyses.isolate.free_values import MountLimits
+from crankstar.analyses.isolate.isolation import KEPT, Isolation
 from crankstar.analyses.isolate.question import Question
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.dynamics.mount_analysis import MountAnalysis

@@ -5,7 +5,8 @@ Minimised over the speeds is one of
     force, mounts          the greatest rms force on the ground, or rms of the forces of all mounts
                            (the root of the sum of their squares)
     velocity               the greatest rms velocity of a point
-    rms force, ...         the root mean square of one of these over the speeds
+    rms force, ...         the root mean square of one of these over the range of speeds, its square
+                           integrated from the lowest to the highest
     roll                   what is not roll in the mode that has most of it: the sum of |e_i| of
                            the other freedoms, e_i their shares of energy (`dynamics.mount_modes`)
 
@@ -17,31 +18,34 @@ natural frequencies lie.
 With x these values, each scaled to 0..1 between its limits (stiffness by its logarithm), sequential
 quadratic programming (scipy's SLSQP) takes min t, f_i(x) <= t at every speed i, or min f(x), from
 the mounts of the file and from further starts that are spread evenly (a Halton sequence,
-always the same); of mounts as good as each other those nearest to the file are taken. What is found
-is a local optimum, the best of all starts; there is no certificate.
+always the same); of mounts as good as each other those nearest to the file are taken. The speeds i
+are those that are asked for and, as they move with x, those at which an order meets a natural
+frequency: f_i = f(w_i(x), x), w_i kept within the range. What is found is judged as `mounts` does,
+at its maximum between the speeds too, on the mounts as they are written. It is a local optimum, the
+best of all starts; there is no certificate.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 import numpy as np
 from scipy.linalg import eigh
 from scipy.optimize import minimize
 from scipy.stats import qmc
 
-from crankstar.dynamics.mount_analysis import MountAnalysis
+from crankstar.analyses.isolate.free_values import MountLimits, fitted, free_values, given
+from crankstar.dynamics.mount_analysis import MountAnalysis, peaked
 from crankstar.dynamics.mount_excitation import MountExcitation
 from crankstar.dynamics.mount_modes import mount_modes
-from crankstar.dynamics.mount_response import mount_response, rms
+from crankstar.dynamics.mount_response import MountResponse, mount_response, rms
 from crankstar.dynamics.mount_worst import ROLL, roll_mode
 from crankstar.dynamics.mounted_block import MountedBlock, MountError, settled, with_mounts
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.mounts import Mount
-from crankstar.engine.records import Provenance
 from crankstar.language.messages import _
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.spectra import Real
@@ -50,33 +54,22 @@ IsolationAim = Literal[
     "force", "mounts", "velocity", "rms force", "rms mounts", "rms velocity", "roll"
 ]
 SPEEDS = 41
-"""At most, of those of the analysis, evenly chosen: enough for the course, each costs time."""
+"""At most, of those that are asked for, evenly chosen: each costs time."""
+EVEN = 121
+"""Speeds over which a square is integrated in the search."""
+ABOUT = (-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0)
+"""Speeds about a resonance at which it is integrated in the end, in its damping."""
 STARTS = 6
 ITERATIONS = 60
 KEPT = 1e-4
-"""Share by which a limit may be missed: less than a mount is made to."""
-FIGURES = 5
-"""Of a stiffness, and decimals of a place in metres: finer than any mount is made."""
+"""Share by which limits are kept in the search, so that they are once values are rounded."""
 NEAREST = 1e-3
 """Of the aim of the file: the cost of changing every value from one limit to the other."""
 NOTHING = 1e-4
 """Of the aim of the file: two ends that differ by less are one, as where both are nought."""
 ALIKE = 0.01
 """Share within which two ends count as one optimum."""
-PLACES = ("up", "right", "z")
 PROGRESS = Callable[[int, int], None]
-
-
-class MountLimits(NamedTuple):
-    """What the mounts may be: N/m, metres each way (up, right, z), metres, hertz; None is free.
-
-    `stiffness` None leaves that of the file; `shift` noughts leave the places.
-    """
-
-    stiffness: tuple[float, float] | None = None
-    shift: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    sag: float | None = None
-    frequencies: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -98,16 +91,6 @@ class Isolation:
         """How many starts ended at the best value, within `ALIKE`."""
         ends = np.array(self.ends)
         return int(np.sum(ends <= self.after * (1 + ALIKE) + NOTHING * self.before))
-
-
-class _Free(NamedTuple):
-    """A value that is free: of which mount, which key, which axis; its limits."""
-
-    mount: int
-    key: str
-    axis: int
-    low: float
-    high: float
 
 
 def isolated(
@@ -148,7 +131,7 @@ def isolated(
         missed = search.missed(x)
         if missed < nearest:
             nearest, missing = missed, search.missing(x)
-        value = search.value(x) if missed <= KEPT else np.nan
+        value = search.value(x) if missed <= 0 else np.nan
         ends.append(value)
         if value == value and (best is None or value < best[0]):
             best = value, x
@@ -161,8 +144,9 @@ def isolated(
             limit=missing,
             share=f"{100 * nearest:.3g}",
         )
-    after = _fitted(engine, search.mounts(best[1]), search.free, aim)
-    return Isolation(after, aim, search.value_of(found.block), best[0], tuple(ends))
+    after = fitted(engine, search.mounts(best[1]), search.free, aim)
+    value = search.value_of(with_mounts(found.block, after.mounts))
+    return Isolation(after, aim, search.value_of(found.block), value, tuple(ends))
 
 
 def _starts(search: _Search, count: int) -> list[Real]:
@@ -179,27 +163,32 @@ class _Search:
     ) -> None:
         self.aim, self.limits, self.given = aim, limits, engine.mounts
         self.block, self.point = found.block, found.point
-        self.free = _free(engine.mounts, limits)
+        self.free = free_values(engine.mounts, limits)
         if not self.free:
             raise RemedyError(
                 "nothing is free: give --stiffness, such as 50..400 N/mm, or --shift, such as 30 mm"
             )
-        self.push = None
+        self.push, self.speeds = None, np.array([])
+        self.damped = all(mode.damping > 0 for mode in found.modes)
         if aim != "roll":
             if found.over is None:
                 raise RemedyError("without a speed nothing shakes it: give --speeds")
-            self.push = _thinned(found.over.excitation)
+            self.push = _of_effect(found.over.excitation)
+            self.speeds = _thinned(found.asked)
+            if aim.startswith("rms") and self.speeds.size > 1:
+                even = np.linspace(self.speeds[0], self.speeds[-1], EVEN)
+                self.speeds = np.union1d(self.speeds, even)
         self.low = np.array([each.low for each in self.free])
         self.high = np.array([each.high for each in self.free])
         self.own = np.clip(self._scaled(), 0.0, 1.0)
 
     def _scaled(self) -> Real:
         """The mounts of the file between the limits."""
-        given = np.array([_given(self.given[each.mount], each) for each in self.free])
+        values = np.array([given(self.given[each.mount], each) for each in self.free])
         stiff = np.array([each.key == "stiffness" for each in self.free])
-        out = (given - self.low) / (self.high - self.low)
+        out = (values - self.low) / (self.high - self.low)
         low, high = self.low[stiff], self.high[stiff]
-        out[stiff] = np.log(given[stiff] / low) / np.log(high / low)
+        out[stiff] = np.log(values[stiff] / low) / np.log(high / low)
         return out
 
     def mounts(self, x: Real) -> tuple[Mount, ...]:
@@ -226,16 +215,29 @@ class _Search:
         return with_mounts(self.block, self.mounts(x))
 
     def course(self, x: Real) -> Real:
-        """The rms of force or velocity at each speed, of scaled values."""
-        return self.course_of(self.at(x))
+        """The rms of force or velocity at speeds and resonances, of scaled values."""
+        block = self.at(x)
+        return self.course_of(block, np.append(self.speeds, self._met(block)))
 
-    def course_of(self, block: MountedBlock) -> Real:
+    def _met(self, block: MountedBlock) -> Real:
+        """The speeds at which an order meets a natural frequency, those outside at the ends."""
+        if self.push is None or self.speeds.size < 2 or not self.damped:
+            return np.array([])
+        natural = np.array([mode.speed for mode in mount_modes(block)])
+        met = np.divide.outer(natural, self.push.orders).ravel()
+        return np.clip(met, self.speeds[0], self.speeds[-1])
+
+    def course_of(self, block: MountedBlock, speeds: Real) -> Real:
         """The same of a block; of decoupling, what is not roll."""
         if self.push is None:
             modes = mount_modes(block)
             energy = np.abs(modes[roll_mode(modes)].energy)
             return np.array([float(energy.sum() - energy[ROLL])])
-        own = mount_response(block, self.push)
+        push = self.push.between(speeds) if self.push.speeds.size > 1 else self.push
+        return self._sizes(mount_response(block, push))
+
+    def _sizes(self, own: MountResponse) -> Real:
+        """What is to be small of a response, at each of its speeds."""
         if self.aim.endswith("force"):
             return rms(own.ground_force[..., :3])
         if self.aim.endswith("mounts"):
@@ -243,19 +245,32 @@ class _Search:
             return rms(each.reshape(*each.shape[:2], -1))
         return rms(own.velocity(self.point))
 
+    def rough(self, x: Real) -> float:
+        """What is minimised in the search: integrated over even speeds, or not roll."""
+        course = self.course_of(self.at(x), self.speeds)
+        return _mean(course, self.speeds)
+
     def value(self, x: Real) -> float:
         """What is minimised, of scaled values."""
         return self.value_of(self.at(x))
 
     def value_of(self, block: MountedBlock) -> float:
-        """The same of a block."""
-        course = self.course_of(block)
-        if self.aim.startswith("rms"):
-            return float(np.sqrt(np.mean(course**2)))
-        return float(course.max())
+        """The same of a block: its maximum between the speeds, or its mean over them."""
+        if self.push is None or self.push.speeds.size == 1:
+            return float(self.course_of(block, self.speeds)[0])
+        modes = mount_modes(block)
+        if not self.aim.startswith("rms"):
+            found = peaked(block, modes, self.push, lambda own: self._sizes(own)[:, None])
+            return float(self._sizes(found).max())
+        speeds = np.union1d(self.speeds, self.push.speeds)
+        if self.damped:
+            at = np.array([each.speed * (1 + n * each.damping) for each in modes for n in ABOUT])
+            met = np.divide.outer(at, self.push.orders).ravel()
+            speeds = np.union1d(speeds, met[(speeds[0] < met) & (met < speeds[-1])])
+        return _mean(self.course_of(block, speeds), speeds)
 
     def kept(self, x: Real) -> Real:
-        """How far each limit is kept, of it; below nought where it is missed."""
+        """How far each limit is kept, of it; below zero where it is missed."""
         block, out = self.at(x), []
         if self.limits.sag is not None:
             out.append(1.0 + float(settled(block)[0][0]) / self.limits.sag)
@@ -285,14 +300,15 @@ class _Search:
 
     def led(self, start: Real) -> Real:
         """Where a start leads, within the limits of the values."""
-        size = self.value(start) or 1.0
         bounds = [(0.0, 1.0)] * len(self.free)
-        limits = [{"type": "ineq", "fun": self.kept}] if self.kept(start).size else []
+        limited = self.kept(start).size > 0
+        limits = [{"type": "ineq", "fun": lambda x: self.kept(x) - KEPT}] if limited else []
         options = {"maxiter": ITERATIONS, "ftol": 1e-6}
         try:
             if self.push is None or self.aim.startswith("rms"):
+                size = self.rough(start) or 1.0
                 ended = minimize(
-                    lambda x: self.value(x) / size + self.changed(x),
+                    lambda x: self.rough(x) / size + self.changed(x),
                     start,
                     method="SLSQP",
                     bounds=bounds,
@@ -300,7 +316,8 @@ class _Search:
                     options=options,
                 )
                 return np.clip(ended.x, 0.0, 1.0)
-            rows = [{"type": "ineq", "fun": lambda xt: self.kept(xt[:-1])}] if limits else []
+            size = float(self.course(start).max()) or 1.0
+            rows = [{"type": "ineq", "fun": lambda xt: self.kept(xt[:-1]) - KEPT}] if limits else []
             top = {"type": "ineq", "fun": lambda xt: xt[-1] - self.course(xt[:-1]) / size}
             ended = minimize(
                 lambda xt: xt[-1] + self.changed(xt[:-1]),
@@ -324,61 +341,22 @@ def _ends(block: MountedBlock) -> tuple[float, float]:
     return tuple(np.sqrt(np.maximum(squares[[0, -1]], 0.0)) / (2 * np.pi))
 
 
-def _free(mounts: Sequence[Mount], limits: MountLimits) -> tuple[_Free, ...]:
-    """Every stiffness and place that is free."""
-    out: list[_Free] = []
-    for index, mount in enumerate(mounts):
-        if limits.stiffness is not None and limits.stiffness[0] < limits.stiffness[1]:
-            out += [
-                _Free(index, "stiffness", axis, *limits.stiffness)
-                for axis, value in enumerate(mount.stiffness)
-                if value
-            ]
-        out += [
-            _Free(index, key, 0, getattr(mount, key) - by, getattr(mount, key) + by)
-            for key, by in zip(PLACES, limits.shift, strict=True)
-            if by
-        ]
-    return tuple(out)
+def _thinned(speeds: Real) -> Real:
+    """At most SPEEDS of them, evenly chosen, the ends among them."""
+    return speeds[np.unique(np.linspace(0, speeds.size - 1, SPEEDS).round().astype(int))]
 
 
-def _given(mount: Mount, free: _Free) -> float:
-    """The value that the file gives."""
-    return mount.stiffness[free.axis] if free.key == "stiffness" else getattr(mount, free.key)
+def _mean(sizes: Real, speeds: Real) -> float:
+    """The root mean square over a range: squares integrated straight from speed to speed."""
+    if speeds.size < 2:
+        return float(sizes[0])
+    squares = (sizes[1:] ** 2 + sizes[:-1] ** 2) / 2
+    return float(np.sqrt(np.sum(squares * np.diff(speeds)) / (speeds[-1] - speeds[0])))
 
 
-def _thinned(push: MountExcitation) -> MountExcitation:
-    """What shakes it at fewer speeds, and without the orders that do nothing."""
-    count = push.speeds.size
-    kept = np.unique(np.linspace(0, count - 1, min(count, SPEEDS)).round().astype(int))
+def _of_effect(push: MountExcitation) -> MountExcitation:
+    """What shakes it, without the orders that do nothing."""
     there = np.abs(push.push).max(axis=(0, 2)) > 0
     return replace(
-        push,
-        speeds=push.speeds[kept],
-        orders=push.orders[there],
-        inertia=push.inertia[there],
-        gas=push.gas[kept][:, there],
+        push, orders=push.orders[there], inertia=push.inertia[there], gas=push.gas[:, there]
     )
-
-
-def _fitted(
-    engine: Engine, mounts: tuple[Mount, ...], free: Sequence[_Free], aim: IsolationAim
-) -> Engine:
-    """The engine on other mounts, checked, with the source of their values."""
-    was_set = {f"mounts[{each.mount + 1}].{each.key}" for each in free}
-    sources = {
-        path: source
-        for path, source in engine.provenance.items()
-        if not any(path == own or path.startswith(f"{own}[") for own in was_set)
-    }
-    text = f"crankstar isolate: least {aim} within limits; a local optimum"
-    sources |= {path: Provenance(status="computed", source=text) for path in sorted(was_set)}
-    rounded = tuple(_rounded(mount) for mount in mounts)
-    return with_values(engine, mounts=rounded, provenance=sources)
-
-
-def _rounded(mount: Mount) -> Mount:
-    """A mount with stiffnesses to five figures and places to a hundredth of a millimetre."""
-    stiffness = tuple(float(f"{each:.{FIGURES}g}") for each in mount.stiffness)
-    places = {key: round(getattr(mount, key), FIGURES) for key in PLACES}
-    return with_values(mount, stiffness=stiffness, **places)
