@@ -171,6 +171,23 @@ def test_a_sweep_of_the_speed_takes_the_mounts_at_each_speed() -> None:
     assert curve.values == pytest.approx(wanted)
 
 
+def test_a_sweep_at_one_speed_tells_vibration_at_this_speed(run: Run, tmp_path: Path) -> None:
+    """Without a speed it is the maximum over those of the file; both are said."""
+    place = written(tmp_path)
+    words = ("sweep", place, "--over", "mounts[3].z=-400, -300 mm", "--quantity", "mount_force")
+    for speed in ((), ("--speed", "2000 rpm")):
+        tree = json.loads(run(*words, *speed, "--json").out)
+        engine = crankstar.load(place, changes={"mounts[3].z": "-400 mm"})
+        speeds = [2000 / RPM] if speed else []
+        over = crankstar.mounts(engine, speeds=speeds).value.over
+        sizes = rms(over.ground_force[..., :3])
+        assert tree["values"][0]["mount_force"] == pytest.approx(sizes.max(), rel=1e-6)
+        assert tree["maximum_over_speeds"] is not bool(speed)
+        at = "that at 2000 rpm" if speed else "the maximum over the speeds of the file"
+        assert f"Forced vibration is {at}." in said(run, *words, *speed)
+    assert len(sizes) == 1
+
+
 def test_a_sweep_of_mounts_says_what_is_missing() -> None:
     with pytest.raises(SweepError, match="mounts"):
         crankstar.watched(crankstar.sweep("i4", "balance_factor=0..1/2"), "mount_force")

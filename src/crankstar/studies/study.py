@@ -40,7 +40,8 @@ class Study:
 
     `over` are their key paths and units, `units_of` the units as they are shown. Sums are counted
     in `units`, about `reference`, at `speed` (rad/s; None where it is varied, or nothing is in
-    newtons); where the speed is varied, `highest` is its greatest value.
+    newtons); where the speed is varied, `highest` is its greatest value. What vibrates is told
+    `alone` at a speed that is asked for or varied, else as the maximum over the speeds of the file.
     """
 
     source: Source
@@ -53,6 +54,7 @@ class Study:
     reference: Reference
     speed: float | None
     highest: float | None
+    alone: bool
     orders: tuple[float, ...] | None
 
     @property
@@ -195,6 +197,7 @@ def study(
         reference=reference or default_reference(base),
         speed=at if counted.force == "N" and highest is None else None,
         highest=highest,
+        alone=highest is not None or isinstance(speed, int | float),
         orders=None if orders is None else tuple(orders),
     )
 

@@ -83,8 +83,9 @@ class Sweep:
     `cases` are the engines themselves with their speeds, which gas needs; `case` is that of the
     values at some places of the axes.
     `speed` is the one of all [rad/s], None where it is swept or where nothing is in newtons. Where
-    the speed is swept, `highest_speed` is omega_0. `orders` are those that were asked for, None of
-    all. `adds`: a balance factor is varied whose weights are added to others of the crankshaft.
+    the speed is swept, `highest_speed` is omega_0; vibration is `alone` at a speed that is swept or
+    was asked for, else its maximum over the speeds of the file. `orders` are those that were asked
+    for, None of all. `adds`: a balance factor is varied whose weights are added to others.
     `watch`: the results, each of all orders or of one, that frames and data sets have alone.
     """
 
@@ -95,6 +96,7 @@ class Sweep:
     reference: Reference
     speed: float | None
     highest_speed: float | None
+    alone: bool
     orders: tuple[float, ...] | None
     again: Callable[..., Sweep] = field(repr=False, compare=False)
     ends: Callable[[], tuple[Sweep, ...]] = field(repr=False, compare=False)
@@ -382,6 +384,7 @@ def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool
         reference=plan.reference,
         speed=plan.speed,
         highest_speed=plan.highest,
+        alone=plan.alone,
         orders=None if plan.orders is None else tuple(plan.orders),
         again=again,
         ends=tuple,
@@ -456,11 +459,10 @@ def _measured(sweep: Sweep, what: str, order: float | None) -> tuple[Real, tuple
         raise SweepError("{what} has no orders; leave --orders out", what=what)
     assert record.measured is not None  # noqa: S101  # it has measures
     value = record.measured.value
-    alone = sweep.highest_speed is not None
 
     def of_engine(engine: Engine, speed: float | None) -> float:
         with added().running(record.name):
-            return value(engine, what, speed=speed, order=order, alone=alone)
+            return value(engine, what, speed=speed, order=order, alone=sweep.alone)
 
     return one_by_one(sweep.cases, of_engine, what, shape=sweep.shape)
 

@@ -7,7 +7,7 @@ What gas and vibration rest on may matter more at the other end (`more_beyond`).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property, partial
 
 import numpy as np
@@ -53,14 +53,15 @@ FIGURES: Mapping[str, Sequence[str]] = {
 class Judged:
     """The engine of a sweep at one of its values, and the answer that it gives.
 
-    `speed` is in rad/s, None in m r omega^2; `values` are the numbers with their units, by the key
-    paths that are varied.
+    `speed` is in rad/s, None in m r omega^2, `alone` whether vibration is told at this one;
+    `values` are the numbers with their units, by the key paths that are varied.
     """
 
     engine: Engine
     speed: float | None
     values: Mapping[str, str]
     curves: Sequence[Curve]
+    alone: bool = False
 
     @property
     def at(self) -> str:
@@ -76,7 +77,10 @@ class Judged:
         kinds: dict[str, list[Curve]] = {}
         for curve in self.curves:
             kinds.setdefault(kind_of(curve.what), []).append(curve)
-        parts = [_answer(self.engine, self.speed, kind, own) for kind, own in kinds.items()]
+        parts = [
+            _answer(self.engine, self.speed, kind, own, alone=self.alone)
+            for kind, own in kinds.items()
+        ]
         answer = parts[0] if len(parts) == 1 else joined(parts)
         given = {path for own in self.values for path in (own, instead(own))}
         given |= {"crankshaft.weight"} if BALANCE_FACTOR in self.values else set()
@@ -100,7 +104,7 @@ def judged(sweep: Sweep, curves: Sequence[Curve], *, beyond: bool = False) -> Ju
         axis.path: f"{axis.values[place]:.6g} {axis.unit}".strip()
         for axis, place in zip(sweep.axes, places, strict=True)
     }
-    return Judged(engine, speed, values, curves)
+    return Judged(engine, speed, values, curves, sweep.alone)
 
 
 def _other_end(axis: Axis) -> int:
@@ -140,13 +144,19 @@ def kind_of(what: str) -> str:
     return "roll" if what.partition(".")[0] in ("roll", "torque", "axis_moment") else "inertia"
 
 
-def _answer(engine: Engine, speed: float | None, kind: str, curves: Sequence[Curve]) -> Answer:
+def _answer(
+    engine: Engine, speed: float | None, kind: str, curves: Sequence[Curve], *, alone: bool
+) -> Answer:
     """The answer of one kind, about the results that are watched and their orders."""
     if kind in ("gas", "running"):
         whole = torques(engine, partial(cycle, speed=speed), running=kind == "running")
     elif kind.removesuffix(NATURAL) in names():
         record = analysis(kind.removesuffix(NATURAL))
-        asked = record.question.value(speed=speed)
+        question = record.question.value
+        ranged = (
+            alone and speed is not None and any(one.name == "speeds" for one in fields(question))
+        )
+        asked = question(speeds=(speed,)) if ranged else question(speed=speed)
         natural = record.natural if kind.endswith(NATURAL) else None
         whole = record.answer.value(engine, asked) if natural is None else natural.value()
     else:

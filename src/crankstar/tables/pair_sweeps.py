@@ -162,5 +162,5 @@ def answer(
         columns.append(Column("alike", key="alike"))
         pairs = tuple((*pair.values, *pair.results, pair.alike) for pair in front)
         parts.append(Table("", tuple(columns), pairs, key="front"))
-    own = {**facts(sweep), "doubts": doubt_sentences(sweep, curves)}
+    own = {**facts(sweep, curves), "doubts": doubt_sentences(sweep, curves)}
     return Document(sweep.engine.name, tuple(parts), own)

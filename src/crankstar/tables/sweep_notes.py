@@ -49,6 +49,7 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
             "torque_with_gas, roll_with_gas: the maximum deviation from the mean over a cycle."
         )
         net = passage((net, without))
+    net = passage([each for each in (_forced(sweep, curves), net) if each])
     more = (net, _estimates_note(sweep), added if sweep.adds else "")
     if curves and all(curve.what in measures() for curve in curves):
         return (*remarks(net, _estimates_note(sweep), kind="note"), *doubts)
@@ -57,6 +58,21 @@ def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
     if gas:  # in N m, bar or none; the record says what is not in them
         counted = counted if sweep.units.force == "N" else ""
     return (*remarks(counted, "" if gas else speed_note(sweep), *more, kind="note"), *doubts)
+
+
+def _forced(sweep: Sweep, curves: Sequence[Curve]) -> str:
+    """At which speed forced vibration is told, or that it is the maximum over all."""
+    if sweep.highest_speed is not None or not is_forced(curves):
+        return ""
+    if sweep.alone and sweep.speed is not None:
+        return _("Forced vibration is that at {rpm} rpm.", rpm=number(sweep.speed * RPM))
+    return _("Forced vibration is the maximum over the speeds of the file.")
+
+
+def is_forced(curves: Sequence[Curve]) -> bool:
+    """Whether one of the curves is of forced vibration."""
+    known = measures()
+    return any(curve.what in known and not known[curve.what][1].natural for curve in curves)
 
 
 def rested(document: Document, sweep: Sweep, curves: Sequence[Curve]) -> Document:

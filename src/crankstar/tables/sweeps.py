@@ -28,7 +28,7 @@ from crankstar.spectra import Real
 from crankstar.studies.best_value import Best
 from crankstar.studies.sweep import Curve, Sweep
 from crankstar.tables import ranges
-from crankstar.tables.sweep_notes import doubt_sentences, notes
+from crankstar.tables.sweep_notes import doubt_sentences, is_forced, notes
 from crankstar.tables.sweep_ranges import Band, estimate_remarks, ranged_text
 
 FOUND = 1e-7
@@ -94,7 +94,7 @@ def answer(
         sweep.engine.name,
         (every_value(sweep, curves, ranged), Table("", heads, bests, key="best")),
         {
-            **facts(sweep),
+            **facts(sweep, curves),
             "over": sweep.path,
             "unit": sweep.unit,
             "doubts": doubt_sentences(sweep, curves),
@@ -105,8 +105,8 @@ def answer(
 KINDS: dict[str, Kind] = {"curve": "text", "unit": "unit"}
 
 
-def facts(sweep: Sweep) -> dict[str, object]:
-    """Engine, speed and what is varied, for machines."""
+def facts(sweep: Sweep, curves: Sequence[Curve] = ()) -> dict[str, object]:
+    """Engine, speed and what is varied, for machines; of vibration whether it is the maximum."""
     axes = [
         {
             "path": axis.path,
@@ -122,7 +122,9 @@ def facts(sweep: Sweep) -> dict[str, object]:
         name: rpm_of(speed)
         for name, speed in (("speed_rpm", sweep.speed), ("highest_speed_rpm", sweep.highest_speed))
     }
-    counted = {"units": sweep.units._asdict(), "axes": axes}
+    forced = is_forced(curves) and sweep.highest_speed is None
+    over_all = {"maximum_over_speeds": not sweep.alone} if forced else {}
+    counted = {**over_all, "units": sweep.units._asdict(), "axes": axes}
     return {"engine": sweep.engine.name, **rpm, **counted, **ranges.facts(sweep.engine)}
 
 
