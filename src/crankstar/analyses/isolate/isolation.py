@@ -162,7 +162,9 @@ def isolated(
             share=f"{100 * nearest:.3g}",
         )
     after = _fitted(engine, search.mounts(best[1]), search.free, aim)
-    return Isolation(after, aim, search.value_of(found.block), best[0], tuple(ends))
+    return Isolation(
+        after, aim, aimed(found.block, search.push, aim, found.point), best[0], tuple(ends)
+    )
 
 
 def _starts(search: _Search, count: int) -> list[Real]:
@@ -177,7 +179,8 @@ class _Search:
     def __init__(
         self, engine: Engine, found: MountAnalysis, aim: IsolationAim, limits: MountLimits
     ) -> None:
-        self.aim, self.limits, self.given = aim, limits, engine.mounts
+        self.aim: IsolationAim = aim
+        self.limits, self.given = limits, engine.mounts
         self.block, self.point = found.block, found.point
         self.free = _free(engine.mounts, limits)
         if not self.free:
@@ -186,9 +189,9 @@ class _Search:
             )
         self.push = None
         if aim != "roll":
-            if found.over is None:
+            self.push = thinned(found, aim)
+            if self.push is None:
                 raise RemedyError("without a speed nothing shakes it: give --speeds")
-            self.push = _thinned(found.over.excitation)
         self.low = np.array([each.low for each in self.free])
         self.high = np.array([each.high for each in self.free])
         self.own = np.clip(self._scaled(), 0.0, 1.0)
@@ -227,32 +230,11 @@ class _Search:
 
     def course(self, x: Real) -> Real:
         """The rms of force or velocity at each speed, of scaled values."""
-        return self.course_of(self.at(x))
-
-    def course_of(self, block: MountedBlock) -> Real:
-        """The same of a block; of decoupling, what is not roll."""
-        if self.push is None:
-            modes = mount_modes(block)
-            energy = np.abs(modes[roll_mode(modes)].energy)
-            return np.array([float(energy.sum() - energy[ROLL])])
-        own = mount_response(block, self.push)
-        if self.aim.endswith("force"):
-            return rms(own.ground_force[..., :3])
-        if self.aim.endswith("mounts"):
-            each = own.mount_force[:, :, : self.block.of_block]
-            return rms(each.reshape(*each.shape[:2], -1))
-        return rms(own.velocity(self.point))
+        return _course(self.at(x), self.push, self.aim, self.point)
 
     def value(self, x: Real) -> float:
         """What is minimised, of scaled values."""
-        return self.value_of(self.at(x))
-
-    def value_of(self, block: MountedBlock) -> float:
-        """The same of a block."""
-        course = self.course_of(block)
-        if self.aim.startswith("rms"):
-            return float(np.sqrt(np.mean(course**2)))
-        return float(course.max())
+        return aimed(self.at(x), self.push, self.aim, self.point)
 
     def kept(self, x: Real) -> Real:
         """How far each limit is kept, of it; below nought where it is missed."""
@@ -347,10 +329,45 @@ def _given(mount: Mount, free: _Free) -> float:
     return mount.stiffness[free.axis] if free.key == "stiffness" else getattr(mount, free.key)
 
 
-def _thinned(push: MountExcitation) -> MountExcitation:
-    """What shakes it at fewer speeds, and without the orders that do nothing."""
-    count = push.speeds.size
-    kept = np.unique(np.linspace(0, count - 1, min(count, SPEEDS)).round().astype(int))
+def aimed(
+    block: MountedBlock, push: MountExcitation | None, aim: IsolationAim, point: Sequence[float]
+) -> float:
+    """What is minimised, of a block that is shaken so: N, m/s or a share; `push` None for roll."""
+    course = _course(block, push, aim, point)
+    if aim.startswith("rms"):
+        return float(np.sqrt(np.mean(course**2)))
+    return float(course.max())
+
+
+def _course(
+    block: MountedBlock, push: MountExcitation | None, aim: IsolationAim, point: Sequence[float]
+) -> Real:
+    """The rms of force or velocity at each speed; of decoupling, what is not roll."""
+    if push is None:
+        modes = mount_modes(block)
+        energy = np.abs(modes[roll_mode(modes)].energy)
+        return np.array([float(energy.sum() - energy[ROLL])])
+    own = mount_response(block, push)
+    if aim.endswith("force"):
+        return rms(own.ground_force[..., :3])
+    if aim.endswith("mounts"):
+        each = own.mount_force[:, :, : block.of_block]
+        return rms(each.reshape(*each.shape[:2], -1))
+    return rms(own.velocity(point))
+
+
+def thinned(found: MountAnalysis, aim: IsolationAim) -> MountExcitation | None:
+    """What shakes it at fewer speeds, without the orders that do nothing; None without a speed.
+
+    A mean is that over the speeds that are asked for, whatever is critical between them.
+    """
+    if found.over is None:
+        return None
+    push, every = found.over.excitation, np.arange(found.over.speeds.size)
+    rows = np.searchsorted(found.over.speeds, found.asked) if aim.startswith("rms") else every
+    kept = rows[
+        np.unique(np.linspace(0, rows.size - 1, min(rows.size, SPEEDS)).round().astype(int))
+    ]
     there = np.abs(push.push).max(axis=(0, 2)) > 0
     return replace(
         push,
