@@ -45,7 +45,7 @@ class Drive(Record):
     load_angle: tuple[Angle, ...] = Field(
         default=(),
         max_length=GREATEST_LOAD,
-        description="crank angles of `load_torque` over a cycle, ascending",
+        description="crank angles of `load_torque` over a whole cycle, ascending",
     )
     load_torque: tuple[Number, ...] = Field(
         default=(),

@@ -174,6 +174,14 @@ SENTENCES: dict[str, str | Plural] = {
         "it must be above 0"
     ),
     "drive.angles": N_("{where} ascends within one cycle of {cycle} deg"),
+    "drive.gap": N_(
+        "{where} has a gap of {gap} deg, from {start} to {end} deg; give values of the whole cycle"
+    ),
+    "drive.gap-of-a-turn": N_(
+        "{where} has a gap of {gap} deg, from {start} to {end} deg; a load course is that of the "
+        "whole cycle of {cycle} deg: if these are the values of one turn, give them again for the "
+        "second, at {again} deg"
+    ),
     "drive.open-course": N_(
         "{where} is {first} at {start} deg and {last} at {end} deg, which is the same angle: give "
         "both the same, or leave the last out"
