@@ -158,6 +158,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} kg m², less than the pistons and rods have, {moving} kg m²: crankshaft "
         "and flywheel together have more"
     ),
+    "doubt.drive-chain": N_(
+        "{where} is {value} kg m², and the masses of [torsion] together have {chain} kg m² at the "
+        "crankshaft, without pistons and rods: is part of it left out, or not of the same set?"
+    ),
     "doubt.uneven-set": N_(
         "{where} is {value} kg m², with which the speed at {rpm} rpm varies by one part in about "
         "{parts}, and with {enough} kg m² by one in 100; generating sets have one part in 75 to "
