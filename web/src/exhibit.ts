@@ -606,7 +606,7 @@ export interface MountsOverSpeed {
   speeds_rpm: number[]
   /** on what the mounts stand on, rms, N */
   force: number[]
-  /** of each mount of the block; null where nothing pushes */
+  /** of each mount of the block; null where it would bear next to nothing */
   transmissibility: (number | null)[][]
 }
 /**

@@ -11,12 +11,14 @@ export interface Answer {
   readonly motion: readonly Coefficients[]
   /** Of each mount on what is below it: up, right, along; N. */
   readonly forces: readonly (readonly Coefficients[])[]
-  /** Of each mount the rms force over that of forces that change slowly; null where none push. */
+  /** Of each mount the rms force over that of forces that change slowly; null where next to none. */
   readonly through: readonly (number | null)[]
   /** What each mount turns into heat, W. */
   readonly heat: readonly number[]
 }
 
+/** Share of the greatest slow force of all mounts from which a ratio to one counts, as there. */
+const COUNTS = 0.01
 /** The place of roll among the freedoms. */
 const ROLL = 5
 const AXES = [0, 1, 2] as const
@@ -73,9 +75,10 @@ export function answerAt(
       }
     })
   })
+  const most = Math.max(0, ...slow.filter((_, index) => !mounts[index]?.below))
   const through = sums.map((sum, index) => {
     const least = slow[index] as number
-    return least > 0 ? Math.sqrt(sum / least) : null
+    return least > 0 && least >= COUNTS ** 2 * most ? Math.sqrt(sum / least) : null
   })
   return { motion, forces, through, heat }
 }

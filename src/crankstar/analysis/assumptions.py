@@ -135,7 +135,8 @@ class Answer:
     `choices` are those that the answer makes itself, with figures of their own. `tunings` are the
     natural frequencies of an answer that resonates. `shown` are the key paths of assumed values
     that its tables show, or that go into a table of none of the figures: they are told also where
-    no figure moves by them.
+    no figure moves by them. `aims` are quantities that the question is of: what moves one of them
+    stands first, and what moves another as well is told by them.
     """
 
     figures: Callable[[Engine], Figures]
@@ -150,6 +151,7 @@ class Answer:
     choices: Sequence[Assumption] = ()
     tunings: Sequence[Tuning] = ()
     shown: Collection[str] = ()
+    aims: Collection[str] = ()
 
 
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:
@@ -173,7 +175,7 @@ def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[
         elif most is not None and _goes_alone(engine, own, most, answer):
             own = replace(each.alone or each, moved=most)
         out.append(own)
-    return tuple(sorted(out, key=_rank))
+    return tuple(sorted(out, key=partial(_rank, answer.aims)))
 
 
 def _goes_alone(engine: Engine, each: Assumption, most: Moved, answer: Answer) -> bool:
@@ -192,9 +194,10 @@ def _goes_alone(engine: Engine, each: Assumption, most: Moved, answer: Answer) -
     return max(sizes) - min(sizes) <= UNMOVED * max(map(abs, sizes))
 
 
-def _rank(each: Assumption) -> tuple[bool, bool, float]:
+def _rank(aims: Collection[str], each: Assumption) -> tuple[bool, bool, bool, float]:
     unsized = each.status == "doubtful" and each.moved is None
-    return each.status != "not modelled", not unsized, -each.effect
+    beside = bool(aims) and (each.moved is None or each.moved.quantity not in aims)
+    return each.status != "not modelled", not unsized, beside, -each.effect
 
 
 def _varied(
@@ -224,13 +227,13 @@ def _varied(
         return replace(each, moved=Moved("", None, "", 0.0, 0.0, 0.0, 0.0))
     if not trial and tried.ends[0] < tried.ends[1]:
         tried.add_meetings(answer.tunings)
-        key, effect, top = _most(tried, now, least)
+        key, effect, top = _most(tried, now, least, answer.aims)
         if effect >= TOLD and answer.tunings:
             tried.add_quarters()
-            key, effect, top = _most(tried, now, least)
+            key, effect, top = _most(tried, now, least, answer.aims)
         if effect >= TOLD:
             tried.add_extremes(key, top=top)
-    (quantity, order), effect, _top = _most(tried, now, least)
+    (quantity, order), effect, _top = _most(tried, now, least, answer.aims)
     sizes = [size for _x, size in tried.sizes((quantity, order))]
     change = Moved(
         quantity=quantity,
@@ -248,10 +251,13 @@ def _varied(
     return replace(each, moved=change, low=low, high=high)
 
 
-def _most(tried: Tried, now: Figures, least: Mapping[str, float]) -> tuple[Figure, float, float]:
+def _most(
+    tried: Tried, now: Figures, least: Mapping[str, float], aims: Collection[str]
+) -> tuple[Figure, float, float]:
     """The figure that moves most, by how much of the greatest of its quantity, and that.
 
-    A force or a couple, which an answer says first, stands before others that move up to TWICE.
+    What is aimed at stands before all others where it moves at all; without an aim a force or a
+    couple, which an answer says first, before others that move up to TWICE.
     """
     tops = dict(least)
     every = [now, *tried.known.values()]
@@ -259,13 +265,15 @@ def _most(tried: Tried, now: Figures, least: Mapping[str, float]) -> tuple[Figur
         tops[quantity] = max(tops.get(quantity, 0.0), abs(size))
     best: dict[bool, tuple[Figure, float, float]] = {}
     for key in dict.fromkeys(key for one in every for key in one):
-        size, top, leads = now.get(key, 0.0), tops[key[0]], key[0] in LEADING
+        size, top, leads = now.get(key, 0.0), tops[key[0]], key[0] in (aims or LEADING)
         most = max(abs(one.get(key, 0.0) - size) for one in tried.known.values())
         effect = most / top if top else 0.0
         if leads not in best or effect > best[leads][1] * (1 + 1e-9):
             best[leads] = key, effect, top
     first, other = best.get(True), best.get(False)
-    if first is None or (other is not None and other[1] > TWICE * first[1]):
+    weak = first is not None and aims and first[1] < SIGNIFICANT
+    much = TWICE if not aims or weak else float("inf")
+    if first is None or (other is not None and other[1] > much * first[1]):
         assert other is not None  # noqa: S101  # an answer has figures
         return other
     return first

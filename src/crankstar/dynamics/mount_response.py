@@ -10,6 +10,10 @@ rms over a cycle: sqrt(sum of |a|^2 / 2) over orders and axes; the peak is the g
 at least `ANGLES` angles of it, all orders with their phases. The transmissibility of a mount is the
 rms force in it over that which the same forces would give if they changed so slowly that the block
 had no inertia; of one mass on one spring it is the usual ratio of force passed on to force put in.
+A mount that would then bear almost nothing, less than `COUNTS` of what another bears at that speed,
+has none: of it the ratio is nearly 0/0, and says nothing of how well the block is isolated. Each
+speed is measured by itself, as what shakes it without gas grows with the square of the speed, and
+the resonances that the ratio is wanted for are slow.
 """
 
 from __future__ import annotations
@@ -32,9 +36,9 @@ ANGLES = 360
 AT_ONCE = 16384
 """Frequencies that are solved together, to bound memory."""
 OF_A_WAVE = 12
-ROUNDING = 1e-9
-"""Share of the maximum force in a mount below which one is nothing."""
 """Angles of a period of the highest order."""
+COUNTS = 0.01
+"""Share of the greatest force of all mounts without inertia from which a ratio to one counts."""
 
 
 @dataclass(frozen=True)
@@ -102,16 +106,17 @@ class MountResponse:
 
     @cached_property
     def transmissibility(self) -> Real:
-        """Of each mount of the block [speed, mount]; nan where nothing pushes but rounding."""
+        """Of each mount of the block [speed, mount]; nan where it would bear less than `COUNTS`."""
         block = self.block
         bearing = (block.arms * block.along[..., None]).reshape(-1, block.freedoms)
         share = np.linalg.solve(block.stiffness, bearing.T)[:SIX]
         still = (self.excitation.push @ share).reshape(self.mount_force.shape)
-        least = np.sqrt((np.abs(still) ** 2).sum(axis=(1, 3)))
-        force = np.sqrt((np.abs(self.mount_force) ** 2).sum(axis=(1, 3)))
+        own = slice(block.of_block)
+        least = np.sqrt((np.abs(still) ** 2).sum(axis=(1, 3)))[:, own]
+        force = np.sqrt((np.abs(self.mount_force) ** 2).sum(axis=(1, 3)))[:, own]
         with np.errstate(invalid="ignore", divide="ignore"):
-            pushed = least > ROUNDING * least.max(axis=-1, keepdims=True)
-            return np.where(pushed, force / least, np.nan)[:, : block.of_block]
+            counts = least >= COUNTS * least.max(axis=-1, keepdims=True)
+            return np.where(counts & (least > 0), force / least, np.nan)
 
     @property
     def power(self) -> Real:

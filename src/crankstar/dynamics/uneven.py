@@ -33,6 +33,7 @@ from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import MessageError
 from crankstar.language.numbers import RPM
+from crankstar.mechanics.chain_inertia import turning_inertia
 from crankstar.mechanics.excitation import part_spectra
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import chamber_torque, friction_torque, over_cycle
@@ -263,7 +264,7 @@ def flywheel_for(engine: Engine, cycle: Cycle, *, irregularity: float) -> float:
 
 
 def driven(engine: Engine, cycle: Cycle, *, flywheel: float | None = None) -> Running | None:
-    """Steady running with the drive of the engine file, or another `flywheel` (kg m^2).
+    """Steady running with the inertia of the engine file, or another `flywheel` (kg m^2).
 
     None where inertia, speed or masses are not known.
 
@@ -273,7 +274,7 @@ def driven(engine: Engine, cycle: Cycle, *, flywheel: float | None = None) -> Ru
     >>> driven(five, idle) is None, driven(five, idle, flywheel=0.3).mean_speed == idle.speed
     (True, True)
     """
-    own = (engine.drive or Drive()).inertia if flywheel is None else flywheel
+    own = turning_inertia(engine) if flywheel is None else flywheel
     if own is None or cycle.speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
         return None
     return _driven_by(engine, cycle).with_(own)

@@ -14,6 +14,7 @@ from crankstar.dynamics.uneven import fluctuation
 from crankstar.engine.engine import Engine
 from crankstar.language.faults import Fault
 from crankstar.language.numbers import RPM
+from crankstar.mechanics.chain_inertia import APART, chain_inertia
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.operating_points import GasError
 
@@ -71,8 +72,8 @@ def uneven_doubts(engine: Engine, found: Cycle, *, generating: bool = False) -> 
         return ()
     assert drive is not None  # noqa: S101  # asked before
     assert speed is not None  # noqa: S101
-    if drive.inertia is None:
-        return ()
+    if drive.inertia is None or (chain_inertia(engine) or 0.0) > APART * drive.inertia:
+        return ()  # what is doubted then is that it is not that of the chain
     generating = generating or drive.load_exponent == CONSTANT_POWER
     stroke = 2 * engine.throw(engine.first).radius
     if not generating and stroke * speed / pi < FULL_SPEED:

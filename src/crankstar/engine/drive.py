@@ -30,7 +30,8 @@ class Drive(Record):
         description=(
             "of crankshaft with its crankpins, flywheel and all that is rigidly coupled to them, "
             "about the crank axis, without pistons, rods and rotating_mass; of shafts at other "
-            "speeds times their speed ratios squared"
+            "speeds times their speed ratios squared; if left out, the sum of the masses of "
+            "[torsion]"
         ),
         examples=["2 kg*m^2"],
     )
@@ -45,7 +46,7 @@ class Drive(Record):
     load_angle: tuple[Angle, ...] = Field(
         default=(),
         max_length=GREATEST_LOAD,
-        description="crank angles of `load_torque` over a cycle, ascending",
+        description="crank angles of `load_torque` over a whole cycle, ascending",
     )
     load_torque: tuple[Number, ...] = Field(
         default=(),

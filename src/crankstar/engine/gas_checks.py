@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 from math import degrees, pi, radians
+from typing import Any
 
 from crankstar.engine.drive import Drive, mean_share
 from crankstar.engine.gas import LOADS, Gas, Load, Trace
@@ -31,6 +32,12 @@ SAME_ANGLE = radians(1e-4)
 LATEST_START = pi / 2
 LONGEST_COMBUSTION = pi
 _SLACK = 1e-9
+UNEVEN = 1.5
+"""Of the other gaps of a load course in the mean, from which one is a part that is left out."""
+END = radians(1.0)
+"""Up to which the ends of a course are those of the cycle."""
+LISTED = 8
+"""Angles that a sentence lists."""
 
 
 def faults(gas: Gas | None, *, cycle: Cycle, chambers: Collection[int]) -> Iterator[Fault]:
@@ -134,6 +141,40 @@ def _course_faults(drive: Drive, cycle: Cycle) -> Iterator[Fault]:
             "end": degrees(angle[-1]),
         }
         yield Fault(("drive", "load_torque"), "drive.open-course", values)
+    else:
+        yield from _gap_faults(angle, drive.load_torque, whole)
+
+
+def _gap_faults(angle: Sequence[float], load: Sequence[float], whole: float) -> Iterator[Fault]:
+    """A course of a part of the cycle, over the rest of which nobody meant a straight line.
+
+    A gap of more than half a turn, and by `UNEVEN` more than the others are in the mean: few values
+    that are spread over the cycle are a course of few values. What is given up to both ends of the
+    cycle, or without a load at both ends of the gap, is meant so.
+    """
+    steps = [b - a for a, b in pairwise([*angle, angle[0] + whole])]
+    gap, turn, once = max(steps), 2 * pi, angle[-1] - angle[0]
+    others = (whole - gap) / max(len(steps) - 1, 1)
+    if len(steps) < 2 or gap <= max(pi, UNEVEN * others) + _SLACK or whole - once < END:
+        return
+    place = steps.index(gap)
+    start = angle[place]
+    if not (load[place] or load[(place + 1) % len(load)]):
+        return
+    values: dict[str, Any] = {"gap": _shown(gap), "start": _shown(start)}
+    values["end"] = _shown(start + gap)
+    if whole <= turn or once > turn + _SLACK:
+        yield Fault(("drive", "load_angle"), "drive.gap", values)
+        return
+    again = [_shown(each + turn) for each in angle if each - angle[0] < turn - _SLACK]
+    listed = [*again[: LISTED - 1], "...", again[-1]] if len(again) > LISTED else again
+    values |= {"cycle": degrees(whole), "again": ", ".join(f"{each}" for each in listed)}
+    yield Fault(("drive", "load_angle"), "drive.gap-of-a-turn", values)
+
+
+def _shown(angle: float) -> float | int:
+    size = float(f"{degrees(angle):.6g}")
+    return int(size) if size.is_integer() else size
 
 
 def _load_faults(load: Load, gas: Gas, path: Path) -> Iterator[Fault]:

@@ -47,6 +47,8 @@ PISTON_SPEEDS: dict[EngineType, float] = {
 """Mean piston speed at rated speed, m/s (`piston-speeds`; aero: Jumo 211 at 2600 rpm)."""
 SPARK = ("petrol", "motorcycle", "aero")
 """Types with spark ignition and light-alloy pistons."""
+PITCH_OVER_BORE = (1.05, 1.35)
+"""Distance of neighbouring cylinders of a row over their bore: the walls need the first."""
 FEW = 3
 SPEED_SPREAD = 1.2
 """Factor of the range of the piston speed up and down: the source says "about"."""
@@ -230,6 +232,51 @@ def look_of(engine: Assembly, gas: Gas | None) -> Look | None:
         speed=fastest(engine, gas),
         ignition=said_ignition(gas)[0],
     )
+
+
+def row_pitch(engine: Assembly) -> float | None:
+    """The least distance of neighbours of a row along the shaft, m; None where nothing says it.
+
+    A row are cylinders of one shaft that point the same way from the same offset; two pistons in
+    one cylinder, or one behind the other, stand at one place. So cylinders across a V or of one
+    star do not limit each other.
+
+    >>> from crankstar.files.catalog import load
+    >>> round(row_pitch(load("audi-25-tfsi")) or 0, 4)
+    0.088
+    """
+    if "pitch" in engine.relative:
+        return None
+    rows: dict[tuple[str, float, float], list[float]] = {}
+    for each in engine.cylinders:
+        row = each.shaft, round(each.bearing, 6), round(each.offset, 6)
+        rows.setdefault(row, []).append(each.z)
+    gaps = [b - a for row in rows.values() for a, b in pairwise(sorted(row)) if b - a > 1e-6]
+    return min(gaps, default=None)
+
+
+def bores_in(
+    bores: tuple[float, float, float], pitch: float | None, kind: EngineType
+) -> tuple[float, float, float]:
+    """Lowest, typical and highest bore, m, as far as neighbours in a row leave room for them.
+
+    None is greater than pitch / 1.05. Where that of usual stroke to bore would be, the pitch says
+    more than the stroke: the typical one is that of its usual ratio, the lowest pitch / 1.35.
+
+    >>> [round(1e3 * each, 1) for each in bores_in((0.0828, 0.0994, 0.12), 0.088, "diesel-car")]
+    [65.2, 81.2, 83.8]
+    >>> bores_in((0.08, 0.09, 0.1), None, "petrol")
+    (0.08, 0.09, 0.1)
+    """
+    low, typical, high = bores
+    if pitch is None:
+        return bores
+    narrow, wide = PITCH_OVER_BORE
+    most = pitch / narrow
+    if typical > most:
+        usual = proportion("bore pitch", "diesel" if kind == "crosshead" else kind).typical
+        low, typical = min(low, pitch / wide), pitch / usual
+    return low, typical, min(high, most)
 
 
 def is_radial(engine: Assembly) -> bool:

@@ -19,6 +19,7 @@ from crankstar.engine.proportions import (
     TWO_MASSES,
     Look,
     Proportion,
+    bores_in,
     fastest,
     inferred,
     is_radial,
@@ -26,6 +27,7 @@ from crankstar.engine.proportions import (
     piston_speed,
     proportion,
     rod_inertia,
+    row_pitch,
 )
 from crankstar.engine.quantities import INERTIA, LENGTH, MASS
 from crankstar.engine.weighed import EngineType
@@ -110,7 +112,7 @@ def estimated(
     if explicit:  # its masses are known: the stroke stands for the bore in what depends on neither
         bore, stroke = look.bore, look.stroke
     else:
-        bore, stroke = _sizes(filling, bore, stroke, displacement, len(laid_out.cylinders))
+        bore, stroke = _sizes(filling, laid_out, bore, stroke, displacement)
     try:
         _lengths(filling, laid_out, bore, stroke)
         _masses(filling, laid_out, bore, rod)
@@ -203,34 +205,46 @@ def _laid_out(tree: Tree, name: str) -> Engine:
 
 def _sizes(
     filling: Filling,
+    laid_out: Engine,
     bore: float | None,
     stroke: float | None,
     displacement: float | None,
-    pistons: int,
 ) -> tuple[float, float]:
     """Bore and stroke, each from the other by their ratio, or both from the displacement.
 
-    V = n pi/4 D^2 S, S = s D: D = (4 V / (n pi s))^(1/3).
+    V = n pi/4 D^2 S, S = s D: D = (4 V / (n pi s))^(1/3). A bore pitch of the file limits the bore.
     """
     if bore is not None and stroke is not None:
         return bore, stroke
     ratio = proportion("stroke", filling.kind)
-    shares = ratio.sizes
+    shares, volume = ratio.sizes, 4 * (displacement or 0.0) / (len(laid_out.cylinders) * pi)
     said = f"stroke/bore {ratio.typical:.3g}, {_type(filling.kind)}"
+    pitch = row_pitch(laid_out)
+
+    def room(bores: list[float], source: str) -> str:
+        """Fill in the bore; where it comes from."""
+        least, usual, most = sorted(bores)
+        own = bores_in((least, usual, most), pitch, filling.kind)
+        if pitch is not None and own != (least, usual, most):
+            source += f", with room at a bore pitch of {1e3 * pitch:.6g} mm"
+        filling.fill("cylinder.bore", list(own), source)
+        return source
+
     if displacement is not None:
-        bores = [(4 * displacement / (pistons * pi * s)) ** (1 / 3) for s in shares]
-        source = f"displacement {displacement * 1e6:.6g} cm3, {said}"
-        filling.fill("cylinder.bore", sorted(bores), source)
-        bore = filling.filled[-1].typical
-        exact = 4 * displacement / (pistons * pi * bore**2)
-        ends = sorted(b * s for b, s in zip(bores, shares, strict=True))
-        filling.fill("cylinder.stroke", [ends[0], exact, ends[-1]], source)
+        bores = [(volume / s) ** (1 / 3) for s in shares]
+        source = room(bores, f"displacement {displacement * 1e6:.6g} cm3, {said}")
+        low, bore, high = (
+            filling.filled[-1].low,
+            filling.filled[-1].typical,
+            filling.filled[-1].high,
+        )
+        filling.fill("cylinder.stroke", [volume / each**2 for each in (high, bore, low)], source)
         return bore, filling.filled[-1].typical
     if bore is not None:
         filling.fill("cylinder.stroke", [bore * share for share in shares], said)
         return bore, filling.filled[-1].typical
     stroke = stroke or 0.0  # one of the three is given
-    filling.fill("cylinder.bore", sorted(stroke / share for share in shares), said)
+    room([stroke / share for share in shares], said)
     return filling.filled[-1].typical, stroke
 
 

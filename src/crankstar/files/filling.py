@@ -36,7 +36,8 @@ class Filling:
     """A tree of an engine file while values are filled in."""
 
     def __init__(self, tree: Tree, kind: EngineType) -> None:
-        self.tree, self.kind = tree, kind
+        self.tree = tree
+        self.kind: EngineType = kind
         self.filled: list[Filled] = []
 
     def table(self, *keys: str) -> dict[str, Any]:

@@ -172,6 +172,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} kg m², less than the pistons and rods have, {moving} kg m²: crankshaft "
         "and flywheel together have more"
     ),
+    "doubt.drive-chain": N_(
+        "{where} is {value} kg m², and the masses of [torsion] together have {chain} kg m² at the "
+        "crankshaft, without pistons and rods: is part of it left out, or not of the same set?"
+    ),
     "doubt.uneven-set": N_(
         "{where} is {value} kg m², with which the speed at {rpm} rpm varies by one part in about "
         "{parts}, and with {enough} kg m² by one in 100; generating sets have one part in 75 to "
@@ -188,6 +192,14 @@ SENTENCES: dict[str, str | Plural] = {
         "it must be above 0"
     ),
     "drive.angles": N_("{where} ascends within one cycle of {cycle} deg"),
+    "drive.gap": N_(
+        "{where} has a gap of {gap} deg, from {start} to {end} deg; give values of the whole cycle"
+    ),
+    "drive.gap-of-a-turn": N_(
+        "{where} has a gap of {gap} deg, from {start} to {end} deg; a load course is that of the "
+        "whole cycle of {cycle} deg: if these are the values of one turn, give them again for the "
+        "second, at {again} deg"
+    ),
     "drive.open-course": N_(
         "{where} is {first} at {start} deg and {last} at {end} deg, which is the same angle: give "
         "both the same, or leave the last out"

@@ -3,7 +3,6 @@
 | module, bottom to top | one line |
 |---|---|
 | `mechanism` | an engine, or a batch of engines, as arrays of numbers |
-| `lacking` | what a file lacks for newtons and uneven running, key by key |
 | `harmonics` | the motion of unit masses at pistons, rods and big ends, as harmonics |
 | `excitation` | the laws: force, couple, moment and torque of every part at 1 rad/s; roll |
 | `pin_loads` | what each piston pushes sideways on its cylinder, and each rod on its crank pin |
@@ -12,6 +11,8 @@
 | `balance` | the labelled record of an excitation, in N and N m or in units of m r w^2 |
 | `bounds` | greatest values and peaks, with what bounds them where ranges are made |
 | `kinetic` | the inertia of the moving parts that the crankshaft feels, over its angle |
+| `chain_inertia` | what turns beside pistons and rods: of the drive, else of the chain |
+| `lacking` | what a file lacks for newtons and uneven running, key by key |
 | `charge_air` | the air of a charge, its fuel, the charge pressure that a load needs |
 | `friction` | friction mean effective pressure by published correlations |
 | `ideal_cycles` | Otto, Diesel and limited pressure |

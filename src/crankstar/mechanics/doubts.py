@@ -30,6 +30,7 @@ from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
 from crankstar.language.numbers import RPM, rpm_of
 from crankstar.mechanics.central_rods import central_doubts
+from crankstar.mechanics.chain_inertia import APART, chain_inertia
 from crankstar.mechanics.charge_air import CHARGED, STOICHIOMETRIC
 from crankstar.mechanics.friction import friction_of
 from crankstar.mechanics.gas import Cycle, computable, cycle
@@ -394,3 +395,12 @@ def inertia_doubts(engine: Engine) -> Iterator[Fault]:
         if drive.inertia < LEAST_FLYWHEEL * moving:
             values = {"value": drive.inertia, "moving": float(f"{moving:.2g}")}
             yield Fault(("drive", "inertia"), "doubt.flywheel", values)
+        yield from _chain_doubts(engine, drive.inertia)
+
+
+def _chain_doubts(engine: Engine, given: float) -> Iterator[Fault]:
+    """An inertia of the drive that is not that of the masses of the chain."""
+    chain = chain_inertia(engine)
+    if chain and not 1 / APART <= chain / given <= APART:
+        values = {"value": given, "chain": float(f"{chain:.4g}")}
+        yield Fault(("drive", "inertia"), "doubt.drive-chain", values)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection
 
-from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
+from crankstar.mechanics.chain_inertia import turning_inertia
 
 KEYS = {
     "radius": "cylinder.stroke",
@@ -50,7 +50,7 @@ def lacking_keys(
     keys = {**KEYS, "pitch": pitch_key(engine)}
     found = ["speed"] if speed is None else []
     found += [key for size, key in keys.items() if size in sizes and size in engine.relative]
-    if flywheel and (engine.drive or Drive()).inertia is None:
+    if flywheel and turning_inertia(engine) is None:
         found.append("drive.inertia")
     return found
 
@@ -88,7 +88,7 @@ def without_running(engine: Engine, speed: float | None, flywheel: float | None 
     ''
     """
     missing = lacking_words(engine, speed)
-    if flywheel is None and (engine.drive or Drive()).inertia is None:
+    if flywheel is None and turning_inertia(engine) is None:
         missing.append(_("inertia of crankshaft, flywheel and rotor (see --flywheel)"))
     return _("not known: {missing}", missing=", ".join(missing)) if missing else ""
 

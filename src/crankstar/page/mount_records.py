@@ -75,7 +75,7 @@ class MountsOverSpeed(Shown):
     speeds_rpm: tuple[float, ...]
     force: tuple[float, ...] = Field(description="on what the mounts stand on, rms, N")
     transmissibility: tuple[tuple[float | None, ...], ...] = Field(
-        description="of each mount of the block; null where nothing pushes"
+        description="of each mount of the block; null where it would bear next to nothing"
     )
 
 

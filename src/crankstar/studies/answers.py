@@ -188,8 +188,13 @@ def compared(
 
 
 def summary(engine: Engine, *, speed: float | None = None) -> Answer:
-    """What the verdict is about: inertia and gas, torsion, mounts, as far as the file has them."""
-    return joined([outlook(engine, speed=speed), *_driven(engine, speed)])
+    """What the verdict is about: inertia and gas, torsion, mounts, as far as the file has them.
+
+    Without a speed it prints no newtons, and a rolling moment without gas: so are its figures.
+    """
+    known = speed is not None or engine.speed is not None
+    own = outlook(engine, speed=speed) if known else amplitudes(engine)
+    return joined([own, *_driven(engine, speed)])
 
 
 def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:

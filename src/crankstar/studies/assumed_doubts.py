@@ -57,6 +57,10 @@ def doubted_weight(engine: Engine, speed: float | None) -> list[Assumption]:
     return [replace(each, vary=None) for each in tried]
 
 
+MEANT = {"doubt.uneven": "enough", "doubt.uneven-set": "enough", "doubt.drive-chain": "chain"}
+"""Doubts of the inertia of the drive, and the value of each that may be meant."""
+
+
 def _doubt(engine: Engine, fault: Fault) -> Assumption:
     """A doubt, tried at what may be meant where that is known."""
     path = where(fault.path)
@@ -66,8 +70,8 @@ def _doubt(engine: Engine, fault: Fault) -> Assumption:
         assert not isinstance(point, str)  # noqa: S101  # it numbers the operating points
         vary = with_gas_value(str(fault.path[-1]), 1e5, point=point)
         return Assumption("doubtful", path, fault.sentence, value, "bar", meant, meant, vary=vary)
-    if fault.code in ("doubt.uneven", "doubt.uneven-set"):
-        value, enough = fault.values["value"], fault.values["enough"]
+    if fault.code in MEANT:
+        value, enough = fault.values["value"], fault.values[MEANT[fault.code]]
         vary = with_drive_inertia
         return Assumption(
             "doubtful", path, fault.sentence, value, "kg*m^2", enough, enough, vary=vary

@@ -21,6 +21,7 @@ from crankstar.analysis.changed_values import (
     with_block_product,
     with_block_value,
     with_disc_damping,
+    with_drive_inertia,
     with_mount_loss,
     with_rear_disc,
     with_torsion_value,
@@ -34,6 +35,7 @@ from crankstar.engine.mounts import RUBBER_LOSS_FACTOR
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL
 from crankstar.language.faults import Fault
 from crankstar.language.messages import N_
+from crankstar.mechanics.chain_inertia import APART, chain_inertia
 from crankstar.mechanics.doubts import doubts_of
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import gas_torque
@@ -129,7 +131,9 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     if "gas" in answer.uses and answer.gas is not None:
         yield from gas_values(engine, answer.gas)
     if engine.drive is None or engine.drive.inertia is None:
-        yield from (each for use, each in FLYWHEELS.items() if use in answer.uses)
+        whole = chain_inertia(engine)
+        told = (each for use, each in FLYWHEELS.items() if use in answer.uses)
+        yield from told if whole is None else (_of_chain(whole) for _each in [*told][:1])
     if "bearings" in answer.uses:
         yield from _bearings(engine)
     if "torsion" in answer.uses:
@@ -208,6 +212,14 @@ def _torsion(engine: Engine) -> Iterator[Assumption]:
             STEEL / 1e9, "GPa", low, high,
             vary=with_torsion_value("dimensions.shear_modulus", 1e9),
         )  # fmt: skip
+
+
+def _of_chain(whole: float) -> Assumption:
+    """The inertia of the drive by the masses of the chain that twists."""
+    return Assumption(
+        "assumed", "drive.inertia", N_("the sum of the masses of [torsion], turning as one"),
+        whole, "kg*m^2", whole / APART, whole * APART, vary=with_drive_inertia,
+    )  # fmt: skip
 
 
 def _undriven(engine: Engine) -> Iterator[Assumption]:

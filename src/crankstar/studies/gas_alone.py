@@ -13,7 +13,14 @@ from crankstar.analysis.tried_values import Figures
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas
-from crankstar.engine.proportions import inferred, look_of, piston_speed, proportion
+from crankstar.engine.proportions import (
+    bores_in,
+    inferred,
+    look_of,
+    piston_speed,
+    proportion,
+    row_pitch,
+)
 from crankstar.files import engine_of, explicit
 from crankstar.files.references import absolute
 from crankstar.language.messages import N_
@@ -83,7 +90,7 @@ def lacking_gas(
     >>> engine = load("audi-25-tfsi", changes={"cylinder.bore": None})
     >>> found = lacking_gas(engine, lambda _engine: {}, "", speed=None)
     >>> [round(end, 1) for end in (found.low, found.high)], found.unit
-    ([82.5, 116.9], 'mm')
+    ([65.2, 83.8], 'mm')
     """
     if engine.gas is None or {"mass", "radius"} & {*engine.relative}:
         return None
@@ -106,12 +113,15 @@ def lacking_gas(
 
 
 def usual_bores(engine: Engine) -> tuple[float, float] | None:
-    """The least and the greatest bore (mm) of such engines; None where no size is known."""
+    """The least and the greatest bore (mm) with room at the bore pitch; None without a size."""
     look = look_of(engine, engine.gas)
     if look is None:
         return None
-    ratio = proportion("stroke", inferred(look)[0])
-    return 1e3 * look.stroke / ratio.high, 1e3 * look.stroke / ratio.low
+    kind = inferred(look)[0]
+    least, usual, most = proportion("stroke", kind).sizes
+    by_stroke = look.stroke / most, look.stroke / usual, look.stroke / least
+    low, _typical, high = bores_in(by_stroke, row_pitch(engine), kind)
+    return 1e3 * low, 1e3 * high
 
 
 def with_bore(engine: Engine, bore: float) -> Engine:

@@ -108,7 +108,8 @@ def _order_table(waves: Orders, shown: Sequence[float], *, whole: bool = False) 
     series: list[tuple[str, str, Complex]] = [("gas", _("gas torque"), waves.gas)]
     if waves.inertia is not None:
         series.append(("inertia", _("inertia torque"), waves.inertia))
-    series.append(("total", _("together"), waves.total))
+    if whole or waves.inertia is not None:  # else it is that of the gas
+        series.append(("total", _("together"), waves.total))
     if whole:
         series += [("roll", "", waves.roll), ("roll_on_same_mounts", "", waves.framed)]
     columns += [Column(title, "N*m", kind=kind, key=key) for key, title, _wave in series]

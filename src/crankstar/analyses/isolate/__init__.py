@@ -3,6 +3,7 @@
 | module, bottom to top | one line |
 |---|---|
 | `question` | what is asked, and the limits of stiffness, position, sag, frequency |
+| `aims` | what is to be small, as a number |
 | `free_values` | the values that may be chosen, and the engine with chosen ones |
 | `isolation` | the best mounts within limits |
 | `answer` | what answers it, and what that rests on |

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from crankstar.analyses.isolate.answer import Isolated
+from crankstar.analyses.isolate.answer import UNITS, Isolated
 from crankstar.analyses.isolate.free_values import MountLimits
 from crankstar.analyses.isolate.isolation import KEPT, Isolation
 from crankstar.analyses.isolate.question import Question
@@ -28,16 +28,6 @@ AIMS = {
     "rms velocity": N_("velocity of the point, rms over the speeds too"),
     "roll": N_("other freedoms in the mode of roll"),
 }
-UNITS = {
-    "force": ("N", 1.0),
-    "velocity": ("mm/s", MM),
-    "rms force": ("N", 1.0),
-    "mounts": ("N", 1.0),
-    "rms mounts": ("N", 1.0),
-    "rms velocity": ("mm/s", MM),
-    "roll": ("%", 100.0),
-}
-"""The unit of an aim, and how many of it are in SI."""
 
 
 def document(engine: Engine, result: Isolated, question: Question) -> Document:

@@ -28,20 +28,18 @@ best of all starts; there is no certificate.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Any, Literal
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.linalg import eigh
 from scipy.optimize import minimize
 from scipy.stats import qmc
 
+from crankstar.analyses.isolate.aims import EVEN, IsolationAim, aimed, course, mean, of_effect
 from crankstar.analyses.isolate.free_values import MountLimits, fitted, free_values, given
-from crankstar.dynamics.mount_analysis import MountAnalysis, peaked
-from crankstar.dynamics.mount_excitation import MountExcitation
+from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_modes import mount_modes
-from crankstar.dynamics.mount_response import MountResponse, mount_response, rms
-from crankstar.dynamics.mount_worst import ROLL, roll_mode
 from crankstar.dynamics.mounted_block import MountedBlock, MountError, settled, with_mounts
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
@@ -50,15 +48,8 @@ from crankstar.language.messages import _
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.spectra import Real
 
-IsolationAim = Literal[
-    "force", "mounts", "velocity", "rms force", "rms mounts", "rms velocity", "roll"
-]
 SPEEDS = 41
 """At most, of those that are asked for, evenly chosen: each costs time."""
-EVEN = 121
-"""Speeds over which a square is integrated in the search."""
-ABOUT = (-4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0)
-"""Speeds about a resonance at which it is integrated in the end, in its damping."""
 STARTS = 6
 ITERATIONS = 60
 KEPT = 1e-4
@@ -145,8 +136,11 @@ def isolated(
             share=f"{100 * nearest:.3g}",
         )
     after = fitted(engine, search.mounts(best[1]), search.free, aim)
-    value = search.value_of(with_mounts(found.block, after.mounts))
-    return Isolation(after, aim, search.value_of(found.block), value, tuple(ends))
+    now, then = (
+        aimed(block, search.push, aim, found.point)
+        for block in (found.block, with_mounts(found.block, after.mounts))
+    )
+    return Isolation(after, aim, now, then, tuple(ends))
 
 
 def _starts(search: _Search, count: int) -> list[Real]:
@@ -161,7 +155,8 @@ class _Search:
     def __init__(
         self, engine: Engine, found: MountAnalysis, aim: IsolationAim, limits: MountLimits
     ) -> None:
-        self.aim, self.limits, self.given = aim, limits, engine.mounts
+        self.aim: IsolationAim = aim
+        self.limits, self.given = limits, engine.mounts
         self.block, self.point = found.block, found.point
         self.free = free_values(engine.mounts, limits)
         if not self.free:
@@ -173,7 +168,7 @@ class _Search:
         if aim != "roll":
             if found.over is None:
                 raise RemedyError("without a speed nothing shakes it: give --speeds")
-            self.push = _of_effect(found.over.excitation)
+            self.push = of_effect(found.over.excitation)
             self.speeds = _thinned(found.asked)
             if aim.startswith("rms") and self.speeds.size > 1:
                 even = np.linspace(self.speeds[0], self.speeds[-1], EVEN)
@@ -217,7 +212,8 @@ class _Search:
     def course(self, x: Real) -> Real:
         """The rms of force or velocity at speeds and resonances, of scaled values."""
         block = self.at(x)
-        return self.course_of(block, np.append(self.speeds, self._met(block)))
+        speeds = np.append(self.speeds, self._met(block))
+        return course(block, self.push, self.aim, self.point, speeds)
 
     def _met(self, block: MountedBlock) -> Real:
         """The speeds at which an order meets a natural frequency, those outside at the ends."""
@@ -227,47 +223,14 @@ class _Search:
         met = np.divide.outer(natural, self.push.orders).ravel()
         return np.clip(met, self.speeds[0], self.speeds[-1])
 
-    def course_of(self, block: MountedBlock, speeds: Real) -> Real:
-        """The same of a block; of decoupling, what is not roll."""
-        if self.push is None:
-            modes = mount_modes(block)
-            energy = np.abs(modes[roll_mode(modes)].energy)
-            return np.array([float(energy.sum() - energy[ROLL])])
-        push = self.push.between(speeds) if self.push.speeds.size > 1 else self.push
-        return self._sizes(mount_response(block, push))
-
-    def _sizes(self, own: MountResponse) -> Real:
-        """What is to be small of a response, at each of its speeds."""
-        if self.aim.endswith("force"):
-            return rms(own.ground_force[..., :3])
-        if self.aim.endswith("mounts"):
-            each = own.mount_force[:, :, : self.block.of_block]
-            return rms(each.reshape(*each.shape[:2], -1))
-        return rms(own.velocity(self.point))
-
     def rough(self, x: Real) -> float:
         """What is minimised in the search: integrated over even speeds, or not roll."""
-        course = self.course_of(self.at(x), self.speeds)
-        return _mean(course, self.speeds)
+        sizes = course(self.at(x), self.push, self.aim, self.point, self.speeds)
+        return float(sizes[0]) if self.push is None else mean(sizes, self.speeds)
 
     def value(self, x: Real) -> float:
         """What is minimised, of scaled values."""
-        return self.value_of(self.at(x))
-
-    def value_of(self, block: MountedBlock) -> float:
-        """The same of a block: its maximum between the speeds, or its mean over them."""
-        if self.push is None or self.push.speeds.size == 1:
-            return float(self.course_of(block, self.speeds)[0])
-        modes = mount_modes(block)
-        if not self.aim.startswith("rms"):
-            found = peaked(block, modes, self.push, lambda own: self._sizes(own)[:, None])
-            return float(self._sizes(found).max())
-        speeds = np.union1d(self.speeds, self.push.speeds)
-        if self.damped:
-            at = np.array([each.speed * (1 + n * each.damping) for each in modes for n in ABOUT])
-            met = np.divide.outer(at, self.push.orders).ravel()
-            speeds = np.union1d(speeds, met[(speeds[0] < met) & (met < speeds[-1])])
-        return _mean(self.course_of(block, speeds), speeds)
+        return aimed(self.at(x), self.push, self.aim, self.point)
 
     def kept(self, x: Real) -> Real:
         """How far each limit is kept, of it; below zero where it is missed."""
@@ -344,19 +307,3 @@ def _ends(block: MountedBlock) -> tuple[float, float]:
 def _thinned(speeds: Real) -> Real:
     """At most SPEEDS of them, evenly chosen, the ends among them."""
     return speeds[np.unique(np.linspace(0, speeds.size - 1, SPEEDS).round().astype(int))]
-
-
-def _mean(sizes: Real, speeds: Real) -> float:
-    """The root mean square over a range: squares integrated straight from speed to speed."""
-    if speeds.size < 2:
-        return float(sizes[0])
-    squares = (sizes[1:] ** 2 + sizes[:-1] ** 2) / 2
-    return float(np.sqrt(np.sum(squares * np.diff(speeds)) / (speeds[-1] - speeds[0])))
-
-
-def _of_effect(push: MountExcitation) -> MountExcitation:
-    """What shakes it, without the orders that do nothing."""
-    there = np.abs(push.push).max(axis=(0, 2)) > 0
-    return replace(
-        push, orders=push.orders[there], inertia=push.inertia[there], gas=push.gas[:, there]
-    )

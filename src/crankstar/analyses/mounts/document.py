@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from crankstar.analyses.mounts.question import Question
-from crankstar.analyses.mounts.speed_tables import known, of_mounts, speed_tables
+from crankstar.analyses.mounts.speed_tables import known, of_mounts, speed_tables, without_ratio
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.dynamics.mount_analysis import MountAnalysis
 from crankstar.dynamics.mount_modes import Axis
@@ -228,7 +228,7 @@ def _force_table(own: MountResponse) -> Table:
         for index in range(own.block.of_block)
     )
     title = _("Force in the mounts at {rpm} rpm", rpm=number(float(own.speeds[0] * RPM)))
-    return Table(title, columns, rows, key="mounts_at_speed")
+    return Table(title, columns, rows, without_ratio(own), key="mounts_at_speed")
 
 
 def _notes(engine: Engine, found: MountAnalysis) -> tuple[Remarks, ...]:

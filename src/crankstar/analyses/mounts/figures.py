@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -39,6 +39,9 @@ ON_MOUNTS = {
 }
 """The units of the figures of an engine on its mounts, beside those of its modes, Hz."""
 
+Judged = Callable[[Engine], tuple[Mapping[str, float], str]]
+"""Figures of an engine on its mounts by name, and why they have no gas in them; empty with it."""
+
 
 def _unit_on_mounts(quantity: str) -> str:
     return "N" if quantity.startswith(LOAD_OF) else ON_MOUNTS.get(quantity, "Hz")
@@ -51,13 +54,14 @@ def on_mounts(
     speed: float | None = None,
     speeds: Sequence[float] | Real = (),
     at: Sequence[float] | None = None,
+    judged: Judged | None = None,
 ) -> Answer:
     """The natural frequencies of the block, and what its mounts transmit and a point of it does.
 
     The maximum of each over the speeds, looked for from where it is of the engine as given and from
-    both ends; `at`
-    is the point of the block (up, right, z; m), as of `mount_analysis.mounts`. Also what each mount
-    bears upward at rest, measured by the maximum of them.
+    both ends; `at` is the point of the block (up, right, z; m), as of `mount_analysis.mounts`. Also
+    what each mount bears upward at rest, measured by the maximum of them. `judged` gives figures
+    instead of those maxima.
     """
     whole = mounts(engine, point=point, speed=speed, speeds=speeds, at=at)
     over = whole.over
@@ -67,6 +71,11 @@ def on_mounts(
         tops = [int(np.nanargmax(curve)) for curve in _forced(whole).values()]
         places = over.speeds[sorted({0, len(over.speeds) - 1, *tops})].tolist()
     gas, gasless = gas_of(engine, point=point, speed=speed)
+
+    def greatest(each: Engine) -> tuple[Mapping[str, float], str]:
+        found = mounts(each, point=point, speed=speed, speeds=places, at=at)
+        why = "" if found.over is None else found.over.excitation.without_gas
+        return {name: float(np.nanmax(own)) for name, own in _forced(found).items()}, why
 
     def figures(each: Engine) -> Figures:
         return with_gas(gas_as_in(engine, each), burns=gas is not None)
@@ -84,11 +93,10 @@ def on_mounts(
             for mount, load in zip(block.mounts, borne(block, loads).tolist(), strict=True)
         }
         if places:
-            found = mounts(each, point=point, speed=speed, speeds=places, at=at)
-            why = "" if found.over is None else found.over.excitation.without_gas
+            told, why = (judged or greatest)(each)
             if burns and why:
                 raise GasError(why)
-            out |= {(name, None): float(np.nanmax(own)) for name, own in _forced(found).items()}
+            out |= {(name, None): size for name, size in told.items()}
         return out
 
     def least(each: Engine) -> Mapping[str, float]:

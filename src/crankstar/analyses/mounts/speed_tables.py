@@ -8,7 +8,7 @@ import numpy as np
 
 from crankstar.analysis.document import Column, Table, Value, for_each
 from crankstar.dynamics.mount_analysis import MountAnalysis
-from crankstar.dynamics.mount_response import MountResponse, peak, rms
+from crankstar.dynamics.mount_response import COUNTS, MountResponse, peak, rms
 from crankstar.language.messages import _
 from crankstar.language.numbers import RPM, number
 from crankstar.language.shown_units import quantity_text
@@ -74,10 +74,11 @@ def speed_tables(found: MountAnalysis, own: MountResponse) -> tuple[Table, ...]:
             )
         )
     title = _("Vibration over the speeds")
-    said = _worst_notes(cells) if len(rows) > 1 else ()
+    blank = without_ratio(own)
+    said = (*(_worst_notes(cells) if len(rows) > 1 else ()), *blank)
     few = tuple(rows[place] for place in asked.tolist())
     return for_each(
-        Table(title, columns, few, said if len(few) > 1 else (), key="speeds"),
+        Table(title, columns, few, said if len(few) > 1 else blank, key="speeds"),
         Table(title, columns, tuple(rows), said, key="speeds"),
     )
 
@@ -127,6 +128,23 @@ def of_mounts(own: MountResponse) -> tuple[Real, Real]:
     )
 
 
+def without_ratio(own: MountResponse) -> tuple[str, ...]:
+    """Which mounts have no transmissibility at some speed at which others have one, and why."""
+    blank = np.isnan(own.transmissibility)
+    some = blank[~blank.all(axis=1)].any(axis=0)
+    names = [own.block.mounts[place].name for place in np.flatnonzero(some).tolist()]
+    if not names:
+        return ()
+    return (
+        _(
+            "No transmissibility where a mount would bear less than {share} % of what another "
+            "bears, if nothing had inertia: {mounts}.",
+            share=number(100 * COUNTS),
+            mounts=", ".join(names),
+        ),
+    )
+
+
 def known(values: Real) -> tuple[float | None, ...]:
-    """Transmissibilities, None where nothing shakes."""
+    """Transmissibilities, None where a mount has none."""
     return tuple(None if np.isnan(each) else float(each) for each in values)

@@ -9,6 +9,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from crankstar.analyses.mounts.charts.words import NO_SPEED, about, place_text, rests
+from crankstar.analyses.mounts.speed_tables import without_ratio
 from crankstar.charts.canvas import curve_height, panel_width, relative_width
 from crankstar.charts.drawing import (
     GREY,
@@ -154,7 +155,8 @@ def transmissibility_chart(
     """The transmissibility of each mount over the speed (rad/s).
 
     It is the rms force in it over that of the same shaking without inertia of the block; dashed: 1,
-    above which the mounts do harm. An engine without mounts or a speed has a figure that says so.
+    above which the mounts do harm. A mount without one (`MountResponse.transmissibility`) has no
+    line, and is named. An engine without mounts or a speed has a figure that says so.
     Raises GasError for an operating point that is not there.
     """
     title = _(THROUGH)
@@ -168,9 +170,14 @@ def transmissibility_chart(
     if not np.isfinite(over.transmissibility).any():
         return without(engine, title=title, reason=_("Nothing shakes this engine."))
     names = [each.name for each in over.block.mounts[: over.block.of_block]]
-    lines = _coloured(names, over.transmissibility)
+    every = _coloured(names, over.transmissibility)
+    lines = [line for line in every if np.isfinite(line.values).any()]
     one = _Line(_("stiff mounts (dashed)"), np.ones(over.speeds.size), GREY, 1.2, (4, 3))
-    told = [*about(engine, found), _("force in a mount over that without inertia of the block")]
+    told = [
+        *about(engine, found),
+        _("force in a mount over that without inertia of the block"),
+        *without_ratio(over),
+    ]
     panel = _panel(over, [*lines, one], _("transmissibility"))
     options = {"point": point or "", "speeds": [*(speeds or ())]}
     rests_on = rests(engine, "transmissibility", **options)
