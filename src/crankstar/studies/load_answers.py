@@ -1,15 +1,16 @@
-"""The maximum loads of bearings, pins and cylinder walls, with what gas would change of them."""
+"""The maximum load of each bearing, pin and cylinder wall, with what gas would change of them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from crankstar import spectra
-from crankstar.analysis.assumptions import Answer, Assumption
-from crankstar.analysis.tried_values import Figures
+from crankstar.analysis.assumptions import MAIN_OF, PIN_OF, WALL_OF, Answer, Assumption
+from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_
 from crankstar.mechanics.gas import Cycle, computable, cycle
@@ -17,20 +18,37 @@ from crankstar.studies.answer_parts import gas_of, usual_gas
 from crankstar.studies.assumed_gas import usual_load
 from crankstar.studies.gas_alone import lacking_gas
 
+if TYPE_CHECKING:
+    from crankstar.dynamics.bearings import BearingLoads
+
 MakeCycle = Callable[[Engine], Cycle | None]
 GAS_OPTION = N_("--gas adds it")
 USUAL_OPTION = N_("--gas adds that of a usual cycle")
 USUAL_CYCLE = N_("no table [gas] in the file; --gas adds that of a usual cycle")
 """Why loads are without gas, of a file with gas, of one without, and where it can be computed."""
 IN_LOADS = N_("Not in the loads: {paths}.")
+KINDS = (MAIN_OF, PIN_OF, WALL_OF)
+"""What bears loads, as quantities: before its number."""
 MODELS = ("determinate", "continuous")
 """How a crankshaft stands on its main bearings: as is usual, and the other way."""
 
 
 def bearing_peaks(
-    engine: Engine, make: MakeCycle, *, speed: float | None = None, model: Any = "determinate"
+    engine: Engine,
+    make: MakeCycle,
+    *,
+    speed: float | None = None,
+    model: Any = "determinate",
+    kinds: Sequence[str] = KINDS,
 ) -> Answer:
-    """The maximum load of a main bearing, of a crankpin and of a cylinder wall."""
+    """The maximum load of each main bearing, crankpin and cylinder wall, or of some of the KINDS.
+
+    >>> from crankstar.files.catalog import load
+    >>> twin = load("v2-90")
+    >>> figures = bearing_peaks(twin, lambda _: None).figures(twin)
+    >>> [name for name, _order in figures]
+    ['main bearing 1', 'main bearing 2', 'crank pin 1', 'cylinder wall 1', 'cylinder wall 2']
+    """
 
     def found(each: Engine, again: Cycle | None, model: Any) -> Any:
         from crankstar.dynamics.bearings import bearing_loads
@@ -40,11 +58,7 @@ def bearing_peaks(
         return bearing_loads(each, speed=turning, model=model, cycle=again)
 
     def of_cycle(each: Engine, again: Cycle | None, model: Any) -> Figures:
-        loads = found(each, again, model)
-        named = {"main bearing": loads.load, "crank pin": loads.pin, "cylinder wall": loads.guide}
-        return {
-            (name, None): float(spectra.peaks(own).max(initial=0.0)) for name, own in named.items()
-        }
+        return _peaks(found(each, again, model), kinds)
 
     def figures(each: Engine, *, model: Any = model) -> Figures:
         return of_cycle(each, make(each), model)
@@ -71,6 +85,23 @@ def bearing_peaks(
         why_gasless=_why_gasless(engine, speed),
         choices=choices if left is None else [*choices, left],
     )
+
+
+def _peaks(loads: BearingLoads, kinds: Sequence[str]) -> Figures:
+    """The maximum load of each part; a number that two crankshafts have goes with the shaft."""
+    mains = [(own.shaft, own.number) for own in loads.bearings]
+    pins = [(own.shaft, own.throw) for own in loads.pins]
+    walls = [("", number) for number in loads.cylinders]
+    signals = (loads.load, loads.pin, loads.guide)
+    out: dict[Figure, float] = {}
+    for kind, parts, signal in zip(KINDS, (mains, pins, walls), signals, strict=True):
+        if kind not in kinds:
+            continue
+        shared = Counter(number for _shaft, number in parts)
+        for (shaft, number), size in zip(parts, spectra.peaks(signal).tolist(), strict=True):
+            name = f"{number} ({shaft})" if shared[number] > 1 else str(number)
+            out[f"{kind}{name}", None] = size
+    return out
 
 
 def _unburnt(
