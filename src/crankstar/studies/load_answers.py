@@ -1,20 +1,22 @@
-"""The maximum load of each bearing, pin and cylinder wall, with what gas would change of them."""
+"""The maximum load of each bearing, pin and cylinder wall, and that of order 1."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from crankstar import spectra
-from crankstar.analysis.assumptions import MAIN_OF, PIN_OF, WALL_OF, Answer, Assumption
+from crankstar.analysis.assumptions import FIRST_LOAD, MAIN_OF, PIN_OF, WALL_OF, Answer, Assumption
 from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_
+from crankstar.mechanics.balance import scales
 from crankstar.mechanics.gas import Cycle, computable, cycle
-from crankstar.studies.answer_parts import gas_of, usual_gas
+from crankstar.studies.answer_parts import gas_of, joined, usual_gas
+from crankstar.studies.answers import amplitudes
 from crankstar.studies.assumed_gas import usual_load
 from crankstar.studies.gas_alone import lacking_gas
 
@@ -67,14 +69,7 @@ def bearing_peaks(
         return of_cycle(each, cycle(each, speed=speed), model)
 
     first = make(engine)
-    reason = N_("a crankshaft hinged at each main bearing")
-    if any(shaft.bending_stiffness for shaft in engine.shafts):
-        reason = N_("the bending stiffness of the file is not used")
-    shared = Assumption(
-        "assumed", "--model", reason, MODELS[0], low=1.0, high=1.0, values=(("other", MODELS[1]),),
-        named=True, vary=lambda each, _value: each, figures=partial(figures, model=MODELS[1]),
-    )  # fmt: skip
-    choices = [shared] if model == MODELS[0] else []
+    choices = _other_model(engine, partial(figures, model=MODELS[1])) if model == MODELS[0] else []
     left = None if first is not None else _unburnt(engine, speed, with_gas)
     return Answer(
         figures=figures,
@@ -85,6 +80,65 @@ def bearing_peaks(
         why_gasless=_why_gasless(engine, speed),
         choices=choices if left is None else [*choices, left],
     )
+
+
+def _other_model(engine: Engine, figures: Callable[[Engine], Figures]) -> list[Assumption]:
+    """The usual model of a crankshaft, of which these are the figures with the other one."""
+    reason = N_("a crankshaft hinged at each main bearing")
+    if any(shaft.bending_stiffness for shaft in engine.shafts):
+        reason = N_("the bending stiffness of the file is not used")
+    shared = Assumption(
+        "assumed", "--model", reason, MODELS[0], low=1.0, high=1.0, values=(("other", MODELS[1]),),
+        named=True, vary=lambda each, _value: each, figures=figures,
+    )  # fmt: skip
+    return [shared]
+
+
+def first_load(engine: Engine, *, speed: float | None = None, model: Any = "determinate") -> Answer:
+    """The greatest load of order 1 on a main bearing, of inertia and weights, in N at a speed.
+
+    >>> from crankstar.files.catalog import load
+    >>> first_load(load("i4")).figures(load("i4"))
+    {('main bearing', 1.0): 1.0}
+    """
+
+    def figures(each: Engine, *, model: Any = model) -> Figures:
+        from crankstar.remedy.aims import bearing_load
+
+        forces = [scales(each, own)[0].force for own in (_turning(each), None)]
+        return {(FIRST_LOAD, 1.0): bearing_load(each, model=model) * forces[0] / forces[1]}
+
+    def _turning(each: Engine) -> float | None:
+        return each.speed if speed is None else speed
+
+    other = partial(figures, model=MODELS[1])
+    return Answer(
+        figures=figures,
+        unit=lambda _quantity, each: scales(each, _turning(each))[1].force,
+        uses=("inertia", "bearings"),
+        choices=_other_model(engine, other) if model == MODELS[0] else [],
+    )
+
+
+def balanced(
+    engine: Engine, *, fitted: bool, gas_orders: Collection[float], model: Any = "determinate"
+) -> Answer:
+    """What a balancing sheet prints of an engine: what remains by order, and the load of order 1.
+
+    Weights that were `fitted` balance nothing that the file lacks. The rolling moment stands with
+    gas in `gas_orders`.
+    """
+    remaining = amplitudes(engine, both=bool(gas_orders))
+
+    def printed(each: Engine) -> Figures:
+        return {
+            (name, order): size
+            for (name, order), size in remaining.figures(each).items()
+            if name != "roll with gas" or order in gas_orders
+        }
+
+    whole = joined([replace(remaining, figures=printed), first_load(engine, model=model)])
+    return replace(whole, uses=[*whole.uses, "fitted"]) if fitted else whole
 
 
 def _peaks(loads: BearingLoads, kinds: Sequence[str]) -> Figures:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from crankstar.analysis.assumptions import (
     COUPLE_OF,
+    FIRST_LOAD,
     H_OF,
     LOAD_OF,
     MAIN_OF,
@@ -35,6 +36,7 @@ FIGURES = {
     "torque": N_("torque of order {order}"),
     "irregularity": N_("degree of irregularity"),
     "flywheel": N_("inertia for the degree of irregularity"),
+    FIRST_LOAD: N_("greatest load of order {order} on a main bearing"),
     MAIN_OF: N_("maximum load of main bearing {name}"),
     PIN_OF: N_("maximum load of crank pin {name}"),
     WALL_OF: N_("maximum side thrust in cylinder {name}"),
