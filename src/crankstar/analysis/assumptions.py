@@ -18,7 +18,7 @@ without ends (an unverified one) is varied by `TRIAL` up and down.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any, Literal
 
@@ -112,9 +112,9 @@ class Assumption:
     named: bool = False
     sentence: str = ""
     moved: Moved | None = None
-    vary: Vary | None = None
-    figures: Callable[[Engine], Figures] | None = None
-    alone: Assumption | None = None
+    vary: Vary | None = field(default=None, repr=False)
+    figures: Callable[[Engine], Figures] | None = field(default=None, repr=False)
+    alone: Assumption | None = field(default=None, repr=False)
 
     @property
     def effect(self) -> float:
