@@ -18,7 +18,7 @@ without ends (an unverified one) is varied by `TRIAL` up and down.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any, Literal
 
@@ -53,7 +53,14 @@ TOLD = 0.01
 """Effect from which an assumption has a sentence of its own."""
 ROUNDING = 1e-9
 """Share of the maximum load of a mount below which one bears nothing."""
-LEADING, TWICE = ("force", "couple", "main bearing", "resonant amplitude"), 2.0
+MAIN_OF, PIN_OF, WALL_OF = "main bearing ", "crank pin ", "cylinder wall "
+"""The maximum load of one bearing, pin or wall, as quantities: before its number.
+
+All of a kind are measured by the greatest among them.
+"""
+FIRST_LOAD = "main bearing"
+"""The greatest load of an order on a main bearing, as a quantity beside a force or a couple."""
+LEADING, TWICE = ("force", "couple", "resonant amplitude", MAIN_OF), 2.0
 """Quantities that an answer says first, and how much more another moves that is told instead."""
 LOAD_OF = "load of mount "
 """What a mount bears upward at rest, as a quantity: before its name."""
@@ -108,9 +115,9 @@ class Assumption:
     named: bool = False
     sentence: str = ""
     moved: Moved | None = None
-    vary: Vary | None = None
-    figures: Callable[[Engine], Figures] | None = None
-    alone: Assumption | None = None
+    vary: Vary | None = field(default=None, repr=False)
+    figures: Callable[[Engine], Figures] | None = field(default=None, repr=False)
+    alone: Assumption | None = field(default=None, repr=False)
 
     @property
     def effect(self) -> float:
@@ -262,10 +269,12 @@ def _most(
     tops = dict(least)
     every = [now, *tried.known.values()]
     for (quantity, _order), size in (item for one in every for item in one.items()):
-        tops[quantity] = max(tops.get(quantity, 0.0), abs(size))
+        kind = _kind(quantity)
+        tops[kind] = max(tops.get(kind, 0.0), abs(size))
     best: dict[bool, tuple[Figure, float, float]] = {}
     for key in dict.fromkeys(key for one in every for key in one):
-        size, top, leads = now.get(key, 0.0), tops[key[0]], key[0] in (aims or LEADING)
+        kind = _kind(key[0])
+        size, top, leads = now.get(key, 0.0), tops[kind], kind in (aims or LEADING)
         most = max(abs(one.get(key, 0.0) - size) for one in tried.known.values())
         effect = most / top if top else 0.0
         if leads not in best or effect > best[leads][1] * (1 + 1e-9):
@@ -277,6 +286,13 @@ def _most(
         assert other is not None  # noqa: S101  # an answer has figures
         return other
     return first
+
+
+def _kind(quantity: str) -> str:
+    """The quantity; of the load of one of many bearings, pins or walls without its number."""
+    return next(
+        (kind for kind in (MAIN_OF, PIN_OF, WALL_OF) if quantity.startswith(kind)), quantity
+    )
 
 
 def _lifting(tried: Tried, now: Figures) -> tuple[str, ...]:

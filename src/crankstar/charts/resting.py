@@ -255,12 +255,12 @@ def of_gas(
 def of_loads(
     engine: Engine,
     make: Callable[[Engine], Cycle | None],
-    quantity: str,
+    kind: str,
     *,
     speed: float | None,
     model: str = "determinate",
 ) -> Rests:
-    """Of a figure of loads, by a quantity of `load_answers.bearing_peaks`.
+    """Of a figure of loads, by one of the `load_answers.KINDS`.
 
     At a `speed` (rad/s), or without gas in m r omega^2.
     """
@@ -268,10 +268,8 @@ def of_loads(
     def answer(each: Engine) -> Answer:
         if speed is None and make(each) is None:
             own = without_speed(each)
-            made = in_own_unit(bearing_peaks(own, make, model=model))
-        else:
-            made = bearing_peaks(each, make, speed=speed, model=model)
-        return narrowed(made, [quantity])
+            return in_own_unit(bearing_peaks(own, make, model=model, kinds=[kind]))
+        return bearing_peaks(each, make, speed=speed, model=model, kinds=[kind])
 
     return Rests([engine], answer, "bearings")
 

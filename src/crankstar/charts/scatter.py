@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analysis.assumptions import MAIN_OF
 from crankstar.charts.canvas import curve_height, half_width
 from crankstar.charts.drawing import (
     BLUE,
@@ -97,7 +98,7 @@ def _rests(found: Scatter, rows: Sequence[OrderScatter]) -> Rests:
     kinds = list(dict.fromkeys(row.signal.partition(" ")[0].partition(".")[0] for row in rows))
     if BEARING in kinds:
         speed = found.speed
-        return of_loads(found.engine, lambda _engine: None, "main bearing", speed=speed)
+        return of_loads(found.engine, lambda _engine: None, MAIN_OF, speed=speed)
     return of_inertia(
         [found.engine],
         kinds,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from crankstar.cli.options import (
     FLAT,
@@ -26,10 +26,6 @@ from crankstar.engine.copies import with_values
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
-
-if TYPE_CHECKING:
-    from crankstar.analysis.assumptions import Answer
-    from crankstar.engine.engine import Engine
 
 
 def balance(
@@ -65,7 +61,7 @@ def balance(
             job = balanced(loaded, options, speed=speed, own_factor=own)
         make = partial(balanced, options=options, speed=speed, own_factor=own, like=job)
         sheet = ranged(lambda each: remedies.balancing_sheet(make(each)), spread, loaded)
-        answered = partial(_answer, job.before, job.after)
+        answered = partial(remedies.resting, job)
         document = resting(sheet, resting_on("txt", job.after, answered))
         proof = []
         if prove:  # exact algebra is slow to load
@@ -91,12 +87,3 @@ def balance(
     display(document)
     if proof:
         display(documents.rendered(proof))
-
-
-def _answer(before: Engine, after: Engine) -> Answer:
-    """What the balanced engine is about; of new weights also what they were not fitted to."""
-    from crankstar.studies.answers import amplitudes
-
-    answer = amplitudes(after)
-    new = [own.weights for own in after.shafts] != [own.weights for own in before.shafts]
-    return replace(answer, uses=("inertia", "fitted")) if new else answer

@@ -47,7 +47,9 @@ from crankstar.page.unit_records import Table
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
 from crankstar.remedy.sizing import Remedied, resized
+from crankstar.studies.answer_parts import joined
 from crankstar.studies.answers import amplitudes, rests_on
+from crankstar.studies.load_answers import first_load
 from crankstar.tables import headings, remedies
 from crankstar.tables.assumptions import assumption_lines
 from crankstar.tables.conditions import can_be_estimated, unit_sentence, unit_sizes
@@ -210,10 +212,11 @@ def in_units(
     units, scaling = units_of(engine, result, sums)
     subject_of = subjects()
     facts = ranged_facts(partial(verdict, relatives=relatives), over, engine)
+    told = joined([amplitudes(engine, gas=True), first_load(engine)])
     return {
         "units": units,
         "heading": ranged_lines(_heading, over, engine),
-        "rests_on": tuple(assumption_lines(rests_on(engine, amplitudes(engine, gas=True)))),
+        "rests_on": tuple(assumption_lines(rests_on(engine, told))),
         "table": vectors.rows(sums, remains.orders_shown(result, sums), scaling=scaling, ends=ends),
         "bearing_numbers": bearing_numbers(engine, over, loads),
         "gas_bearing_numbers": gas_bearing_numbers(engine),

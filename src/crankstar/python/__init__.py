@@ -2,6 +2,7 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `resting` | what a result rests on: assumptions that print as sentences |
 | `results` | what a function gives: its numbers, tables, arrays, figures |
 | `records` | the records of an engine file |
 | `sums` | forces, couples and bearing loads at the speed of the file |

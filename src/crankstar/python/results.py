@@ -16,12 +16,12 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import _
 from crankstar.language.quoting import seen
+from crankstar.python.resting import RestsOn, told
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-    from crankstar.analysis.assumptions import Assumption
     from crankstar.charts.grammar import Chart as Figure
     from crankstar.options.sources import Loaded
 
@@ -146,17 +146,17 @@ class Result:
         return self._of_source if own else self.analysis.told(source, self.question)
 
     @cached_property
-    def rests_on(self) -> tuple[Assumption, ...]:
+    def rests_on(self) -> RestsOn:
         """What its numbers rest on: each assumption, and how far it moves them."""
         if isinstance(self.source, Chain):
-            return ()
+            return RestsOn()
         from crankstar.studies.answers import rests_on
 
         record, writes = self.analysis, self.analysis.writes
         made = writes is not None and writes.of_result
         about = writes.engine.value(self.value) if writes is not None and made else self.source
         audience = {"audience": "machines"} if record.by_audience else {}
-        return tuple(rests_on(about, record.answer.value(about, self.question, **audience)))
+        return told(rests_on(about, record.answer.value(about, self.question, **audience)))
 
     @cached_property
     def tables(self) -> Mapping[str, Table]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field, fields
+from functools import cached_property
 from typing import TYPE_CHECKING, Literal, get_args
 
 from crankstar.dynamics import bearings
@@ -13,6 +15,7 @@ from crankstar.mechanics import balance as sums
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle
+from crankstar.python.resting import RestsOn, told
 
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
@@ -22,6 +25,34 @@ UnitSystem = Literal["SI", "relative"]
 """Newtons and metres, or m r w^2 and its like with m and r of the first cylinder."""
 
 
+@dataclass(frozen=True, eq=False)
+class BalanceOf(Balance):
+    """The Balance of an `engine`, which says what it rests on.
+
+    >>> import crankstar
+    >>> five = crankstar.balance("audi-25-tfsi")
+    >>> five.rests_on[1].path, five.rests_on[1].moved.quantity
+    ('cylinder.rotating_mass', 'couple')
+    """
+
+    engine: Engine = field(repr=False)
+
+    @cached_property
+    def rests_on(self) -> RestsOn:
+        """What its numbers rest on, as `crankstar analyze` prints it; found when asked for."""
+        from crankstar.studies.answer_parts import in_own_unit, narrowed, without_speed
+        from crankstar.studies.answers import amplitudes, rests_on
+
+        if self.speed is None:
+            answer = in_own_unit(amplitudes(without_speed(self.engine), reference=self.reference))
+        else:
+            answer = amplitudes(self.engine, speed=self.speed, reference=self.reference)
+        orders = self.force.orders.tolist()
+        return told(
+            rests_on(self.engine, narrowed(answer, ("force", "couple", "roll"), orders=orders))
+        )
+
+
 def balance(
     engine: EngineLike,
     *,
@@ -29,7 +60,7 @@ def balance(
     units: UnitSystem = "SI",
     reference: Reference | None = None,
     orders: Sequence[float] | None = None,
-) -> Balance:
+) -> BalanceOf:
     """The Balance of an engine in N and N m at `speed` (rad/s), by default that of its file.
 
     In m r w^2 where units are "relative", and where masses, sizes or the speed are not known.
@@ -46,7 +77,9 @@ def balance(
     """
     own = _named(engine, "balance")
     at = _speed(own, speed, units)
-    return sums.balance(own, speed=at, reference=reference, orders=orders)
+    made = sums.balance(own, speed=at, reference=reference, orders=orders)
+    known = {each.name: getattr(made, each.name) for each in fields(Balance)}
+    return BalanceOf(**known, engine=own)
 
 
 def bearing_loads(

@@ -1,14 +1,17 @@
 """The rotating and reciprocating masses on each crank pin, and its bobweight.
 
 A rod as a rigid body is shared between its ends as its centre of mass divides it; a slave rod's
-share of the crank end turns, near enough, with the pin of its master.
+share of the crank end turns, near enough, with the pin of its master: `slave_error` says how near.
 """
 
 from __future__ import annotations
 
+from cmath import exp
 from typing import NamedTuple
 
+from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.mechanics.balance import balance, scales
 
 
 class Load(NamedTuple):
@@ -76,3 +79,26 @@ def bobweight(load: Load, factor: float) -> float:
     1.0
     """
     return load.rotating + factor * load.reciprocating
+
+
+def slave_error(engine: Engine, load: Load) -> float:
+    """What slave rods on a pin put on the crank beside their masses counted at the pin, a mass.
+
+    All moving parts of the cylinders on the pin have of order 1 a vector F r w^2 that turns with
+    the crank; with knuckle pins at the crank pin it were that of rotating + reciprocating / 2. The
+    size of the difference of the two, in kg or the unit of masses: 0 without articulated rods.
+
+    >>> from crankstar.files.catalog import load
+    >>> radial = load("radial-9", changes={"cylinder.rotating_mass": 0.6})
+    >>> round(slave_error(radial, loads(radial)[0]), 4)
+    0.06
+    """
+    on = [each for each in engine.cylinders if each.number in load.cylinders]
+    if not any(each.articulated for each in on):
+        return 0.0
+    found = balance(engine)
+    rows = [place for place, part in enumerate(found.parts) if part.cylinder in load.cylinders]
+    whole = spectra.selected(spectra.total(found.force[rows, :]), [1.0]).forward[0]
+    moving = complex(whole) / scales(engine, None)[0].force / load.radius
+    counted = sum(each.rotating + each.reciprocating / 2 for each in on)
+    return abs(moving - counted * exp(1j * load.angle))

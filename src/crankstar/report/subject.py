@@ -15,7 +15,9 @@ from crankstar.language.kept import alike
 from crankstar.mechanics import remains
 from crankstar.page.records import Scene
 from crankstar.page.scene import scene
+from crankstar.studies.answer_parts import joined
 from crankstar.studies.answers import rests_on, summary
+from crankstar.studies.load_answers import first_load
 from crankstar.tables.analysis import Analysis, analysis
 from crankstar.tables.assumptions import assumption_lines
 from crankstar.tables.ranges import merged
@@ -58,7 +60,8 @@ class Subject:
     @cached_property
     def rests_on(self) -> list[str]:
         """Sentences on what is missing, assumed or unverified, what matters most first."""
-        return assumption_lines(rests_on(self.engine, summary(self.engine, speed=self.speed)))
+        told = [summary(self.engine, speed=self.speed), first_load(self.engine, speed=self.at)]
+        return assumption_lines(rests_on(self.engine, joined(told)))
 
     @cached_property
     def shown(self) -> Analysis:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -32,6 +32,8 @@ CROSSHEAD = ((0.3, 0.65, 1.0), (0.3, 0.75, 1.2))
 No masses of such parts are published engine by engine: our judgement, and so is said.
 """
 
+ENDS_KEY, PINS_KEY = "cylinder.rotating_mass", "cylinder.throw_mass"
+"""The two keys of what turns at a crankpin: what hangs on it, and the crank's own."""
 OF_PISTON = {"pin": (0.2, 0.4), "rings": (0.06, 0.12)}
 """Piston pin and rings over the bare piston.
 
@@ -73,17 +75,20 @@ def _usual(part: str, kind: EngineType) -> Proportion | None:
         return None
 
 
-def masses(engine: Engine, *, fitted: bool = False, pins: bool = True) -> Iterator[Assumption]:
+def masses(
+    engine: Engine, *, fitted: bool = False, given: Collection[str] = ()
+) -> Iterator[Assumption]:
     """What is missing or assumed of the masses and lengths that forces come from.
 
-    Weights that were `fitted` to the engine as it is balance no crankpins that it lacks. Without
-    `pins` the crank's own mass does not belong to the answer, as it does not to a bobweight.
+    Weights that were `fitted` to the engine as it is balance no crankpins that it lacks. What is
+    `given`, as the crank's own mass beside a bobweight or a value that is swept, is not missing,
+    and says nothing about what else turns.
     """
     look = look_of(engine, engine.gas)
     kind = None if look is None else inferred(look)[0]
     yield from rods(engine, kind)
     yield from _unweighed(engine, kind)
-    yield from _turning(engine, kind, look, fitted=fitted, own=pins)
+    yield from _turning(engine, kind, look, fitted=fitted, given=given)
     if not any(shaft.weights for shaft in engine.shafts if shaft.throws):
         yield _weights(engine)
 
@@ -162,27 +167,34 @@ def _weights(engine: Engine) -> Assumption:
 
 
 def _turning(
-    engine: Engine, kind: EngineType | None, look: Look | None, *, fitted: bool, own: bool
+    engine: Engine,
+    kind: EngineType | None,
+    look: Look | None,
+    *,
+    fitted: bool,
+    given: Collection[str],
 ) -> Iterator[Assumption]:
     """The big ends and the crankpins that a file leaves out, of one cylinder.
 
     On the crankpin m = (1 - c) m_rod, of the crank's own m_pin: the coefficients of the type times
     bore^3; where the file gives no masses or no bore, by its reciprocating mass, over
-    m_piston + c m_rod. Crankpins count as missing where the crankshaft has no weights: weights may
-    have been cut for bobweights, which leave them nothing. Counterweights stay as the file gives
-    them, but those of a `balance_factor` go along. The crank's `own` mass where it is asked for.
+    m_piston + c m_rod. Each of the two is missing where the file does not give it, whether or not
+    it gives the other. Counterweights stay as the file gives them, and balance a crankpin only as
+    far as its mass is in the file; those of a `balance_factor` go along, so that no force rests on
+    it.
     """
     throws = [throw for shaft in engine.shafts for throw in shaft.throws]
     rigid = any(cylinder.rod is not None for cylinder in engine.cylinders)
     weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
     no_ends = not rigid and not any(throw.rotating_mass for throw in throws)
-    bare = not any(throw.throw_mass for throw in throws)
-    no_pins = own and bare and (no_ends or fitted or not weighted)
+    no_ends = no_ends and ENDS_KEY not in given
+    no_pins = PINS_KEY not in given and not any(throw.throw_mass for throw in throws)
     if not no_ends and not no_pins:
         return
     unit = "m" if "mass" in engine.relative else "kg"
-    path = "cylinder.rotating_mass" if no_ends else "cylinder.throw_mass"
-    reason = _turning_reason(engine, kind, ends=no_ends, pins=no_pins, weighted=weighted)
+    path = ENDS_KEY if no_ends else PINS_KEY
+    weights = "fitted" if fitted else "of the file" if weighted else ""
+    reason = _turning_reason(engine, kind, ends=no_ends, pins=no_pins, weights=weights)
     ends, pins = _usual_turning(engine, kind, look)
     if not no_ends:
         yield Assumption(
@@ -202,7 +214,7 @@ def _turning(
     if not no_pins:
         yield found
         return
-    bare = _turning_reason(engine, kind, ends=True, pins=False, weighted=weighted)
+    bare = _turning_reason(engine, kind, ends=True, pins=False, weights=weights)
     along = (("pins", (pins[0], pins[-1])),)
     yield replace(found, values=along, vary=vary, alone=replace(found, reason=bare))
 
@@ -232,9 +244,19 @@ def _usual_turning(
 
 
 def _turning_reason(
-    engine: Engine, kind: EngineType | None, *, ends: bool, pins: bool, weighted: bool
+    engine: Engine, kind: EngineType | None, *, ends: bool, pins: bool, weights: str
 ) -> str:
-    """What is said of big ends and crankpins that are missing."""
+    """What is said of big ends and crankpins that are missing, beside `weights` of which kind."""
+    if not ends and weights == "fitted":
+        return N_(
+            "no mass of the crankpins in the file: the new counterweights balance none of it, but "
+            "do where the file gives it"
+        )
+    if not ends and weights and not by_factor(engine):
+        return N_(
+            "no mass of the crankpins in the file, counted as zero: right only if their unbalance "
+            "is taken off that of the counterweights"
+        )
     if kind == "crosshead" and not ends:
         return N_(
             "no mass of the crankpins in the file, counted as zero; the range is a judgement by "
@@ -245,15 +267,13 @@ def _turning_reason(
             "no rotating mass in the file (big ends, crankpins), counted as zero; the range is a "
             "judgement by the reciprocating mass"
         )
-    if not ends and weighted:
-        return N_("no mass of the crankpins in the file: the counterweights balance none of it")
     if not ends:
         return N_("no mass of the crankpins in the file, counted as zero")
     if by_factor(engine):
         return N_("no rotating mass in the file: balance_factor balances the pistons alone")
     if not pins:
         return N_("no rotating mass in the file (big ends), counted as zero")
-    if weighted:
+    if weights:
         return N_(
             "no rotating mass in the file (big ends, crankpins), counted as zero beside its "
             "counterweights"

@@ -118,8 +118,7 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
     yield from doubtful(engine, _doubts(engine, answer))
     yield from answer.choices
     if "inertia" in answer.uses:
-        pins = "cylinder.throw_mass" not in answer.given
-        yield from masses(engine, fitted="fitted" in answer.uses, pins=pins)
+        yield from masses(engine, fitted="fitted" in answer.uses, given=answer.given)
     if answer.without_gas is not None:
         yield without_gas(engine, answer.without_gas)
     elif answer.gas is None and answer.gasless:

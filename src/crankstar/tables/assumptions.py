@@ -32,6 +32,19 @@ not 418 N m.
     return [line for line, _of in _told(found, most)]
 
 
+def assumption_sentence(each: Assumption) -> str:
+    """The sentence on one assumption, however little it moves.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.studies.answers import amplitudes, rests_on
+    >>> engine = load("i4")
+    >>> assumption_sentence(rests_on(engine, amplitudes(engine))[-1])
+    'Unverified: firing_order.'
+    """
+    sized = each.moved is not None or _is_doubt(each)
+    return _line(each) if sized else assumption_lines([each])[0]
+
+
 def leading_lines(found: Sequence[Assumption]) -> tuple[list[str], int]:
     """The first of these sentences and those on what is not there at all, as on a first screen.
 

@@ -11,8 +11,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.kept import plain
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
-from crankstar.remedy.counterweights import RemedyError
-from crankstar.remedy.loads import Load, bobweight, loads
+from crankstar.remedy.loads import Load, bobweight, loads, slave_error
 from crankstar.tables.scales import scales
 
 NAMES = {
@@ -32,18 +31,7 @@ BALANCED = 1e-9
 
 
 def card_document(engine: Engine, *, factor: float) -> Document:
-    """The card of an engine for a balance factor.
-
-    Raises RemedyError for articulated rods.
-    """
-    slaves = [c for c in engine.cylinders if c.articulated is not None]
-    if slaves and slaves[0].articulated is not None:
-        raise RemedyError(
-            "the rod of cylinder {number} is articulated on that of cylinder {master} and does not "
-            "turn with a crank pin; a bobweight card is for rods on crank pins",
-            number=slaves[0].number,
-            master=slaves[0].articulated.master,
-        )
+    """The card of an engine for a balance factor."""
     own, pins = parts_table(engine), bobweights(engine, factor)
     lines = (*_remarks(engine, factor), "" if own else _without_parts(engine))
     return Document(
@@ -129,6 +117,7 @@ def bobweights(engine: Engine, factor: float, *, notes: Sequence[str] = ()) -> T
         ),
         *([] if lacks_rotating(engine) else _off_half(pins, factor)),
         *_own(pins),
+        *_slaves(engine, pins),
     )
     title = _("Bobweights")
     if lacks_rotating(engine):
@@ -179,6 +168,22 @@ def _own(pins: Sequence[Load]) -> list[str]:
             "balancing machine too. Counterweights balance both."
         )
     ]
+
+
+def _slaves(engine: Engine, pins: Sequence[Load]) -> Iterator[str]:
+    """How far the masses of articulated rods, counted at their crank pin, are off: of the worst."""
+    own = [(slave_error(engine, pin), pin) for pin in pins if bobweight(pin, 0.5)]
+    error, pin = max(own, key=lambda each: each[0], default=(0.0, None))
+    if pin is None or not error:
+        return
+    yield _(
+        "Articulated rods count as if their knuckle pins were at the crank pin. Of pin {pin} all "
+        "that turns with the crank differs by {mass} from its rotating masses and half of its "
+        "reciprocating ones, {share} %.",
+        pin=pin_name(engine, pin),
+        mass=scales(engine).mass.text(error),
+        share=number(100 * error / bobweight(pin, 0.5), digits=2),
+    )
 
 
 def _off_half(pins: Sequence[Load], factor: float) -> list[str]:

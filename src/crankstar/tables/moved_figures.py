@@ -2,7 +2,18 @@
 
 from __future__ import annotations
 
-from crankstar.analysis.assumptions import COUPLE_OF, H_OF, LOAD_OF, X_OF, Assumption, Moved
+from crankstar.analysis.assumptions import (
+    COUPLE_OF,
+    FIRST_LOAD,
+    H_OF,
+    LOAD_OF,
+    MAIN_OF,
+    PIN_OF,
+    WALL_OF,
+    X_OF,
+    Assumption,
+    Moved,
+)
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
@@ -25,8 +36,10 @@ FIGURES = {
     "torque": N_("torque of order {order}"),
     "irregularity": N_("degree of irregularity"),
     "flywheel": N_("inertia for the degree of irregularity"),
-    "main bearing": N_("maximum load of a main bearing"),
-    "crank pin": N_("maximum load of a crank pin"),
+    FIRST_LOAD: N_("greatest load of order {order} on a main bearing"),
+    MAIN_OF: N_("maximum load of main bearing {name}"),
+    PIN_OF: N_("maximum load of crank pin {name}"),
+    WALL_OF: N_("maximum side thrust in cylinder {name}"),
     "cylinder wall": N_("maximum side thrust"),
     "natural frequency": N_("first natural frequency"),
     "torsional amplitude": N_("maximum turn of the free end over the speeds"),
@@ -58,7 +71,7 @@ FIGURES = {
     "bobweight": N_("bobweight"),
     **{f"mode {number}": N_("frequency of mode {number}") for number in range(1, 13)},
 }
-OF_PARTS = (LOAD_OF, COUPLE_OF, H_OF, X_OF)
+OF_PARTS = (LOAD_OF, COUPLE_OF, H_OF, X_OF, MAIN_OF, PIN_OF, WALL_OF)
 """What is of one part of many: before its name or number."""
 
 
@@ -69,12 +82,12 @@ def figure_name(own: Moved) -> str:
     'force of order 2'
     """
     order = "" if own.order is None else order_text(own.order)
-    begun = (each for each in OF_PARTS if own.quantity.startswith(each))
+    begun = next((each for each in OF_PARTS if own.quantity.startswith(each)), "")
     return _(
-        FIGURES[next(begun, own.quantity)],
+        FIGURES[begun or own.quantity],
         order=order,
         number=own.quantity.rpartition(" ")[2],
-        name=own.quantity.removeprefix(LOAD_OF),
+        name=own.quantity.removeprefix(begun),
     )
 
 

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.assumptions import Answer
 from crankstar.analysis.document import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
@@ -23,10 +24,11 @@ from crankstar.mechanics.excitation import rolling_moment
 from crankstar.mechanics.remains import OPTIMISED, Sums, summed
 from crankstar.remedy import Best, Placing, balance_shafts, bearing_load, changes, needs
 from crankstar.remedy.kept import Changes, vectors
+from crankstar.studies.load_answers import balanced
 from crankstar.tables.bobweights import bobweights
 from crankstar.tables.certificate import certificate
 from crankstar.tables.cures import cure_lines, fitted_lines, none_remains
-from crankstar.tables.gas_rolls import change_sentence, gas_roll_of, gasless_reason
+from crankstar.tables.gas_rolls import GasRoll, change_sentence, gas_roll_of, gasless_reason
 from crankstar.tables.placings import placing_lines
 from crankstar.tables.scales import Scale, scales
 from crankstar.tables.turning import bearing, turning
@@ -41,6 +43,11 @@ SIZED = N_(
     "file written with -o."
 )
 """What the ranges of a balance of estimated masses mean."""
+
+
+GAS_ROWS = N_(
+    "Gas is in the rows of the rolling moment with gas alone, not in the load on a main bearing."
+)
 
 
 class Job(NamedTuple):
@@ -293,13 +300,41 @@ def _roll_added(result: Balance, shaft: Shaft) -> float:
     return bounds.size(spectra.total(result.axis_moment[rows, :]), abs(float(shaft.speed_ratio)))
 
 
+def _orders(job: Job) -> list[float]:
+    """The orders of the sheet: the first, those of shafts with weights, those with a remedy."""
+    ratios = [shaft.speed_ratio for shaft in job.after.shafts if shaft.weights]
+    ratios += [need.ratio for need in needs(job.after, zero=OPTIMISED)]
+    return sorted({1.0} | {abs(float(ratio)) for ratio in ratios})
+
+
+def resting(job: Job) -> Answer:
+    """The figures of the balanced engine that the sheet prints, for what they rest on."""
+    result = [balance(each, speed=job.speed) for each in (job.before, job.after)]
+    orders = _orders(job) if _gas_rolls(job) else []
+    new = [own.weights for own in job.after.shafts] != [own.weights for own in job.before.shafts]
+    return balanced(
+        job.after,
+        fitted=new,
+        gas_orders=[order for order in orders if any(_inertia_rolls(result, order))],
+        model=job.model,
+    )
+
+
+def _gas_rolls(job: Job) -> tuple[GasRoll, GasRoll] | None:
+    """The rolling moments with gas before and after, where they are known."""
+    before, after = (gas_roll_of(each, speed=job.speed) for each in (job.before, job.after))
+    return None if before is None or after is None else (before, after)
+
+
+def _inertia_rolls(balances: Sequence[Balance], order: float) -> list[float]:
+    """The rolling moments of inertia before and after, of an order."""
+    return _cleared([bounds.size(rolling_moment(total(each)), order) for each in balances])
+
+
 def _remaining(job: Job) -> Table:
     """The orders in which something was put on the engine, or remains, before and after."""
     before, after = (balance(engine, speed=job.speed) for engine in (job.before, job.after))
-    sums = summed(before), summed(after)
-    ratios = [shaft.speed_ratio for shaft in job.after.shafts if shaft.weights]
-    ratios += [need.ratio for need in needs(job.after, zero=OPTIMISED)]
-    orders = sorted({1.0} | {abs(float(ratio)) for ratio in ratios})
+    sums, orders = (summed(before), summed(after)), _orders(job)
     rows: list[tuple[Value, ...]] = []
     worse: list[str] = []
     for order in orders:
@@ -346,24 +381,24 @@ def _rolls(
 ) -> tuple[list[tuple[Value, ...]], list[str]]:
     """Rows of the rolling moment, without gas and with it; what a remedy of it makes worse."""
     unit = balances[1].units.moment
-    gas = [gas_roll_of(engine, speed=job.speed) for engine in (job.before, job.after)]
+    gas = _gas_rolls(job)
     rows: list[tuple[Value, ...]] = []
     notes: list[str] = []
     for order in orders:
-        alone = _cleared([bounds.size(rolling_moment(total(each)), order) for each in balances])
+        alone = _inertia_rolls(balances, order)
         if not any(alone):
             continue
         word = _("rolling moment without gas")
         rows.append((order, word, unit, *_left(job, *alone), None, None))
-        if gas[0] is None or gas[1] is None:
+        if gas is None:
             continue
-        both = _cleared([abs(each.at(order)) for each in gas if each is not None])
+        both = _cleared([abs(each.at(order)) for each in gas])
         word = _("rolling moment with gas")
         rows.append((order, word, "N*m", *_left(job, *both), None, None))
         if both[1] > both[0] * (1 + OPTIMISED):
-            notes.append(change_sentence(gas[0], gas[1], order))
-    if rows and gas[0] is None:
-        notes.append(gasless_reason(job.before, speed=job.speed))
+            notes.append(change_sentence(*gas, order))
+    if rows:
+        notes.append(_(GAS_ROWS) if gas else gasless_reason(job.before, speed=job.speed))
     return rows, notes
 
 

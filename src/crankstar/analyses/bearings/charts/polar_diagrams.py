@@ -21,6 +21,7 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analysis.assumptions import MAIN_OF, PIN_OF
 from crankstar.charts.canvas import BETWEEN, figure_width, half_width
 from crankstar.charts.crank_angle import waves
 from crankstar.charts.drawing import BLUE, ORANGE, VERMILION, Panel, brief, figure, heading
@@ -45,9 +46,7 @@ from crankstar.spectra import Complex, Peak, Spectrum
 
 Loaded = Literal["main-bearing", "main-journal", "crank-pin", "crank-pin-journal"]
 """What the load acts on: bearings or pins in the frame of the block, or turning with the shaft."""
-OF_LOADS = {
-    name: "main bearing" if name.startswith("main") else "crank pin" for name in get_args(Loaded)
-}
+OF_LOADS = {name: MAIN_OF if name.startswith("main") else PIN_OF for name in get_args(Loaded)}
 """The loads of a figure by their name in the record of what an answer rests on."""
 TURNING = ("main-journal", "crank-pin-journal")
 TITLES = {
