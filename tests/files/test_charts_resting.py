@@ -80,7 +80,12 @@ def unverified(engine: Engine, *keys: str) -> set[str]:
 
 
 LAYOUT = ("layout", "cylinder.stroke", "rotation", "shaft")
-FIRING = ("layout", "firing_order", "rotation", "shaft")
+FIRING = (
+    *("layout.banks", "layout.bearing", "layout.cranks.banks", "layout.cranks.lag"),
+    *("layout.cranks.throws", "layout.cranks.speed_ratio", "layout.lag", "layout.pin_split"),
+    *("layout.throws", "layout.speed_ratio", "layout.knuckle_radius", "firing_order", "rotation"),
+    *("shaft.speed_ratio", "shaft.throw.angle"),
+)  # no length along the shaft moves an angle
 OF_SHAPE = {
     "crank-star": LAYOUT,  # the throws, as the layout has them: no mass, no speed
     "shaft": LAYOUT,  # throws and arms from the side
