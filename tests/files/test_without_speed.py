@@ -43,7 +43,7 @@ def test_a_missing_speed_says_what_inertia_would_change(verb: str, run: Run) -> 
     first = rests[0]
     assert (first["status"], first["path"], first["unit"]) == ("missing", "speed", "rpm")
     assert (first["moves"]["quantity"], first["moves"]["order"]) == ("roll", 2)
-    assert "so that no inertia is beside the gas" in run("verdict", "four.json").out
+    assert "\nNot in these numbers: gas.\n" in run("verdict", "four.json").out  # in m r ω² alone
     ends = [roll(first[end]) for end in ("low", "high")]
     assert first["moves"]["low"] <= min(ends) * (1 + 1e-9)
     assert first["moves"]["high"] == pytest.approx(max(ends), rel=1e-9)

@@ -34,10 +34,12 @@ from crankstar.cli.output import complain, progress, working, write_bytes
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
+from crankstar.language.faults import EngineError
 from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
 from crankstar.options.forms import PICTURES, TABLES, form_of
+from crankstar.options.refusals import RequestError, refuse_unused
 from crankstar.options.sources import Loaded
-from crankstar.options.values import refuse_unused
 from crankstar.options.vocabulary import OPTIONS
 
 if TYPE_CHECKING:
@@ -143,6 +145,14 @@ def _only_printed(record: Analysis) -> bool:
 
 def answer(record: Analysis, options: dict[str, Any]) -> None:
     """Answer a command line: read all of it, compute, and write what it asks for."""
+    try:
+        _answer(record, options)
+    except EngineError as error:  # what the engine lacks for this analysis
+        raise RequestError(f"{one_line(options['engine'])}: {error}") from None
+
+
+def _answer(record: Analysis, options: dict[str, Any]) -> None:
+    """The same, with the faults of an engine as they are told without its file."""
     with added().running(record.name):
         read = _read(record, options)
     if read.form in PICTURES:
