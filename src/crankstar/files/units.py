@@ -14,7 +14,13 @@ from math import isfinite, prod
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
-from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE, Quantity
+from crankstar.engine.quantities import (
+    GREATEST_LENGTH,
+    GREATEST_RELATIVE,
+    INERTIA,
+    UNBALANCE,
+    Quantity,
+)
 from crankstar.files.plus_minus import nominal
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
@@ -345,10 +351,10 @@ def is_of(value: Any, quantity: Quantity) -> bool:
 
 
 _REMAINING = {
-    ("unbalance", "mass"): Quantity("length", "20 mm"),
-    ("unbalance", "radius"): Quantity("mass", "500 g"),
-    ("moment of inertia", "mass"): Quantity("area", "800 mm^2"),
-    ("moment of inertia", "radius"): Quantity("mass", "500 g"),
+    ("unbalance", "mass"): Quantity("length", "20 mm", least=UNBALANCE.least),
+    ("unbalance", "radius"): Quantity("mass", "500 g", least=UNBALANCE.least),
+    ("moment of inertia", "mass"): Quantity("area", "800 mm^2", least=INERTIA.least),
+    ("moment of inertia", "radius"): Quantity("mass", "500 g", least=INERTIA.least),
 }
 """By dimension and what is not known: an unbalance over a mass is a length."""
 POWERS: Mapping[str, Mapping[str, int]] = MappingProxyType(
