@@ -84,17 +84,23 @@ def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
     from crankstar.files.read import in_file
     from crankstar.mechanics.central_rods import central_doubts
     from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
+    from crankstar.mechanics.stiffness_doubts import beam_doubts
 
     rods = any(cylinder.rod is not None for cylinder in engine.cylinders)
     if engine.gas is engine.drive is engine.torsion is None and not rods:
         # libraries of cycles stay unread
         own = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
         own += [*central_doubts(engine), *piston_doubts(engine), *body_doubts(engine)]
+        own += beam_doubts(engine)
     else:
         from crankstar.dynamics.uneven_doubts import doubts_of_points
         from crankstar.mechanics.doubts import doubts
 
         own = [*doubts(engine), *doubts_of_points(engine)]
+    if engine.mounts:
+        from crankstar.dynamics.mount_doubts import mount_doubts
+
+        own += mount_doubts(engine)
     found = in_file(dict(tree), own, explicit=is_explicit(dict(tree)))
     return [f"  {fault.sentence}" for fault in found]
 

@@ -14,13 +14,7 @@ from math import isfinite, prod
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
-from crankstar.engine.quantities import (
-    GREATEST_LENGTH,
-    GREATEST_RELATIVE,
-    INERTIA,
-    UNBALANCE,
-    Quantity,
-)
+from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE, LEAST, Quantity
 from crankstar.files.plus_minus import nominal
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
@@ -351,10 +345,10 @@ def is_of(value: Any, quantity: Quantity) -> bool:
 
 
 _REMAINING = {
-    ("unbalance", "mass"): Quantity("length", "20 mm", least=UNBALANCE.least),
-    ("unbalance", "radius"): Quantity("mass", "500 g", least=UNBALANCE.least),
-    ("moment of inertia", "mass"): Quantity("area", "800 mm^2", least=INERTIA.least),
-    ("moment of inertia", "radius"): Quantity("mass", "500 g", least=INERTIA.least),
+    ("unbalance", "mass"): Quantity("length", "20 mm", least=LEAST),
+    ("unbalance", "radius"): Quantity("mass", "500 g", least=LEAST),
+    ("moment of inertia", "mass"): Quantity("area", "800 mm^2", least=LEAST**2),
+    ("moment of inertia", "radius"): Quantity("mass", "500 g", least=LEAST),
 }
 """By dimension and what is not known: an unbalance over a mass is a length."""
 POWERS: Mapping[str, Mapping[str, int]] = MappingProxyType(
