@@ -14,6 +14,7 @@ from crankstar.engine.torsion import Chain
 from crankstar.files import EngineFileError, tree_of
 from crankstar.files.changes import stale_sources
 from crankstar.files.read_files import STANDARD_INPUT
+from crankstar.files.tolerances import tolerances_of, wide
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
 from crankstar.options.forms import form_of
@@ -51,6 +52,7 @@ def check(
                 *(f"  {line}" for line in part_lines(own.left_out)),
                 *_far(own),
                 *_stale(tree),
+                *(f"  {line}" for line in wide(tolerances_of(tree).values())),
                 *_twice(tree),
                 *_hardly(own, tree),
             ]
