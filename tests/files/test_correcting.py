@@ -85,6 +85,10 @@ def test_a_picture_has_the_heavy_spots_and_what_is_added(run: Run, tmp_path: Pat
         ((*SHOWN, *PLANES, "--positions", "2"), "from 3 to 360"),
         ((*SHOWN, *PLANES, "--positions", "0, 10, 20 deg"), "half a turn apart"),
         ((*SHOWN, *PLANES, "--positions=-12"), "how many there are at equal steps"),
+        (
+            (*SHOWN, "--measuring-planes", "0 mm, 1e-300 mm", *PLANES[2:]),
+            "--measuring-planes 0 mm, 1e-300 mm: the two are at one place",
+        ),
         (("none.csv",), "no such file"),
     ],
 )
@@ -102,6 +106,12 @@ def test_a_request_that_cannot_be_met_is_one_sentence(
         ("plane 2, 400, 90", "third, 400, 90", "name the runs initial, plane 1"),
         ("plane 2, 400, 90, 5.5, 52, 1.9, 240\n", "", 'there is no run "plane 2"'),
         ("plane 1, 400", "plane 1, 0", "must be greater than 0"),
+        (
+            "plane 1, 400",
+            "plane 1, 1e-300",
+            'line 3, column "trial [g*mm]" is "1e-300 g*mm", too small',
+        ),
+        ("5.2, 40", "1e-300, 40", 'column "bearing 1 [mm/s]" is "1e-300 mm/s", too small'),
         ("5.2, 40", "fast, 40", '"fast", not a number'),
         ("[g*mm]", "[g]", 'line 1, column 2 is "trial [g]", a mass; add the radius'),
         ("bearing 1 [mm/s]", "bearing 1 [kg]", "none of a displacement, a velocity or an acc"),

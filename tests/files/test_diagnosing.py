@@ -107,6 +107,10 @@ def test_a_list_may_give_the_error_of_each_reading(
     wrong = text.replace("3 um", "0 um", 1)
     (tmp_path / "none.csv").write_text(wrong, encoding="utf-8")
     assert "the error must be greater than 0" in refused("diagnose", "four.toml", "none.csv")
+    for tiny in ("1e-300 mm/s", "1e-150 m/s", "1e-200 um", "1e-15 m/s^2"):
+        (tmp_path / "tiny.csv").write_text(text.replace("3 um", tiny, 1), encoding="utf-8")
+        told = " ".join(refused("diagnose", "four.toml", "tiny.csv").split())
+        assert f'line 2, column "error" is "{tiny}", too small for an engine' in told
 
 
 @pytest.mark.release

@@ -294,6 +294,7 @@ def test_the_written_file_is_the_engine_with_its_sources(run: Run, tmp_path: Pat
     [
         (("--stiffness", "50"), "give a range with its unit"),
         (("--stiffness", "400..50 N/mm"), "the lower one first"),
+        (("--stiffness", "1e-300..1e-299 N/mm"), "too small for an engine"),
         (("--stiffness", "0..50 N/mm"), "above 0"),
         (("--shift", "1 mm, 2 mm"), "give one length, or z, up and right"),
         (("--shift", "0 mm"), "how far a mount may be moved"),

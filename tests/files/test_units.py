@@ -7,15 +7,19 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
+import annotated_types
 import pint
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pydantic import BaseModel
 
+from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import (
     ANGLE,
     COUPLE,
@@ -369,6 +373,46 @@ def test_a_place_may_be_as_near_to_nought_as_rounding_brings_it() -> None:
     assert units.reader(frozenset({"radius", "pitch"}))(-6.9e-18, POSITION) == -6.9e-18
     with pytest.raises(ValueError, match="too small for an engine"):
         units.si("6.9e-15 mm", SIZE)
+
+
+def measured_sizes(of: type[BaseModel], seen: set[type]) -> Iterator[tuple[str, Quantity]]:
+    """Every field of a record, and of those in it, that is a quantity not below nought."""
+    seen.add(of)
+    for name, field in of.model_fields.items():
+        yield from ((f"{of.__name__}.{name}", each) for each in sizes_in(field, field.annotation))
+        for record in records_in(field.annotation):
+            if record not in seen:
+                yield from measured_sizes(record, seen)
+
+
+def records_in(kind: Any) -> Iterator[type[BaseModel]]:
+    """The records that a type names."""
+    if isinstance(kind, type) and issubclass(kind, BaseModel):
+        yield kind
+    for inner in get_args(kind):
+        yield from records_in(inner)
+
+
+def sizes_in(field: Any, kind: Any) -> Iterator[Quantity]:
+    """The quantities of a field, its own or inside its type, that are not below nought."""
+    own = [*getattr(field, "metadata", ()), *getattr(kind, "__metadata__", ())]
+    flat = [*own, *(one for each in own for one in getattr(each, "metadata", ()))]
+    signed = not any(isinstance(each, annotated_types.Ge | annotated_types.Gt) for each in flat)
+    yield from (each for each in flat if isinstance(each, Quantity) and not signed)
+    for inner in get_args(kind):
+        yield from sizes_in(None, inner)
+
+
+def test_no_size_of_an_engine_may_be_next_to_nothing() -> None:
+    found = dict(measured_sizes(Engine, set()))
+    dimensions = {each.dimension for each in found.values()}
+    assert {"stiffness", "damping", "torsional stiffness", "moment of inertia"} <= dimensions
+    assert {"torsional damping", "bending stiffness", "unbalance", "temperature"} <= dimensions
+    for key, quantity in found.items():
+        unit = units.si_unit(quantity)
+        assert units.si(f"0 {unit}", quantity) == 0, key
+        with pytest.raises(ValueError, match="too small for an engine"):
+            units.si(f"1e-300 {unit}", quantity)
 
 
 def test_what_is_not_known_is_counted_in_itself() -> None:

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 
 RUNS = "CSV file (or .xlsx) with an initial run, and one with a trial weight in each plane."
 MOST_POSITIONS = 360
+APART = 1e-4
+"""Metres: planes of a rotor nearer to each other are at one place."""
 
 
 def correct(
@@ -137,7 +139,7 @@ def _planes(option: str, text: str | None) -> list[float]:
             raise refusal(option, part, "write it with a unit, {example}", example='"400 mm"')
         with request.reading(option):
             found.append(units.si(part, POSITION))
-    if found[0] == found[1]:
+    if abs(found[0] - found[1]) < APART:
         raise refusal(option, text or "", "the two are at one place; give planes apart")
     return found
 

@@ -14,6 +14,7 @@ from crankstar.engine.torsion import Chain
 from crankstar.files import EngineFileError, tree_of
 from crankstar.files.changes import stale_sources
 from crankstar.files.read_files import STANDARD_INPUT
+from crankstar.files.tolerances import tolerances_of, wide
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
 from crankstar.options.forms import form_of
@@ -51,6 +52,7 @@ def check(
                 *(f"  {line}" for line in part_lines(own.left_out)),
                 *_far(own),
                 *_stale(tree),
+                *(f"  {line}" for line in wide(tolerances_of(tree).values())),
                 *_twice(tree),
                 *_hardly(own, tree),
             ]
@@ -84,17 +86,23 @@ def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
     from crankstar.files.read import in_file
     from crankstar.mechanics.central_rods import central_doubts
     from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
+    from crankstar.mechanics.stiffness_doubts import beam_doubts
 
     rods = any(cylinder.rod is not None for cylinder in engine.cylinders)
     if engine.gas is engine.drive is engine.torsion is None and not rods:
         # libraries of cycles stay unread
         own = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
         own += [*central_doubts(engine), *piston_doubts(engine), *body_doubts(engine)]
+        own += beam_doubts(engine)
     else:
         from crankstar.dynamics.uneven_doubts import doubts_of_points
         from crankstar.mechanics.doubts import doubts
 
         own = [*doubts(engine), *doubts_of_points(engine)]
+    if engine.mounts:
+        from crankstar.dynamics.mount_doubts import mount_doubts
+
+        own += mount_doubts(engine)
     found = in_file(dict(tree), own, explicit=is_explicit(dict(tree)))
     return [f"  {fault.sentence}" for fault in found]
 

@@ -29,6 +29,7 @@
 | `whirl` | shift, tilt and turn of the free rigid engine, order by order |
 | `hand_arm` | the frequency weighting of vibration that goes into the hands |
 | `mounted_block` | a rigid block on its mounts and its foundation: masses, springs, dampers |
+| `mount_doubts` | stiffnesses of mounts on which hardly any engine stands |
 | `mount_modes` | natural modes on the mounts, torque-roll axis, elastic axis |
 | `mount_excitation` | what shakes a block on its mounts: inertia and gas on its six freedoms |
 | `mount_response` | how it shakes: motion of its points, forces in mounts and on the ground |

@@ -78,10 +78,10 @@ ANGLE = Quantity("angle", "90 deg")
 LENGTH = Quantity("length", "82.5 mm", _ACROSS)
 POSITION = Quantity("length along the crankshaft", "105.5 mm", _ALONG)
 SPEED = Quantity("rotational speed", "6000 rpm", least=LEAST)
-FORCE = Quantity("force", "500 N")
-COUPLE = Quantity("couple", "120 N m")
-DENSITY = Quantity("density", "7.85 g/cm^3")
-UNBALANCE = Quantity("unbalance", "0.02 kg*m", _MASS | _ACROSS)
+FORCE = Quantity("force", "500 N", least=1e-9)
+COUPLE = Quantity("couple", "120 N m", least=1e-9)
+DENSITY = Quantity("density", "7.85 g/cm^3", least=1e-3)
+UNBALANCE = Quantity("unbalance", "0.02 kg*m", _MASS | _ACROSS, least=1e-12)
 Angle = Annotated[Number, ANGLE]
 Length = Annotated[Number, LENGTH]
 Size = Annotated[Number, Field(gt=0), replace(LENGTH, least=LEAST)]
@@ -90,41 +90,42 @@ Pitch = Annotated[Number, Field(gt=0), replace(POSITION, least=LEAST)]
 MASS = Quantity("mass", "650 g", _MASS, least=LEAST)
 Mass = Annotated[Number, Field(ge=0), MASS]
 MovingMass = Annotated[Number, Field(gt=0), MASS]
-INERTIA = Quantity("moment of inertia", "0.002 kg*m^2", _MASS | _ACROSS)
+INERTIA = Quantity("moment of inertia", "0.002 kg*m^2", _MASS | _ACROSS, least=1e-12)
 Inertia = Annotated[Number, Field(ge=0), INERTIA]
-BodyInertia = Annotated[
-    Number, Field(gt=0), Quantity("moment of inertia", "9.5 kg*m^2", _MASS | _ACROSS)
-]
+BodyInertia = Annotated[Number, Field(gt=0), replace(INERTIA, example="9.5 kg*m^2")]
 Unbalance = Annotated[Number, Field(ge=0), UNBALANCE]
 BendingStiffness = Annotated[
-    Number, Field(gt=0), Quantity("bending stiffness", "400 kN*m^2", _ALONG)
+    Number, Field(gt=0), Quantity("bending stiffness", "400 kN*m^2", _ALONG, least=1e-6)
 ]
-BearingStiffness = Annotated[Number, Field(gt=0), Quantity("stiffness", "500 kN/mm", _ALONG)]
+STIFFNESS = Quantity("stiffness", "200 N/mm", least=1e-3)
+BearingStiffness = Annotated[
+    Number, Field(gt=0), replace(STIFFNESS, example="500 kN/mm", relative_to=_ALONG)
+]
 Speed = Annotated[Number, Field(gt=0), SPEED]
 PRESSURE = Quantity("pressure", "60 bar", least=LEAST)
 Pressure = Annotated[Number, Field(gt=0), PRESSURE]
-Temperature = Annotated[Number, Field(gt=0), Quantity("temperature", "350 K")]
-TURNING_INERTIA = Quantity("moment of inertia", "0.035 kg*m^2")
+Temperature = Annotated[Number, Field(gt=0), Quantity("temperature", "350 K", least=1.0)]
+TURNING_INERTIA = Quantity("moment of inertia", "0.035 kg*m^2", least=1e-12)
 """Of what twists: known in kg m^2, whatever else of an engine is not."""
-TURNING_STIFFNESS = Quantity("torsional stiffness", "1.2 MN*m/rad")
-TURNING_DAMPING = Quantity("torsional damping", "25 N*m*s/rad")
+TURNING_STIFFNESS = Quantity("torsional stiffness", "1.2 MN*m/rad", least=1e-6)
+TURNING_DAMPING = Quantity("torsional damping", "25 N*m*s/rad", least=1e-9)
 TurningInertia = Annotated[Number, Field(gt=0), TURNING_INERTIA]
 TurningStiffness = Annotated[Number, Field(gt=0), TURNING_STIFFNESS]
 TurningDamping = Annotated[Number, Field(ge=0), TURNING_DAMPING]
-MountStiffness = Annotated[Number, Field(ge=0), Quantity("stiffness", "200 N/mm")]
-LinearDamping = Annotated[Number, Field(ge=0), Quantity("damping", "150 N*s/m")]
+MountStiffness = Annotated[Number, Field(ge=0), STIFFNESS]
+LinearDamping = Annotated[Number, Field(ge=0), Quantity("damping", "150 N*s/m", least=1e-6)]
 """Of a mount: known in N/m and N s/m."""
 PointReceptance = Annotated[Number, Field(gt=0), Quantity("receptance", "0.02 um/N", least=1e-15)]
 """Of what a mount stands on: displacement of a point per force on it."""
 Product = Annotated[Number, Quantity("moment of inertia", "0.4 kg*m^2", _MASS | _ACROSS)]
 """A product of inertia, of either sign."""
-ShearModulus = Annotated[Number, Field(gt=0), Quantity("elastic modulus", "80 GPa")]
+ShearModulus = Annotated[Number, Field(gt=0), Quantity("elastic modulus", "80 GPa", least=1e3)]
 TurningMass = Annotated[Number, Field(gt=0), Quantity("mass", "0.4 kg", least=LEAST)]
 Diameter = Annotated[Number, Field(gt=0), Quantity("length", "60 mm", least=LEAST)]
 """Of a shaft that twists: known in metres."""
 FilmThickness = Annotated[Number, Field(gt=0), Quantity("length", "25 um", least=LEAST)]
 Viscosity = Annotated[Number, Field(gt=0), Quantity("viscosity", "8 mPa*s", least=1e-6)]
-POWER = Quantity("power", "12 MW")
+POWER = Quantity("power", "12 MW", least=1e-3)
 VOLUME = Quantity("volume", "1998 cm^3", least=1e-9)
 ShareOfValue = Annotated[Number, Field(gt=0, le=100)]
 """A multiple of a value."""

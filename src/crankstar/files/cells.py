@@ -216,7 +216,7 @@ class Cells:
                 self._fault("cell.key-twice", cell=key_cell, key=".".join(map(str, keys)))
                 return
         measured = None if unit is None or isinstance(unit, Fault) else str(unit).strip()
-        if measured and _measure_apart(own_unit(value), measured):
+        if measured and _other_unit(own_unit(value), measured):
             self._fault("cell.two-units", cell=cell, value=seen(value), unit=seen(measured))
             return
         table[keys[-1]] = value_of(value, measured, info.annotation if info else None)
@@ -304,9 +304,9 @@ class Cells:
         return place, home
 
 
-def _measure_apart(own: str, beside: str) -> bool:
-    """Whether two units measure different things."""
+def _other_unit(own: str, beside: str) -> bool:
+    """Whether the unit of a cell is another than that beside it, however both are written."""
     try:
-        return bool(own) and unit_of(own).dimensions != unit_of(beside).dimensions
+        return bool(own) and unit_of(own) != unit_of(beside)
     except ValueError:  # which reading the value tells
         return False

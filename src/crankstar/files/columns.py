@@ -17,7 +17,10 @@ from crankstar.files.lists import NUMBER, UNIT, Listed, Mistake, Row, key_of, re
 from crankstar.language.faults import ValueFaultError, sentence
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line, seen
+from crankstar.language.units import in_degrees
 
+TURN = 6.2832
+"""Radians: the greatest angle in another unit than degrees, as of bare numbers in a file."""
 DATE = re.compile(r"\d{4}-\d\d-\d\d([ T]\d\d:\d\d:\d\d(\.\d+)?)?|\d\d:\d\d:\d\d(\.\d+)?")
 """A date or a time, which a spreadsheet makes of a number it takes for one."""
 
@@ -137,7 +140,7 @@ class Columns:
         if bare and not self._measures(name, unit, quantity):
             return nan
         try:
-            return units.si(f"{text} {unit}" if bare else text, quantity)
+            return _within_a_turn(f"{text} {unit}" if bare else text, quantity)
         except ValueFaultError as error:
             self.mistakes.append(Mistake(row.line, error.at(self.place(row, name))))
             return nan
@@ -221,6 +224,14 @@ class Columns:
             )
         )
         self.mistakes.append(Mistake(line, told))
+
+
+def _within_a_turn(text: str, quantity: Quantity) -> float:
+    """The SI number of a text; an angle of more than a turn is in degrees."""
+    number = units.si(text, quantity)
+    if quantity.dimension == "angle" and abs(number) > TURN and not in_degrees(units.unit_of(text)):
+        raise units.implausible(text, number, quantity)
+    return number
 
 
 def _usual(known: Mapping[str, str]) -> dict[str, str]:

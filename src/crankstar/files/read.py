@@ -329,6 +329,8 @@ def in_file(tree: Tree, faults: list[Fault], *, explicit: bool) -> list[Fault]:
     placed: dict[tuple[Any, ...], Fault] = {}
     for fault in faults:
         path = fault.path if explicit else _short_place(tree, fault)
+        if explicit and path[:1] == ("crankshaft",):
+            path = ("shaft", *path[1:])
         shared = fault.cylinder is not None and not explicit
         placed.setdefault((path,) if shared else (path, fault.sentence), fault._replace(path=path))
     return list(placed.values())

@@ -6,7 +6,8 @@ bound: a part is good from value - t to value + t. The Engine has the value alon
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from math import pi
 from typing import Any, NamedTuple, get_args
 
 from annotated_types import Ge, Gt
@@ -18,6 +19,7 @@ from crankstar.files.forms import field_at, form_of, quantity_of
 from crankstar.files.mistakes import Path, Tree
 from crankstar.files.plus_minus import PERCENT, Toleranced, nominal, parted, unit_behind
 from crankstar.language.faults import Fault, ValueFaultError, where
+from crankstar.language.messages import _
 from crankstar.language.quoting import seen
 
 
@@ -84,6 +86,33 @@ def _texts(tree: Mapping[str, Any]) -> Iterator[tuple[Path, Toleranced]]:
                 yield path, own
 
 
+WIDE = 0.2
+"""Share of a mass or a length beyond which its tolerance is a slip of unit. Our judgement."""
+
+
+def wide(tolerances: Iterable[Tolerance]) -> list[str]:
+    """A sentence for each tolerance of a mass or length that no part is made to.
+
+    >>> tree = {"cylinder": {"stroke": "90 mm +- 30 mm", "rod_length": "150 mm +- 0.05 mm"}}
+    >>> len(wide(tolerances_of(tree | {"layout": {"type": "inline"}}).values()))
+    1
+    """
+    return [
+        _(
+            "{key} has a tolerance of {share} % of its value; parts are made to less than {bound} "
+            "%: is the unit right?",
+            key=own.path,
+            share=f"{100 * own.bound / own.value:.3g}",
+            bound=f"{100 * WIDE:g}",
+        )
+        for own in tolerances
+        if own.quantity.least
+        and (own.quantity.dimension == "mass" or own.quantity.dimension.startswith("length"))
+        and "clearance" not in own.path
+        and own.bound > WIDE * own.value
+    ]
+
+
 def _leaves(value: Any, path: Path) -> Iterator[tuple[Path, Any]]:
     if isinstance(value, dict):
         for key, item in value.items():
@@ -138,6 +167,8 @@ def _read(form: type[Record], keys: Path, text: Toleranced) -> Tolerance | Fault
         except ValueFaultError:
             measured = {"value": shown["value"], "dimension": quantity.dimension}
             return Fault(keys, "tolerance.unit", {**measured, "example": shown["example"]})
+    if quantity.dimension == "angle" and bound > pi:
+        return Fault(keys, "tolerance.half-turn", shown)
     if _positive(info.annotation, info.metadata) and 0 < value <= bound:
         wide = {"value": shown["value"], "nominal": seen(text.value)}
         return Fault(keys, "tolerance.too-large", wide)

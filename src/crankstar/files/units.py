@@ -14,7 +14,7 @@ from math import isfinite, prod
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
-from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE, Quantity
+from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE, LEAST, Quantity
 from crankstar.files.plus_minus import nominal
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
@@ -119,7 +119,7 @@ def si(value: Any, quantity: Quantity) -> float:
     number, has_unit = _read(value, quantity)
     kind = _KINDS[quantity.dimension]
     if not has_unit and abs(number) > kind.greatest_bare:
-        raise _implausible(value, number, quantity)
+        raise implausible(value, number, quantity)
     if abs(number) > kind.greatest:
         raise _fault("unit.too-large", value, quantity)
     if 0 < abs(number) < quantity.least:
@@ -345,10 +345,10 @@ def is_of(value: Any, quantity: Quantity) -> bool:
 
 
 _REMAINING = {
-    ("unbalance", "mass"): Quantity("length", "20 mm"),
-    ("unbalance", "radius"): Quantity("mass", "500 g"),
-    ("moment of inertia", "mass"): Quantity("area", "800 mm^2"),
-    ("moment of inertia", "radius"): Quantity("mass", "500 g"),
+    ("unbalance", "mass"): Quantity("length", "20 mm", least=LEAST),
+    ("unbalance", "radius"): Quantity("mass", "500 g", least=LEAST),
+    ("moment of inertia", "mass"): Quantity("area", "800 mm^2", least=LEAST**2),
+    ("moment of inertia", "radius"): Quantity("mass", "500 g", least=LEAST),
 }
 """By dimension and what is not known: an unbalance over a mass is a length."""
 POWERS: Mapping[str, Mapping[str, int]] = MappingProxyType(
@@ -374,14 +374,19 @@ def _fault(code: str, value: Any, quantity: Quantity, **values: Any) -> ValueFau
     )
 
 
-def _implausible(value: Any, number: float, quantity: Quantity) -> ValueFaultError:
-    """A bare number larger than any real one: it was meant in the unit that people write."""
-    kind = _KINDS[quantity.dimension]
+def implausible(value: Any, number: float, quantity: Quantity) -> ValueFaultError:
+    """A number larger than any real one: it was meant in the unit that people write."""
+    kind, own = _KINDS[quantity.dimension], unit_of(str(value))
+    one = _read(f"1 {own}", quantity)[0] if own else 1.0
     factor, meant = _SHOWN[quantity.dimension]
     if not kind.greatest_bare or factor == 1.0:
         return _fault("unit.missing", value, quantity)
     return ValueFaultError(
-        "unit.implausible", number=number, unit=kind.short, greatest=kind.greatest_bare, meant=meant
+        "unit.implausible",
+        number=float(f"{number / one:.15g}"),
+        unit=own or kind.short,
+        greatest=float(f"{kind.greatest_bare / one:.5g}"),
+        meant=meant,
     )
 
 
@@ -421,18 +426,11 @@ def _absolute(unit: str, value: str, quantity: Quantity) -> str:
     """A unit of pressure without the letter that says absolute. Raises for gauge pressures."""
     for form in (_GAUGE, _ABSOLUTE):
         found = form.fullmatch(unit)
-        if found and not _is_pressure(unit) and _is_pressure(found[1]):
+        if found and which(unit, [quantity]) is None and which(found[1], [quantity]) is not None:
             if form is _GAUGE:
                 raise _fault("unit.gauge", value, quantity, unit=seen(found[1]))
             return found[1]
     return unit
-
-
-def _is_pressure(unit: str) -> bool:
-    try:
-        return measured(unit).dimensions == measured("Pa").dimensions
-    except ValueError:
-        return False
 
 
 def _mass_at_radius(text: str, value: str, quantity: Quantity) -> float:

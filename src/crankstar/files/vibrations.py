@@ -13,9 +13,9 @@ from crankstar.language.messages import _
 from crankstar.language.quoting import seen
 
 VIBRATIONS = (
-    Quantity("length", "12 um"),
-    Quantity("speed along a line", "3 mm/s"),
-    Quantity("acceleration", "0.5 m/s^2"),
+    Quantity("length", "12 um", least=1e-12),
+    Quantity("speed along a line", "3 mm/s", least=1e-10),
+    Quantity("acceleration", "0.5 m/s^2", least=1e-8),
 )
 """What is measured, each the rate of the one before it."""
 

@@ -85,6 +85,23 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} kg m²: a body of this mass that reaches its mounts, {reach} mm from "
         "the axis, has more than {least} kg m²; is the unit right?"
     ),
+    "doubt.mount-sag": N_(
+        "{where} is {value} N/mm: what stands on these mounts sits down by {sag} mm under its "
+        "weight; mounts of engines give way by less than {bound} mm, which takes {usual} N/mm or "
+        "more: is the unit right?"
+    ),
+    "doubt.mount-soft": N_(
+        "{where} is {value} N/mm along one axis, and the lowest mode on these mounts has "
+        "{frequency} Hz; engines have more than {bound} Hz: is the unit right?"
+    ),
+    "doubt.mount-stiff": N_(
+        "{where} is {value} N/mm, and the lowest mode on these mounts has {frequency} Hz; on "
+        "mounts of engines it has less than {bound} Hz, which takes {usual} N/mm or less: is the "
+        "unit right?"
+    ),
+    "doubt.mount-unlike": N_(
+        "{where} is {value} N/mm, and the other mounts have about {others} N/mm: is the unit right?"
+    ),
     "foundation.alone": N_(
         "{where} is given without mounts of the engine; give [[mounts]], or leave it out"
     ),

@@ -22,6 +22,10 @@ SENTENCES: dict[str, str | Plural] = {
     "tolerance.share-of-nothing": N_(
         "{where} is 0, of which {value} is nothing; give the tolerance with a unit"
     ),
+    "tolerance.half-turn": N_(
+        "{where} has the tolerance {value}, more than half a turn both ways, which is any angle; "
+        "give a smaller one"
+    ),
     "tolerance.too-large": N_(
         "{where} is {nominal} with the tolerance {value}; it must stay above 0, so give a "
         "smaller tolerance"

@@ -37,8 +37,8 @@ SENTENCES: dict[str, str | Plural] = {
         "one out"
     ),
     "torsion.one-throw": N_(
-        "{where} is given, but one throw has no neighbour; the stiffness of what hangs on it is "
-        "that of a disc"
+        "{where} is that between neighbouring throws of a crankshaft, and none has two: leave it "
+        "out; the stiffness of what hangs on a throw is that of a disc or a coupling"
     ),
     "torsion.length": N_("{where} has {count} values; give one for all, or {wanted}, front first"),
     "torsion.bore": N_(
@@ -72,6 +72,14 @@ SENTENCES: dict[str, str | Plural] = {
     "doubt.soft-disc": N_(
         "{where} is {value} N m/rad, on which {inertia} kg m² vibrate at {frequency} Hz; drive "
         "lines have more than {bound} Hz: is the unit right?"
+    ),
+    "doubt.crank-beam": N_(
+        "{where} is {value} N m², that of a solid shaft of steel of {diameter} mm; with cylinders "
+        "of {size} mm it is one of {low} to {high} mm: is the unit right?"
+    ),
+    "doubt.crank-support": N_(
+        "{where} is {value} N/mm; main bearings with their walls have {low} to {high} N/mm with "
+        "cylinders of {size} mm: is the unit right?"
     ),
     "doubt.throw-length": N_(
         "{where}: a journal, a pin and two webs are {value} mm long together, and the throws are "

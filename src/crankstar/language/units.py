@@ -114,6 +114,15 @@ def spelt(unit: str) -> str:
     return "rpm" if joined in _REVOLUTIONS or joined.lower() == "rpm" else joined
 
 
+def in_degrees(unit: str) -> bool:
+    """Whether a unit of an angle is the degree.
+
+    >>> in_degrees("deg."), in_degrees("rad"), in_degrees("")
+    (True, False, False)
+    """
+    return ANGLES.get(unit.lower().rstrip("."), unit) in ("deg", "degree", "degrees")
+
+
 def as_weight(unit: str) -> str:
     """A unit with pounds and ounces of force where it has those of mass.
 

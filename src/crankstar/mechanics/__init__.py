@@ -26,6 +26,7 @@
 | `gas` | the pressure in every chamber over a cycle |
 | `central_rods` | rods of one crankpin in one plane, and where there are more than can be |
 | `mass_doubts` | the same of masses and bodies, without gas or speed |
+| `stiffness_doubts` | stiffnesses of crankshafts with which hardly any engine turns |
 | `doubts` | values that hardly any engine has: slips of unit and of thought |
 | `gas_torque` | gas torque of every chamber by order; the roll of the block with it |
 | `external_moments` | force and moment of each order about a point, over the power |

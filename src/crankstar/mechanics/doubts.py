@@ -3,7 +3,7 @@
 They do not hinder a computation. Each is a `Fault`, a place with a sentence: of what a cycle is
 computed from (`value_doubts`), of the cycle itself (`cycle_doubts`), of the moments of inertia
 (`inertia_doubts`, `torsion_doubts`); of a whole engine `doubts` has them all, with those of masses
-(`mass_doubts`).
+(`mass_doubts`) and of stiffnesses (`stiffness_doubts`).
 
 >>> from crankstar.files.catalog import load
 >>> [fault.code for fault in doubts(load("honda-b18c", changes={"gas.compression_ratio": 19,
@@ -13,19 +13,17 @@ computed from (`value_doubts`), of the cycle itself (`cycle_doubts`), of the mom
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
 from math import degrees, isclose, pi
 from typing import Any
-
-import numpy as np
 
 from crankstar.engine.drive import mean_share
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import firing_doubts
 from crankstar.engine.gas import LOADS, Ignition
 from crankstar.engine.proportions import TWO_MASSES
-from crankstar.engine.torsion import CrankDimensions, Torsion
+from crankstar.engine.torsion import CrankDimensions
 from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
 from crankstar.language.numbers import RPM, rpm_of
@@ -45,6 +43,7 @@ from crankstar.mechanics.mass_doubts import (
 )
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError, own_speed
+from crankstar.mechanics.stiffness_doubts import beam_doubts, twist_doubts
 
 Path = tuple[str | int, ...]
 GREATEST_SPARK_RATIO = 16.0
@@ -77,20 +76,6 @@ INERTIA_SPREAD = 2.5
 """Factor by which a moment of inertia may miss that of two masses at the ends of the rod."""
 
 
-SLOWEST_CRANK = 20.0
-"""m/s: crank radius times the first natural frequency (rad/s) of the throws by themselves.
-
-In engines of one shape it is the same for all sizes, as the speed of sound is: 100 to 500 of
-engines of vehicles, about 50 of twelve throws of the largest ships. Our judgement.
-"""
-LOWEST_CRANK = 2.0
-"""Hz: the same where the crank radius is not known; the longest of all crankshafts has 5."""
-SHEAR_WAVE = 3200.0
-"""m/s in steel, sqrt(G/rho): no shaft of length L twists faster than pi times that over L."""
-LOWEST_DISC = 0.5
-"""Hz: a car that shuffles on its drive shafts has 1 to 2."""
-
-
 FIRED = {"inertia", "gas", "valves", "firing"}
 """Uses of an engine that depend on when its cylinders fire: its throws are made for that."""
 
@@ -101,6 +86,7 @@ def doubts(engine: Engine) -> tuple[Fault, ...]:
     found += [*size_doubts(engine), *rod_doubts(engine)]
     found += [*central_doubts(engine), *piston_doubts(engine), *scale_doubts(engine)]
     found += [*body_doubts(engine), *inertia_doubts(engine), *torsion_doubts(engine)]
+    found += beam_doubts(engine)
     gas = engine.gas
     if gas is not None:
         loaded = any(getattr(gas, name) is not None for name in LOADS) or not gas.points
@@ -132,6 +118,8 @@ def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> 
         found += [*piston_doubts(engine), *scale_doubts(engine), *inertia_doubts(engine)]
     if "torsion" in uses:
         found += torsion_doubts(engine)
+    if "bearings" in uses:
+        found += beam_doubts(engine)
     if "mounts" in uses:
         found += body_doubts(engine)
     if "gas" in uses and computed is not None:
@@ -292,7 +280,7 @@ def torsion_doubts(engine: Engine) -> Iterator[Fault]:
     if own is not None and own.dimensions is not None and "pitch" not in engine.relative:
         yield from _length_doubts(engine, own.dimensions)
     if own is not None:
-        yield from _stiffness_doubts(engine, own)
+        yield from twist_doubts(engine, own)
     if own is None or not own.inertia or {"mass", "radius"} & set(engine.relative):
         return
     carried = carried_inertias(engine).tolist()
@@ -303,61 +291,6 @@ def torsion_doubts(engine: Engine) -> Iterator[Fault]:
             values = {"value": value, "moving": float(f"{moving:.3g}")}
             yield Fault(path, "doubt.throw-inertia", values)
             return  # one slip for all
-
-
-def _stiffness_doubts(engine: Engine, own: Torsion) -> Iterator[Fault]:
-    """Throws that vibrate slower or faster by themselves, and discs slower, than any do."""
-    for index, disc in enumerate(own.discs):
-        frequency = ((disc.stiffness or 0.0) / disc.inertia) ** 0.5 / (2 * pi)
-        if 0 < frequency < LOWEST_DISC:
-            values = _vibrating(disc.stiffness or 0.0, frequency, LOWEST_DISC)
-            values["inertia"] = disc.inertia
-            yield Fault(("torsion", "disc", index, "stiffness"), "doubt.soft-disc", values)
-    lengths = {"mass", "radius"} & {*engine.relative}
-    if not own.stiffness or (lengths and not own.inertia):
-        return
-    inertia = own.inertia or (carried_inertias(engine) + np.array(own.bare_inertia)).tolist()
-    place, gap = 0, 0
-    for crank in (shaft for shaft in engine.shafts if shaft.throws):
-        count = len(crank.throws)
-        ends = [number if len(inertia) > 1 else 0 for number in range(place, place + count)]
-        gaps = [number if len(own.stiffness) > 1 else 0 for number in range(gap, gap + count - 1)]
-        place, gap = place + count, gap + count - 1
-        if count == 1:
-            continue
-        stiff = [own.stiffness[each] for each in gaps]
-        frequency = _first_frequency([inertia[each] for each in ends], stiff)
-        radius = None if "radius" in engine.relative else min(each.radius for each in crank.throws)
-        least = LOWEST_CRANK if radius is None else SLOWEST_CRANK / (2 * pi * radius)
-        if frequency < least:
-            values = _vibrating(min(stiff), frequency, least)
-            yield Fault(("torsion", "stiffness"), "doubt.soft-crank", values)
-            return
-        places = [each.z for each in crank.throws]
-        length = max(places) - min(places)
-        if "pitch" in engine.relative or not length:
-            continue
-        most = SHEAR_WAVE / (2 * length)
-        if frequency > most:
-            values = _vibrating(max(stiff), frequency, most)
-            yield Fault(("torsion", "stiffness"), "doubt.stiff-crank", values)
-            return
-
-
-def _vibrating(stiffness: float, frequency: float, bound: float) -> dict[str, Any]:
-    rounded = {"frequency": frequency, "bound": bound}
-    own = {name: float(f"{value:.3g}") for name, value in rounded.items()}
-    return {"value": stiffness, **own}
-
-
-def _first_frequency(inertia: Sequence[float], stiffness: Sequence[float]) -> float:
-    """The first natural frequency (Hz) of masses in a row with these stiffnesses between them."""
-    roots = 1 / np.sqrt(inertia)
-    matrix = np.zeros((len(inertia), len(inertia)))
-    for place, own in enumerate(stiffness):
-        matrix[place : place + 2, place : place + 2] += own * np.array([[1, -1], [-1, 1]])
-    squares = np.linalg.eigvalsh(matrix * np.multiply.outer(roots, roots))
-    return float(np.sqrt(squares[1]) / (2 * pi))
 
 
 def _length_doubts(engine: Engine, own: CrankDimensions) -> Iterator[Fault]:

@@ -48,7 +48,7 @@ def size(option: str, text: str, quantity: Quantity) -> float:
             option, text, 'write it with a unit, such as "{example}"', example=quantity.example
         )
     with request.reading(option):
-        value = units.si(text, replace(quantity, least=LEAST))
+        value = units.si(text, replace(quantity, least=max(quantity.least, LEAST)))
     if not value > 0:
         raise request.not_positive(option, text, quantity)
     return value
@@ -160,14 +160,9 @@ def _amount(text: str, radius: float | None) -> float:
         raise refusal(
             "--unbalance", text, 'write it with a unit, such as "{example}"', example=example
         )
-    if radius is not None:
-        try:
-            value = units.si(text, MASS) * radius
-        except ValueFaultError:
-            pass
-        else:
-            return _not_negative(text, value)
     with request.reading("--unbalance"):
+        if radius is not None and units.is_of(text, MASS):
+            return _not_negative(text, units.si(text, MASS) * radius)
         return _not_negative(text, units.si(text, UNBALANCE))
 
 

@@ -143,20 +143,25 @@ def holes(unbalance: float, drill: Drill) -> Holes:
             "an unbalance of {needed} is more than slugs of {diameter}, side by side and {deepest} "
             "long and {share} % denser than what they replace, can have ({greatest}); take a "
             "denser metal, a larger diameter or radius, or more planes",
-            needed=quantity_text(unbalance, "kg*m", beside=greatest),
+            needed=quantity_text(unbalance, "kg*m"),
             diameter=_length(drill.diameter),
             deepest=_length(drill.deepest),
             share=f"{100 * (drill.slug / drill.density - 1):.3g}",
-            greatest=quantity_text(max(greatest, 0.0), "kg*m", beside=unbalance),
+            greatest=_greatest(greatest),
         )
     raise RemedyError(
         "an unbalance of {needed} is more than holes of {diameter}, side by side and {deepest} "
         "deep, can have ({greatest}); take a larger diameter or radius, or more planes",
-        needed=quantity_text(unbalance, "kg*m", beside=greatest),
+        needed=quantity_text(unbalance, "kg*m"),
         diameter=_length(drill.diameter),
         deepest=_length(drill.deepest),
-        greatest=quantity_text(max(greatest, 0.0), "kg*m", beside=unbalance),
+        greatest=_greatest(greatest),
     )
+
+
+def _greatest(unbalance: float) -> str:
+    """The most that holes can have, kg m, in three figures whatever was asked of them."""
+    return quantity_text(float(f"{max(unbalance, 0.0):.3g}"), "kg*m")
 
 
 def possible(drill: Drill) -> None:

@@ -27,6 +27,7 @@ from crankstar.analysis.changed_values import (
     with_torsion_value,
 )
 from crankstar.analysis.scaled_values import SCALED, speed_value
+from crankstar.dynamics.mount_doubts import mount_doubts
 from crankstar.dynamics.uneven_doubts import uneven_doubts
 from crankstar.engine.basis import ROD_SOURCE
 from crankstar.engine.block import inertia_in_box
@@ -148,6 +149,8 @@ def assumed_values(engine: Engine, answer: Answer) -> Iterator[Assumption]:
 def _doubts(engine: Engine, answer: Answer) -> list[Fault]:
     """What is doubtful of what an answer uses, of a flywheel with a size of effect if known."""
     found = doubts_of(engine, answer.uses, answer.gas)
+    if "mounts" in answer.uses:
+        found = (*found, *mount_doubts(engine))
     runs = not {*FLYWHEELS}.isdisjoint(answer.uses)
     uneven: tuple[Fault, ...] = ()
     if runs and answer.gas is not None:

@@ -29,7 +29,9 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.language.faults import EngineError
+from crankstar.language.messages import _
 from crankstar.language.numbers import NEGLIGIBLE
+from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.mechanics.remains import kept
 from crankstar.spectra import Real
@@ -160,7 +162,7 @@ def matched(
     def size(rows: Real | float) -> float:
         return kept(float(np.linalg.norm(rows)), beside=pushed)
 
-    built = _built(engine, _added(batch, before, places))
+    built = _built(engine, _added(batch, before, places), before, batch)
     alike = _alike(law, before, batch if whole else _fitted(batch, places))
     return Matched(
         engine=built,
@@ -215,15 +217,40 @@ def _alike(law: LinearUnbalance, before: Mapping[str, Real], batch: Batch) -> Re
     )
 
 
-def _built(engine: Engine, added: Mapping[str, Sequence[float]]) -> Engine:
+def _built(
+    engine: Engine, added: Mapping[str, Sequence[float]], before: Mapping[str, Real], batch: Batch
+) -> Engine:
     """The engine with the parts. Raises MatchingError."""
     try:
         return with_parts(engine, added)
     except EngineError:
         raise MatchingError(
-            "the weights of the list differ by more than the parts weigh in the file; check their "
-            "units"
+            "the weights of the list differ by more than the parts weigh in the file: {parts}; "
+            "check their units",
+            parts=", ".join(_far(before, batch)) or "-",
         ) from None
+
+
+FAR = 2.0
+"""Mass of a part in the list over that in the file, either way: the unit is another."""
+
+
+def _far(before: Mapping[str, Real], batch: Batch) -> list[str]:
+    """The kinds of parts of which the list has other masses than the file, both told."""
+    out: list[str] = []
+    for name, own in before.items():
+        listed, known = batch.masses[name], float(own.mean())
+        at = int(np.argmax(np.abs(listed - known)))
+        if known <= 0 or not known / FAR < listed[at] < known * FAR:
+            words = _(
+                "{part} {label} has {listed} in the list and {known} in the file",
+                part=name.replace("_", " "),
+                label=batch.labels[at],
+                listed=quantity_text(float(f"{listed[at]:.4g}"), "kg"),
+                known=quantity_text(float(f"{known:.4g}"), "kg"),
+            )
+            out.append(words)
+    return out
 
 
 def _sum(kinds: Sequence[Kind], items: Sequence[Sequence[int]]) -> Real:

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.dynamics.mount_doubts import mount_doubts
 from crankstar.engine.engine import Engine
 from crankstar.language.faults import Fault, where
 from crankstar.language.messages import MessageError
@@ -143,7 +144,8 @@ def _runs(tried: Sequence[int], doubtful: Collection[int]) -> tuple[tuple[int, i
 
 def _at(engine: Engine, speed: float | None, uses: Collection[str]) -> tuple[Fault, ...]:
     burns = "gas" in uses and engine.gas is not None
-    return doubts_of(engine, uses, cycle(engine, speed=speed) if burns else None)
+    found = doubts_of(engine, uses, cycle(engine, speed=speed) if burns else None)
+    return (*found, *mount_doubts(engine)) if "mounts" in uses else found
 
 
 def _spread(count: int, most: int) -> list[int]:

@@ -17,7 +17,7 @@ from crankstar.analysis.document import (
     remarks,
 )
 from crankstar.engine.engine import Engine
-from crankstar.files.tolerances import Tolerance
+from crankstar.files.tolerances import Tolerance, wide
 from crankstar.files.units import text
 from crankstar.language.faults import listed
 from crankstar.language.messages import N_, _, _n
@@ -367,13 +367,15 @@ def agreement(found: Scatter) -> float:
 
 
 def _doubts(found: Scatter) -> list[str]:
+    doubted = wide(found.tolerances.values())
     if not found.assumed:
-        return []
+        return doubted
     return [
+        *doubted,
         _(
             "Assumed: {paths}, as service manuals of car engines allow ({sources}); the references "
             "are in the documents.",
             paths=listed([*found.assumed]),
             sources=", ".join(dict.fromkeys(found.assumed.values())),
-        )
+        ),
     ]

@@ -10,7 +10,7 @@ from typing import Annotated, get_args
 
 from crankstar.analysis.reader import Reader
 from crankstar.engine.engine import Engine
-from crankstar.engine.quantities import LENGTH, SPEED, Quantity
+from crankstar.engine.quantities import LENGTH, SPEED, STIFFNESS, Quantity
 from crankstar.files import units
 from crankstar.language.messages import _
 from crankstar.options import points, readers
@@ -18,7 +18,6 @@ from crankstar.options import values as request
 from crankstar.options.ranges import speeds_of
 from crankstar.options.refusals import refusal, refuse_unused
 
-STIFFNESS = Quantity("stiffness", "200 N/mm")
 WIDEST = 1e4
 """The greatest over the least stiffness: beyond it nothing is gained."""
 LARGEST = 10.0

@@ -11,6 +11,7 @@ from crankstar.analyses.mounts.question import Question
 from crankstar.analyses.mounts.speed_tables import known, of_mounts, speed_tables, without_ratio
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.dynamics.mount_analysis import MountAnalysis
+from crankstar.dynamics.mount_doubts import mount_doubts
 from crankstar.dynamics.mount_modes import Axis
 from crankstar.dynamics.mount_response import MountResponse
 from crankstar.dynamics.mounted_block import SIX
@@ -278,7 +279,7 @@ def _asked(engine: Engine, found: MountAnalysis) -> list[str]:
 
 def _doubts(engine: Engine, found: MountAnalysis) -> list[str]:
     """What is missing, and what is hardly right."""
-    lines = [fault.sentence for fault in body_doubts(engine)]
+    lines = [fault.sentence for fault in (*body_doubts(engine), *mount_doubts(engine))]
     if found.block.has_feet:
         lines.append(
             _(
