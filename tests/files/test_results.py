@@ -152,10 +152,10 @@ def test_its_signature_is_what_may_be_asked() -> None:
         *("off", "weaker", "changes", "estimate"),
     ]
     assert "modes: How many modes" in (crankstar.torsion.__doc__ or "")
+    call: Any = crankstar.torsion
     for wrong in (2.5, True, "many"):
         with pytest.raises(TypeError, match="modes takes a whole number"):
-            crankstar.torsion("cadillac-ld8", modes=wrong)
-    call: Any = crankstar.torsion
+            call("cadillac-ld8", modes=wrong)
     with pytest.raises(TypeError, match="torsion takes engine by position; give the others by"):
         call("cadillac-ld8", "6000 rpm")
     with pytest.raises(ValueError, match=r"^holzer 50: there are 4 modes"):
