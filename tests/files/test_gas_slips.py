@@ -346,6 +346,9 @@ inertia = "0.0002 kg*m^2"
     assert "kg m²" not in run("check", str(tmp_path / "four.toml")).out
 
 
+CASES = Path(__file__).parents[1] / "cases"
+
+
 def test_late_combustion_is_told_with_its_angles() -> None:
     engine = crankstar.load("bmw-m52b28", changes={"gas.combustion_duration": "160 deg"})
     late = next(fault for fault in doubts(engine) if fault.code == "doubt.late")
@@ -373,6 +376,28 @@ def test_a_rod_ratio_that_is_one_to_the_stroke_is_doubted(ratio: float, run: Run
 @pytest.mark.parametrize("name", ["man-s50mc-c", "mwm-6-diesel", "radial-9", "i4"])
 def test_rods_of_crosshead_engines_and_usual_ones_are_not_doubted(name: str) -> None:
     assert "doubt.rod-ratio" not in [fault.code for fault in doubts(crankstar.load(name))]
+
+
+def test_a_doubt_of_a_point_names_the_key_where_it_stands() -> None:
+    """Points have no key friction: it is that of the table which all of them share."""
+    point = {"name": "high", "speed": "3000 rpm", "imep": "0.01 bar"}
+    own = {"ignition": "compression", "friction": "spark-ignition", "compression_ratio": 18}
+    engine = crankstar.load("honda-b18c", changes={"gas": {**own, "point": [point]}})
+    found = {fault.code: fault.path for fault in doubts(engine)}
+    assert found["doubt.ignition"] == ("gas", "friction")
+    assert found["doubt.small-load"] == ("gas", "point", 0, "imep")
+
+
+@pytest.mark.parametrize("key", ["intake_pressure", "exhaust_pressure"])
+def test_pressures_beside_a_trace_are_said_to_be_of_the_file_or_measured(
+    key: str, run: Run
+) -> None:
+    idle = str(CASES / "v6-idle-trace.toml")
+    words = ("torque", idle, "--off", "2")
+    measured = " ".join(run(*words).out.split())
+    assert measured.count("(as measured)") == 2
+    given = " ".join(run(*words, "--set", f"gas.{key}=0.7 bar").out.split())
+    assert given.count("(as measured)") == given.count("0.7 bar (of the file)") == 1
 
 
 CROSSHEAD = """

@@ -178,13 +178,13 @@ def value_doubts(
     ratio, measured = given.get("compression_ratio"), engine.gas is not None and engine.gas.trace
     if ratio is not None and values["ignition"] == "spark" and ratio > GREATEST_SPARK_RATIO:
         bound = {"value": ratio, "bound": GREATEST_SPARK_RATIO}
-        yield Fault((*path, "compression_ratio"), "doubt.spark-ratio", bound)
+        yield Fault(_key(engine, path, "compression_ratio"), "doubt.spark-ratio", bound)
     elif ratio is not None and values["ignition"] == "compression" and ratio < LEAST_DIESEL_RATIO:
         bound = {"value": ratio, "bound": LEAST_DIESEL_RATIO}
-        yield Fault((*path, "compression_ratio"), "doubt.diesel-ratio", bound)
+        yield Fault(_key(engine, path, "compression_ratio"), "doubt.diesel-ratio", bound)
     elif ratio is not None and not RATIOS[0] <= ratio <= RATIOS[1]:
         bounds = {"value": ratio, "least": RATIOS[0], "greatest": RATIOS[1]}
-        yield Fault((*path, "compression_ratio"), "doubt.ratio", bounds)
+        yield Fault(_key(engine, path, "compression_ratio"), "doubt.ratio", bounds)
     kinds: dict[str, Mapping[str, Ignition]] = {"process": {"diesel": "compression"}}
     kinds["friction"] = {"diesel": "compression", "spark-ignition": "spark"}
     for key, fires in kinds.items():
@@ -193,16 +193,16 @@ def value_doubts(
             both = {"value": given[key], "ignition": given["ignition"]}
             if engine.gas is not None and engine.gas.ignition is None:
                 both["process"] = values["process"]
-                yield Fault((*path, key), "doubt.process-ignition", both)
+                yield Fault(_key(engine, path, key), "doubt.process-ignition", both)
                 continue
-            yield Fault((*path, key), "doubt.ignition", both)
+            yield Fault(_key(engine, path, key), "doubt.ignition", both)
     gamma = given.get("gamma")
     if gamma is not None and not GAMMAS[0] <= gamma <= GAMMAS[1]:
-        yield Fault((*path, "gamma"), "doubt.gamma", {"value": gamma})
+        yield Fault(_key(engine, path, "gamma"), "doubt.gamma", {"value": gamma})
     for key in MEAN_PRESSURES:
         load = given.get(key)
         if load is not None and 0 < load < LEAST_LOAD:
-            yield Fault((*path, key), "doubt.small-load", {"value": load})
+            yield Fault(_key(engine, path, key), "doubt.small-load", {"value": load})
     if measured:
         return
     scavenged = values["intake_pressure"] > values["exhaust_pressure"]
@@ -211,7 +211,7 @@ def value_doubts(
             "intake": values["intake_pressure"] / 1e5,
             "exhaust": values["exhaust_pressure"] / 1e5,
         }
-        yield Fault((*path, "intake_pressure"), "doubt.scavenging", pressures)
+        yield Fault(_key(engine, path, "intake_pressure"), "doubt.scavenging", pressures)
     yield from _late(engine, values, path)
 
 
@@ -223,7 +223,16 @@ def _late(engine: Engine, values: Mapping[str, Any], path: Path) -> Iterator[Fau
     opened = pi - timing(engine.valves, cycle=engine.cycle).exhaust_opens
     if end > opened + 1e-9:
         angles = {"end": degrees(end), "opened": degrees(opened)}
-        yield Fault((*path, "combustion_duration"), "doubt.late", angles)
+        yield Fault(_key(engine, path, "combustion_duration"), "doubt.late", angles)
+
+
+def _key(engine: Engine, path: Path, key: str) -> Path:
+    """Where a value of an operating point stands: in it, or in the table that all share."""
+    gas, number = engine.gas, path[2:]
+    if gas is None or not number or not isinstance(number[0], int):
+        return (*path, key)
+    own = getattr(gas.points[number[0]], key, None) is not None
+    return (*path, key) if own or getattr(gas, key, None) is None else ("gas", key)
 
 
 def cycle_doubts(cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:

@@ -348,12 +348,20 @@ def _pressure_lines(engine: Engine, cycle: Cycle) -> list[str]:
     if engine.gas is not None and engine.gas.trace is not None:
         lines.append(_("Pressure as measured."))
         if cycle.values["charges"]:
+            whence = {
+                name: _("of the file")
+                if getattr(engine.gas, f"{name}_pressure")
+                else _("as measured")
+                for name in ("intake", "exhaust")
+            }
             lines.append(
                 _(
-                    "Cylinders that do not burn all compress a charge of {charge} and push it out "
-                    "against {exhaust}, as the measured pressure has them.",
+                    "Without combustion a cylinder compresses a charge of {charge} ({of_charge}) "
+                    "and pushes it out against {exhaust} ({of_exhaust}).",
                     charge=quantity_text(cycle.values["intake_pressure"], "Pa"),
+                    of_charge=whence["intake"],
                     exhaust=quantity_text(cycle.values["exhaust_pressure"], "Pa"),
+                    of_exhaust=whence["exhaust"],
                 )
             )
     else:
