@@ -209,6 +209,17 @@ def test_csv_says_what_to_add(run: Run, tmp_path: Path) -> None:
         ]
 
 
+def test_csv_has_the_influence_coefficients(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "runs.csv").write_text(RUNS, encoding="utf-8")
+    rows = csv_rows(run("correct", "runs.csv", "--csv").out, "influence_coefficients")
+    first = (polar(4.1, 75) - polar(5.2, 40)) / 400e-6
+    assert [(row["bearing"], row["plane"]) for row in rows] == [
+        ("1", "1"), ("1", "2"), ("2", "1"), ("2", "2"),
+    ]  # fmt: skip
+    size, phase = (float(rows[0][name]) for name in ("vibration_per_kg_m", "phase_deg [deg]"))
+    assert polar(size, phase) == pytest.approx(first)
+
+
 def test_influence_coefficients_are_told_as_vectors(run: Run, tmp_path: Path) -> None:
     (tmp_path / "runs.csv").write_text(RUNS, encoding="utf-8")
     said = run("correct", "runs.csv").out

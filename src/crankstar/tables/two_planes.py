@@ -147,12 +147,12 @@ def _measured(unbalance: Complex, at: Sequence[float]) -> Table:
 
 
 def _influence(influence: Complex) -> Table:
-    """How far 1 kg m in a plane moves each bearing; machines have it in `facts`."""
+    """How far 1 kg m in a plane moves each bearing; JSON has the matrix in `facts` too."""
     columns = (
-        Column(_("at bearing"), label=True),
-        Column(_("plane")),
-        Column(_("vibration per kg m"), digits=4),
-        Column(_("phase"), "deg", digits=4),
+        Column(_("at bearing"), key="bearing", label=True),
+        Column(_("plane"), key="plane"),
+        Column(_("vibration per kg m"), key="vibration_per_kg_m", digits=4),
+        Column(_("phase"), "deg", key="phase_deg", digits=4),
     )
     rows = tuple(
         (bearing, plane, *_vector(complex(each)))
@@ -163,7 +163,7 @@ def _influence(influence: Complex) -> Table:
         "What an unbalance in a plane adds to the vibration of a bearing, in the unit of the list; "
         "the phase is counted from the direction of the unbalance."
     )
-    return Table(_("Influence coefficients"), columns, rows, (said,))
+    return Table(_("Influence coefficients"), columns, rows, (said,), key="influence_coefficients")
 
 
 def _planes(found: Corrections) -> Table:
