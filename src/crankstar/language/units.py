@@ -120,7 +120,8 @@ def in_degrees(unit: str) -> bool:
     >>> in_degrees("deg."), in_degrees("rad"), in_degrees("")
     (True, False, False)
     """
-    return ANGLES.get(unit.lower().rstrip("."), unit) in ("deg", "degree", "degrees")
+    plain = unit.lower().rstrip(".")
+    return ANGLES.get(plain, plain) in ("deg", "degree", "degrees", "°")
 
 
 def as_weight(unit: str) -> str:
