@@ -161,8 +161,9 @@ def _peak_table(sweep: Sweep) -> Table:
         Column("peak", ROW_UNIT, key="peak"),
         Column("unit", kind="unit", key="unit"),
     )
+    units = {each.key: watched(sweep, each.what).unit for each in COMPONENTS}
     rows: list[tuple[Value, ...]] = [
-        (speed, each.key, peak, watched(sweep, each.what).unit)
+        (speed, each.key, peak, units[each.key])
         for each in COMPONENTS
         for speed, peak in zip(rpm(sweep).tolist(), _peaks(sweep, each), strict=True)
     ]
