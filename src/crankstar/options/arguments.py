@@ -265,7 +265,9 @@ def _check_cycle(function: str, given: Mapping[str, Any]) -> None:
 def _changes(given: Any) -> Mapping[str, Any]:
     """Values of an engine file by key path. Raises TypeError."""
     if isinstance(given, Mapping) and all(isinstance(key, str) for key in given):
-        return given
+        from crankstar.files.changes import with_traces  # no file is read without changes
+
+        return with_traces(given, "changes")
     raise TypeError(
         _(
             "changes takes a dict of values by key path, such as {example}, not {given}",

@@ -7,16 +7,14 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from math import degrees as rad2deg
-from pathlib import Path
 from typing import Any, Literal, cast, get_args
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import ANGLE, SPEED, Quantity
 from crankstar.files import changed, keys_of, units
 from crankstar.files.catalog import tree_of
-from crankstar.files.changes import path_and_value
+from crankstar.files.changes import path_and_value, with_traces
 from crankstar.files.read_files import STANDARD_INPUT
-from crankstar.files.traces import TRACE, read_trace
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.numbers import number as number_text
@@ -76,9 +74,7 @@ def settings(texts: Sequence[str] | None) -> dict[str, Any]:
         if keys_of(path) in map(keys_of, found):
             raise refusal("--set", text, "{path} is set before; give it once", path=seen(path))
         found[path] = value
-        if tuple(keys_of(path)) == TRACE and isinstance(value, str):
-            found[path] = read_trace(value, Path(), "--set gas.trace")
-    return found
+    return with_traces(found, "--set")
 
 
 def settings_of_each(texts: Sequence[str] | None, count: int) -> list[list[str]]:
