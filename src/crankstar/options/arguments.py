@@ -22,14 +22,20 @@ from crankstar.language.quoting import given as quoted
 from crankstar.language.quoting import seen
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
+from crankstar.options.cycles import check_cycle
 from crankstar.options.numbers import (
+    check_highest,
     check_number,
     check_place,
+    check_samples,
+    cylinders,
     inertia,
     is_number,
+    lacking,
     orders,
     point,
     pressure,
+    share_of,
     speed,
     speeds,
 )
@@ -66,7 +72,7 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
             _check_balance(name, given["result"])
         _check_sweep(name, given)
         if "Cycle" in str(getattr(asked.parameters.get("cycle"), "annotation", "")):
-            _check_cycle(name, given)
+            check_cycle(name, given)
         for argument, value in given.items():
             if argument in READERS and value is not None:
                 given[argument] = READERS[argument](value)
@@ -246,22 +252,6 @@ def _check_watch(watch: Any) -> None:
         )
 
 
-def _check_cycle(function: str, given: Mapping[str, Any]) -> None:
-    """Raises TypeError for a cycle that is none."""
-    if "cycle" not in given:
-        return
-    from crankstar.mechanics.gas import Cycle
-
-    if not isinstance(given["cycle"], Cycle):
-        raise TypeError(
-            _(
-                "{function} takes a Cycle, as crankstar.cycle gives it, not {given}",
-                function=function,
-                given=_named(given["cycle"]),
-            )
-        )
-
-
 def _changes(given: Any) -> Mapping[str, Any]:
     """Values of an engine file by key path. Raises TypeError."""
     if isinstance(given, Mapping) and all(isinstance(key, str) for key in given):
@@ -382,6 +372,9 @@ def _check_flag(argument: str, given: Any) -> None:
 MEASURED: Mapping[str, Callable[[str, Any], Any]] = {
     **dict.fromkeys(("imep", "bmep", "peak_pressure"), pressure),
     "flywheel": inertia,
+    "irregularity": share_of,
+    "off": cylinders,
+    "weaker": lacking,
 }
 """The arguments that are quantities, by name: their readers."""
 READERS: Mapping[str, Callable[[Any], Any]] = {
@@ -396,6 +389,8 @@ READERS: Mapping[str, Callable[[Any], Any]] = {
 CHECKS: Mapping[str, Callable[[str, Any], None]] = {
     **dict.fromkeys(("factor", "share"), check_number),
     **dict.fromkeys(("up", "right"), check_place),
-    **dict.fromkeys(("bare", "estimate", "relatives"), _check_flag),
+    **dict.fromkeys(("bare", "estimate", "motored", "relatives"), _check_flag),
+    "highest": check_highest,
+    "samples": check_samples,
 }
 """What refuses a wrong argument of this name."""
