@@ -7,7 +7,7 @@ something else is refused with a sentence that says what to give.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from numbers import Real
@@ -180,13 +180,16 @@ def _check_balance(function: str, given: Any) -> None:
     )
 
 
-def _check_sweep(function: str, given: Mapping[str, Any]) -> None:
-    """Raises TypeError for what is varied or watched and cannot be."""
+def _check_sweep(function: str, given: dict[str, Any]) -> None:
+    """Raises TypeError for what is varied or watched and cannot be; lists values that are made."""
     if "over" in given:
         over = given["over"]
         if isinstance(over, Mapping):
-            _check_values(over)
-            over = [*over]
+            made = {
+                path: [*each] if isinstance(each, Iterator) else each for path, each in over.items()
+            }
+            _check_values(made)
+            given["over"], over = made, [*made]
         texts = over if isinstance(over, list | tuple) else [over]
         odd = [text for text in texts if not isinstance(text, str)]
         if odd:
