@@ -25,6 +25,8 @@ from crankstar.options.refusals import refuse_unused as refuse_unused  # with th
 
 Derived = Literal["force", "couple", "torque"]
 Derivable = Literal["motion", "force", "couple", "torque", "gas", "twist"]
+MOST_SPEEDS = 2000
+"""Of all analyses, whose tables have a row for each."""
 ALONE = ("motion", "gas", "twist")
 """What is not derived order by order."""
 
@@ -143,7 +145,7 @@ def speed(text: str | None) -> float | None:
 
 
 def speeds(text: str) -> list[float]:
-    """Crank speeds in rad/s. Raises SweepError.
+    """Crank speeds in rad/s, of --speeds. Raises SweepError, RequestError for too many.
 
     >>> [round(speed) for speed in speeds("600..1200 rpm by 300")]
     [63, 94, 126]
@@ -155,6 +157,8 @@ def speeds(text: str) -> list[float]:
     from crankstar.studies.variants import SweepError
 
     asked = speeds_request(text)
+    if len(asked.values) > MOST_SPEEDS:
+        raise refusal("--speeds", text, "give up to {most} speeds", most=MOST_SPEEDS)
     try:
         return rad_per_s(np.array(asked.values), asked.unit).tolist()
     except SweepError as error:
