@@ -8,6 +8,7 @@ import json
 import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -23,6 +24,7 @@ from tests.methods.test_diagnosis import (
     without_weight,
 )
 
+import crankstar
 from crankstar.analyses.diagnose.diagnosis import expected
 from crankstar.analyses.diagnose.readings import AXES
 from crankstar.files import engine_of, tree_text
@@ -368,3 +370,51 @@ def test_both_pistons_of_a_chamber_lose_its_combustion_once(refused: Refused, ru
     own, whole = (json.loads(run(*line, *each, "--json").out) for each in (halves, ("--cut", "1")))
     rolls = [[row["now"]["roll"] for row in each["orders"]] for each in (own, whole)]
     assert rolls[0] == pytest.approx(rolls[1])
+
+
+def test_a_reading_that_stands_twice_is_one(run: Run, refused: Refused, tmp_path: Path) -> None:
+    """Two measurements differ: their mean is better known, by the root of two; a copy is none."""
+    noisy(tmp_path, share=0.01)
+    text = (tmp_path / "noisy.csv").read_text(encoding="utf-8")
+    count = len(text.splitlines())
+    (tmp_path / "twice.csv").write_text(text + text.removeprefix(HEAD), encoding="utf-8")
+    told = " ".join(refused("diagnose", "four.toml", "twice.csv").split())
+    assert f'line {count + 1}, column "order": this reading stands twice' in told
+    assert "first in line 2; leave it out" in told
+    last = text.splitlines()[-1].rpartition(",")
+    again = f"{text}{last[0]},{float(last[2]) + 0.5}\n"
+    (tmp_path / "again.csv").write_text(again, encoding="utf-8")
+    assert run("diagnose", "four.toml", "again.csv").code == 0
+
+
+def test_python_takes_a_frame_and_rows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The weight that is missing in the engine that was measured is found, whatever holds it."""
+    pandas = pytest.importorskip("pandas")
+    monkeypatch.chdir(tmp_path)
+    frame = pandas.read_csv("lost.csv", skipinitialspace=True)
+    lists: list[Any] = ["lost.csv", Path("lost.csv"), frame, frame.to_dict("records")]
+    found = [crankstar.diagnose("four.toml", each).to_dict() for each in lists]
+    assert [each["suspects"][0] for each in found] == [found[0]["suspects"][0]] * len(lists)
+    assert [found[0]["suspects"][0][key] for key in ("kind", "number")] == ["weight", 2]
+    wrong: Any
+    for wrong in (5, [1, 2], {"order": 1}):
+        with pytest.raises(TypeError, match=r"measured takes the name of a CSV file or .*, not "):
+            crankstar.diagnose("four.toml", wrong)
+
+
+def test_values_of_python_may_be_made_one_by_one_or_by_numpy(tmp_path: Path) -> None:
+    """The force of order 2 is m r w^2 sum A_2, and A_2 follows the ratio of the rods."""
+    ratios = [3.0, 4.0]
+    made = crankstar.sweep("single", {"cylinder.rod_ratio": (each for each in ratios)})
+    found = crankstar.watched(made, "force", order=2).values
+    theta = np.arange(720) * np.pi / 360
+
+    def second(ratio: float) -> float:
+        lift = np.cos(theta) + np.sqrt(ratio**2 - np.sin(theta) ** 2)
+        return 4 * abs(2 * np.fft.rfft(lift)[2] / theta.size)
+
+    assert found == pytest.approx([second(each) for each in ratios], rel=1e-9)
+    changes = {"firing_order": np.array([1, 2, 4, 3]), "speed": np.array("100 rad/s")}
+    engine = crankstar.load(str(tmp_path / "four.toml"), changes=changes)
+    assert engine.firing_order == (1, 2, 4, 3)
+    assert engine.speed == 100

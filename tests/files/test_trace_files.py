@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import json
 import os
+import tomllib
 from collections.abc import Callable
 from math import cos, pi
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+
+import crankstar
+from crankstar.files import engine_of
 
 Run = Callable[..., Any]
 ENGINE = """name = "four"
@@ -123,3 +128,50 @@ def test_a_load_that_is_set_and_does_not_count_is_told(run: Run) -> None:
     assert "--set gas.bmep changes nothing here" in changed.err
     assert "operating point idle" in changed.err
     assert "changes nothing" not in run(*words[:3], "--set", "gas.bmep=5 bar").err
+
+
+def work_of_the_formula() -> float:
+    """The mean torque of four cylinders, their work p dV over 4 pi, N m: by their own geometry."""
+    theta = np.linspace(-2 * np.pi, 2 * np.pi, 28801)
+    bar = 1 + 59 * ((1 + np.cos(theta / 2)) / 2) ** 8
+    radius, rod = 0.045, 0.145
+    lift = radius * np.cos(theta) + np.sqrt(rod**2 - (radius * np.sin(theta)) ** 2)
+    return float(np.trapezoid(bar * 1e5, -np.pi / 4 * 0.082**2 * lift)) * 4 / (4 * np.pi)
+
+
+FOUR = tomllib.loads(ENGINE.replace("TRACE", "").replace("compression_ratio = 10.8", ""))
+GAS = {"trace": "t.csv"}
+CHANGES: list[Any] = [
+    {"gas.trace": "t.csv"},
+    {"gas": {"trace": "t.csv"}},
+    {"gas.trace": Path("t.csv")},
+]
+
+
+@pytest.mark.parametrize("changes", CHANGES)
+def test_python_reads_a_trace_where_it_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, changes: Any
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "t.csv").write_text(CSV, encoding="utf-8")
+    expected = pytest.approx(work_of_the_formula(), rel=1e-3)
+    asked = [crankstar.torque(FOUR, changes=changes), crankstar.torque(FOUR | {"gas": GAS})]
+    assert [each.to_dict()["mean_torque"] for each in asked] == [expected, expected]
+    swept = crankstar.sweep(FOUR, "speed=1000..2000 rpm/2", watch="mean_torque", changes=changes)
+    assert swept.curves[0].values.tolist() == [expected, expected]
+
+
+def test_a_trace_within_a_table_is_read_on_the_command_line(run: Run, files: Path) -> None:
+    plain = str(files / "plain.toml")
+    Path("t.csv").write_text(CSV, encoding="utf-8")
+    out = json.loads(run("torque", plain, "--set", 'gas={trace="t.csv"}', "--json").out)
+    assert out["mean_torque"] == pytest.approx(work_of_the_formula(), rel=1e-3)
+
+
+def test_where_no_file_may_be_read_the_table_is_asked_for() -> None:
+    """As the server has it: an engine whose text comes from elsewhere."""
+    with pytest.raises(crankstar.EngineFileError) as caught:
+        engine_of(FOUR | {"gas": GAS})
+    [fault] = caught.value.faults
+    assert fault.code == "trace.not-read"
+    assert "give what it holds as a table, such as { angle = " in fault.sentence

@@ -34,6 +34,7 @@ from crankstar.derive.resultant import resultant
 from crankstar.derive.task import Task, arm_of, sides
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
+from crankstar.language.quoting import given as quoted
 from crankstar.language.quoting import one_line
 from crankstar.mechanics.excitation import Reference
 
@@ -236,7 +237,7 @@ def _order(order: float | Fraction) -> Fraction:
         _(
             "The order is {order}; give a crank order above 0 and up to {greatest}, such as 2 or "
             "29/31.",
-            order=one_line(str(order), longest=40),
+            order=one_line(str(order), longest=40) if isinstance(order, Real) else quoted(order),
             greatest=GREATEST_ORDER,
         )
     )

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from crankstar.engine.copies import throws_of_weights, with_values, wrapped
@@ -18,6 +19,7 @@ from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.mistakes import SpreadsheetTree, Tree, copied
 from crankstar.files.references import with_references
 from crankstar.files.source import GREATEST_DEPTH
+from crankstar.files.traces import with_trace
 from crankstar.language.faults import Fault, where
 from crankstar.language.quoting import one_line, seen
 
@@ -79,6 +81,25 @@ def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine")
         with_references(tree, out, [tuple(keys_of(path)) for path in changes])
     out = bounded(_without_estimates(out, changes), name)
     return tree.without(map(keys_of, changes), out) if isinstance(tree, SpreadsheetTree) else out
+
+
+def with_traces(changes: Mapping[str, Any], name: str) -> dict[str, Any]:
+    """The changes with the trace that they name read from the current folder.
+
+    For who may read files. `name` is how messages call what gives the changes. Raises
+    EngineFileError.
+
+    >>> with_traces({"gas": {"trace": {"angle": ["0 deg"]}}}, "--set")  # no file is named
+    {'gas': {'trace': {'angle': ['0 deg']}}}
+    """
+    out = dict(changes)
+    for path, value in changes.items():
+        match keys_of(path):
+            case ["gas"]:
+                out[path] = with_trace({"gas": value}, Path(), name)["gas"]
+            case ["gas", "trace"]:
+                out[path] = with_trace({"gas": {"trace": value}}, Path(), name)["gas"]["trace"]
+    return out
 
 
 def overruling(tree: Tree, keys: Sequence[str | int]) -> list[str]:

@@ -13,7 +13,7 @@ import csv
 import io
 import re
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from operator import attrgetter
 from pathlib import Path
@@ -26,6 +26,7 @@ from crankstar.files.workbook import GREATEST_UNPACKED, PROTECTED, UNREADABLE, Z
 from crankstar.language.faults import sentence
 from crankstar.language.file_faults import KINDS
 from crankstar.language.messages import MessageError, _
+from crankstar.language.quoting import given as quoted
 from crankstar.language.quoting import one_line, seen
 
 GREATEST_LIST = 5_000_000
@@ -155,6 +156,37 @@ def list_of(text: str, *, name: str) -> Listed:
             "{file}, line {line}: it is no line of a CSV file", file=name, line=reader.line_num
         ) from None
     return _listed(rows, name)
+
+
+def list_given(given: Any, *, name: str) -> Listed:
+    """A list as Python has it: a file, a data frame, or rows as dicts by heading.
+
+    Raises ListError, and TypeError for what is none.
+
+    >>> list_given([{"run": "initial", "gain [g]": 2.5}, {"run": "check"}], name="runs").rows
+    (Row(line=2, cells=('initial', '2.5')), Row(line=3, cells=('check', '')))
+    """
+    if isinstance(given, Path):
+        return read_list(str(given))
+    rows = given.to_dict("records") if hasattr(given, "to_dict") else given
+    listed = isinstance(rows, Iterable) and not isinstance(rows, bytes | Mapping)
+    lines: list[Any] = [*rows] if listed else [None]
+    if not all(isinstance(line, Mapping) for line in lines):
+        raise TypeError(
+            _(
+                "{argument} takes the name of a CSV file or spreadsheet, a data frame, or a list "
+                "of dicts by heading, not {given}",
+                argument=name,
+                given=quoted(given),
+            )
+        )
+    heads = [*dict.fromkeys(head for line in lines for head in line)]
+    table = [heads, *([line.get(head) for head in heads] for line in lines)]
+    return _listed(
+        [Row(n, tuple(_text(None if cell != cell else cell) for cell in cells))  # nan
+         for n, cells in enumerate(table, 1)],
+        name,
+    )  # fmt: skip
 
 
 def _of_spreadsheet(raw: bytes, name: str) -> tuple[str, list[Row]]:

@@ -127,6 +127,8 @@ def _fault(mistake: Any, path: Path, model: type[Record], tree: Tree) -> Fault:
     info = field_at(model, path)
     depth = sum(1 for _ in takewhile(lambda key: isinstance(key, int), reversed(path)))
     sample = example(info, depth=depth) if info else ""
+    if path == _LONG[0] and isinstance(mistake["input"], str):
+        return Fault(path, "trace.not-read", values | {"example": sample})
     if kind == "missing":
         values = {"key": str(path[-1])}
         return _with_example(Fault(path, "missing", values), sample)
@@ -348,7 +350,12 @@ def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: i
 
 
 def copied(value: Any) -> Any:
-    """A copy of a tree, tables and lists and all in them; a key whose value is null is left out."""
+    """A copy of a tree, tables and lists and all in them; a key whose value is null is left out.
+
+    Numbers of numpy, alone or in arrays, become those of Python.
+    """
     if isinstance(value, dict):
         return {key: copied(item) for key, item in value.items() if item is not None}
+    if hasattr(value, "tolist"):
+        value = value.tolist()
     return [copied(item) for item in value] if isinstance(value, list | tuple) else value

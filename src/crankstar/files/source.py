@@ -8,6 +8,7 @@ import stat
 import sys
 import tomllib
 from collections import Counter
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from crankstar.files.mistakes import Tree
 from crankstar.files.read_files import STANDARD_INPUT, note
 from crankstar.files.traces import with_trace
 from crankstar.files.workbook import PROTECTED, ZIP, workbook_tree
+from crankstar.language.messages import _
 from crankstar.language.quoting import one_line, seen
 
 GREATEST_FILE = 1_000_000
@@ -39,6 +41,18 @@ def read_tree(path: str | Path, *, name: str | None = None) -> tuple[str, Tree]:
     tree = tree_of(_text(raw, name), name=name)
     folder = Path() if str(path) in _STANDARD_INPUTS else Path(path).parent
     return name, with_trace(tree, folder, name)
+
+
+def tree_of_keys(keys: Mapping[str, Any]) -> tuple[str, Tree]:
+    """The name of an engine given as keys in Python, and its tree, with the trace that it names.
+
+    That is read from the current folder. Raises EngineFileError.
+
+    >>> tree_of_keys({"name": "twin"})
+    ('twin', {'name': 'twin'})
+    """
+    name = str(keys.get("name", _("the engine")))
+    return name, with_trace(dict(keys), Path(), name)
 
 
 def _shown_name(path: str | Path) -> str:

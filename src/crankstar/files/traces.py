@@ -10,6 +10,7 @@ decimal sign.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -42,9 +43,9 @@ Tree = dict[str, Any]
 def with_trace(tree: Tree, folder: Path, name: str) -> Tree:
     """The tree of an engine file with the trace that it names read in. Raises EngineFileError."""
     gas = tree.get("gas")
-    if not isinstance(gas, dict) or not isinstance(gas.get("trace"), str):
+    if not isinstance(gas, Mapping) or not isinstance(gas.get("trace"), str | Path):
         return tree
-    return {**tree, "gas": {**gas, "trace": read_trace(gas["trace"], folder, name)}}
+    return {**tree, "gas": {**gas, "trace": read_trace(str(gas["trace"]), folder, name)}}
 
 
 def read_trace(file: str, folder: Path, name: str) -> Tree:

@@ -245,6 +245,10 @@ SENTENCES: dict[str, str | Plural] = {
         "fires, and the peak is within 90 deg of it: add {shift} deg to the angles, or is it the "
         "trace of another cycle?"
     ),
+    "trace.not-read": N_(
+        "{where} is {value}; no file of this name is read here: give what it holds as a table, "
+        "such as {example}"
+    ),
     "trace.unnamed": N_("{where} is an empty name; give that of a CSV file"),
     "trace.missing": N_("{where} names {file}, but there is no file {place}"),
     "trace.folder": N_("{where} names {file}, which is a folder"),

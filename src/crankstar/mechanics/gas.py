@@ -18,7 +18,7 @@ import numpy as np
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS
 from crankstar.engine.volumes import Volumes
-from crankstar.language.messages import _
+from crankstar.language.messages import _, _n
 from crankstar.mechanics.charge_air import GREATEST_STEPS, SETTLED, air_fuel_ratio
 from crankstar.mechanics.friction import friction_of
 from crankstar.mechanics.gas_traces import charges_of_trace
@@ -105,10 +105,11 @@ def cycle(
     >>> round(found.imep / 1e5, 9), len(found.pressure)
     (12.0, 5)
     """
-    check_gas(engine)
-    lost = lost_shares(engine, off, weaker or {}, motored=motored)
     given = {"imep": imep, "bmep": bmep, "peak_pressure": peak_pressure}
     load = {name: value for name, value in given.items() if value is not None}
+    check_together(load, motored=motored, off=off, weaker=weaker or ())
+    check_gas(engine)
+    lost = lost_shares(engine, off, weaker or {}, motored=motored)
     state = operating_state(engine, point=point, speed=speed)
     silent = chambers_of(engine, off)
     if not motored:  # weak pistons of one chamber may together leave it nothing to burn
@@ -280,6 +281,49 @@ def cycle_or_reason(
         if asked:
             raise
         return None, str(error)
+
+
+def check_together(
+    load: Collection[str] = (),
+    *,
+    motored: bool = False,
+    off: Collection[int] = (),
+    weaker: Collection[int] = (),
+    named: Callable[[str], str] = str,
+) -> None:
+    """Refuse loads (their names) and cylinders that say contrary things. Raises GasError.
+
+    A cycle has one load; a motored engine burns nothing, so that it has neither that nor cylinders
+    that burn less; what is off is not weaker. `named` is what messages call an argument.
+
+    >>> check_together(["imep"], off=[1, 2], weaker=[3])
+    """
+    loads = [named(name) for name in load]
+    if motored:
+        others = {"off": off, "weaker": weaker}
+        if unused := [*loads, *(named(name) for name, own in others.items() if len(own))]:
+            raise GasError(
+                _n(
+                    "{options} has no effect {when}; leave it out",
+                    "{options} have no effect {when}; leave them out",
+                    len(unused),
+                    options=", ".join(unused),
+                    when=_("with {option}", option=named("motored")),
+                )
+            )
+    if len(loads) > 1:
+        raise GasError(
+            "{one} and {other} both say how much a cycle does; give one",
+            one=loads[0],
+            other=loads[1],
+        )
+    if both := sorted({*off} & {*weaker}):
+        raise GasError(
+            "cylinder {number} is {off} and cannot be {weaker} besides; leave one out",
+            number=both[0],
+            off=named("off"),
+            weaker=named("weaker"),
+        )
 
 
 def check_gas(engine: Engine) -> None:

@@ -20,6 +20,7 @@
 | `trial_runs` | runs with trial weights, from a list |
 | `coefficients` | influence coefficients of a machine, to a list and back |
 | `numbers` | numbers of the public functions as people give them: speeds, orders, places |
+| `cycles` | whether a cycle is one, of the engine beside it |
 | `arguments` | the arguments of the public functions as people give them |
 | `forms` | the form in which a result is written |
 | `words` | the options of a search as typed |

@@ -7,7 +7,7 @@ something else is refused with a sentence that says what to give.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from numbers import Real
@@ -22,14 +22,20 @@ from crankstar.language.quoting import given as quoted
 from crankstar.language.quoting import seen
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
+from crankstar.options.cycles import check_cycle
 from crankstar.options.numbers import (
+    check_highest,
     check_number,
     check_place,
+    check_samples,
+    cylinders,
     inertia,
     is_number,
+    lacking,
     orders,
     point,
     pressure,
+    share_of,
     speed,
     speeds,
 )
@@ -66,7 +72,7 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
             _check_balance(name, given["result"])
         _check_sweep(name, given)
         if "Cycle" in str(getattr(asked.parameters.get("cycle"), "annotation", "")):
-            _check_cycle(name, given)
+            check_cycle(name, given)
         for argument, value in given.items():
             if argument in READERS and value is not None:
                 given[argument] = READERS[argument](value)
@@ -174,13 +180,16 @@ def _check_balance(function: str, given: Any) -> None:
     )
 
 
-def _check_sweep(function: str, given: Mapping[str, Any]) -> None:
-    """Raises TypeError for what is varied or watched and cannot be."""
+def _check_sweep(function: str, given: dict[str, Any]) -> None:
+    """Raises TypeError for what is varied or watched and cannot be; lists values that are made."""
     if "over" in given:
         over = given["over"]
         if isinstance(over, Mapping):
-            _check_values(over)
-            over = [*over]
+            made = {
+                path: [*each] if isinstance(each, Iterator) else each for path, each in over.items()
+            }
+            _check_values(made)
+            given["over"], over = made, [*made]
         texts = over if isinstance(over, list | tuple) else [over]
         odd = [text for text in texts if not isinstance(text, str)]
         if odd:
@@ -246,26 +255,12 @@ def _check_watch(watch: Any) -> None:
         )
 
 
-def _check_cycle(function: str, given: Mapping[str, Any]) -> None:
-    """Raises TypeError for a cycle that is none."""
-    if "cycle" not in given:
-        return
-    from crankstar.mechanics.gas import Cycle
-
-    if not isinstance(given["cycle"], Cycle):
-        raise TypeError(
-            _(
-                "{function} takes a Cycle, as crankstar.cycle gives it, not {given}",
-                function=function,
-                given=_named(given["cycle"]),
-            )
-        )
-
-
 def _changes(given: Any) -> Mapping[str, Any]:
     """Values of an engine file by key path. Raises TypeError."""
     if isinstance(given, Mapping) and all(isinstance(key, str) for key in given):
-        return given
+        from crankstar.files.changes import with_traces  # no file is read without changes
+
+        return with_traces(given, "changes")
     raise TypeError(
         _(
             "changes takes a dict of values by key path, such as {example}, not {given}",
@@ -380,6 +375,9 @@ def _check_flag(argument: str, given: Any) -> None:
 MEASURED: Mapping[str, Callable[[str, Any], Any]] = {
     **dict.fromkeys(("imep", "bmep", "peak_pressure"), pressure),
     "flywheel": inertia,
+    "irregularity": share_of,
+    "off": cylinders,
+    "weaker": lacking,
 }
 """The arguments that are quantities, by name: their readers."""
 READERS: Mapping[str, Callable[[Any], Any]] = {
@@ -394,6 +392,8 @@ READERS: Mapping[str, Callable[[Any], Any]] = {
 CHECKS: Mapping[str, Callable[[str, Any], None]] = {
     **dict.fromkeys(("factor", "share"), check_number),
     **dict.fromkeys(("up", "right"), check_place),
-    **dict.fromkeys(("bare", "estimate", "relatives"), _check_flag),
+    **dict.fromkeys(("bare", "estimate", "motored", "relatives"), _check_flag),
+    "highest": check_highest,
+    "samples": check_samples,
 }
 """What refuses a wrong argument of this name."""

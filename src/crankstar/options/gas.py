@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 
 from crankstar.engine.quantities import INERTIA, PRESSURE
@@ -101,19 +101,31 @@ def weaker_cylinders(texts: Sequence[str] | None) -> list[tuple[int, float]]:
     return found
 
 
-def refuse_weak_beside_off(weak: Sequence[tuple[int, float]], off: Sequence[int]) -> None:
-    """Refuse cylinders that are weaker twice, or burn nothing at all. Raises RequestError.
+def refuse_together(
+    load: Collection[str] = (),
+    *,
+    motored: bool = False,
+    off: Collection[int] = (),
+    weaker: Sequence[tuple[int, float]] = (),
+) -> None:
+    """Refuse what `mechanics.gas.check_together` does, and a cylinder weaker twice.
 
-    >>> refuse_weak_beside_off([(3, 0.1)], [1, 2])
+    Raises RequestError.
+
+    >>> refuse_together(off=[1, 2], weaker=[(3, 0.1)])
     """
-    numbers = [number for number, _lost in weak]
-    for number in numbers:
-        if number in off:
-            raise RequestError(
-                "cylinder {number} is --off and cannot be --weaker besides; leave one out",
-                number=number,
-            )
-        if numbers.count(number) > 1:
-            raise RequestError(
-                "--weaker: cylinder {number} stands twice; give once what it lacks", number=number
-            )
+    from crankstar.mechanics.gas import check_together
+    from crankstar.mechanics.operating_points import GasError
+
+    numbers = [number for number, _lost in weaker]
+    try:
+        check_together(
+            load, motored=motored, off=off, weaker=numbers,
+            named=lambda name: f"--{name.replace('_', '-')}",
+        )  # fmt: skip
+    except GasError as error:
+        raise RequestError(str(error)) from None
+    if twice := [number for number in numbers if numbers.count(number) > 1]:
+        raise RequestError(
+            "--weaker: cylinder {number} stands twice; give once what it lacks", number=twice[0]
+        )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from math import inf
+from numbers import Integral
 from typing import Any
 
 from crankstar.engine.arguments import check_number as check_number  # with the other numbers
@@ -19,6 +20,8 @@ GREATEST_BARE_SPEED = 2500.0
 BEYOND_ENGINES = 1e6
 """No engine turns so fast, in rad/s or rpm."""
 GREATEST_ORDER = 1000
+GREATEST_SAMPLES = 100_000
+"""Crank angles of a cycle: a hundred times as many as any curve needs."""
 DIMENSIONS = 3
 GREATEST_PLACE = 1000.0
 """Metres, as far as lengths along a crankshaft go."""
@@ -129,6 +132,118 @@ def _positive(argument: str, given: Any, quantity: Quantity, example: str) -> fl
             )
         )
     return number
+
+
+def share_of(argument: str, given: Any) -> float:
+    """A degree of irregularity: a number, or text such as "1/50". Raises ValueError, TypeError."""
+    from crankstar.options.gas import degree_of_irregularity
+    from crankstar.options.refusals import RequestError
+
+    if not isinstance(given, str):
+        check_number(argument, given)
+    try:
+        return degree_of_irregularity(str(given)) or 0.0
+    except RequestError as error:
+        raise ValueError(str(error).replace(f"--{argument}", argument)) from None
+
+
+def cylinders(argument: str, given: Any) -> tuple[int, ...]:
+    """Numbers of cylinders: one, several, or text such as "2,3". Raises TypeError.
+
+    >>> cylinders("off", 1), cylinders("off", "2,3")
+    ((1,), (2, 3))
+    """
+    parts = given.split(",") if isinstance(given, str) else given
+    if not isinstance(parts, Iterable) or isinstance(parts, bytes | Mapping):
+        parts = [parts]
+    numbers = [_cylinder(each) for each in parts]
+    if None in numbers:
+        raise TypeError(
+            _(
+                "{argument} takes numbers of cylinders such as {example}, not {given}",
+                argument=argument,
+                example="[2, 3]",
+                given=quoted(given),
+            )
+        )
+    return tuple(number for number in numbers if number is not None)
+
+
+def _cylinder(given: Any) -> int | None:
+    """The number that one is, None for what is none."""
+    if isinstance(given, str) and given.strip().isdecimal():
+        return int(given)
+    return int(given) if isinstance(given, Integral) and not isinstance(given, bool) else None
+
+
+def lacking(argument: str, given: Any) -> dict[int, float]:
+    """The share that each of some cylinders lacks, by its number. Raises ValueError, TypeError.
+
+    >>> lacking("weaker", {3: 0.2, "4": "30%"})
+    {3: 0.2, 4: 0.3}
+    """
+    from crankstar.options.gas import share
+    from crankstar.options.refusals import RequestError
+
+    shares = given.items() if isinstance(given, Mapping) else ()
+    numbers = {_cylinder(key): value for key, value in shares}
+    if not isinstance(given, Mapping) or None in numbers:
+        raise TypeError(
+            _(
+                "{argument} takes a dict of the share that a cylinder lacks by its number, such as "
+                "{example}, not {given}",
+                argument=argument,
+                example="{3: 0.2}",
+                given=quoted(given),
+            )
+        )
+    out: dict[int, float] = {}
+    for key, value in numbers.items():
+        try:
+            lost = share(argument, value, value.strip()) if isinstance(value, str) else value
+        except RequestError as error:
+            raise ValueError(str(error)) from None
+        check_number(argument, lost)
+        out[key or 0] = float(lost)
+    return out
+
+
+def check_samples(argument: str, given: Any) -> None:
+    """Raises TypeError for what is no whole number, ValueError for one below 1 or too large."""
+    if not isinstance(given, Integral) or isinstance(given, bool):
+        raise TypeError(
+            _(
+                "{argument} takes a whole number, not {given}",
+                argument=argument,
+                given=quoted(given),
+            )
+        )
+    if not 1 <= int(given) <= GREATEST_SAMPLES:
+        raise ValueError(
+            _(
+                "{argument} is {given}; it must be from 1 to {greatest}",
+                argument=argument,
+                given=quoted(given),
+                greatest=GREATEST_SAMPLES,
+            )
+        )
+
+
+def check_highest(argument: str, given: Any) -> None:
+    """Raises TypeError for what is no number, ValueError for no order of a cycle."""
+    from crankstar.mechanics.gas_torque import ALL
+
+    if not is_number(given):
+        check_number(argument, given)
+    if not 0 < given <= ALL:
+        raise ValueError(
+            _(
+                "{argument} is {given}; it must be greater than 0 and at most {greatest}",
+                argument=argument,
+                given=quoted(given),
+                greatest=f"{ALL:g}",
+            )
+        )
 
 
 def orders(given: Any) -> tuple[float, ...]:

@@ -6,9 +6,6 @@ from crankstar.options.refusals import RequestError, refusal
 from crankstar.options.values import speed as read_speed
 from crankstar.options.values import speeds as read_speeds
 
-MOST_SPEEDS = 2000
-"""Of torsion and mounts, whose tables have a row for each."""
-
 
 def speeds_of(text: str | None, *, beside_speed: bool = True) -> list[float]:
     """The speeds of --speeds, rad/s. Raises RequestError or SweepError.
@@ -17,10 +14,7 @@ def speeds_of(text: str | None, *, beside_speed: bool = True) -> list[float]:
     """
     if text is not None and beside_speed:
         refuse_one(text)
-    found = [] if text is None else read_speeds(text)
-    if len(found) > MOST_SPEEDS:
-        raise refusal("--speeds", text or "", "give up to {most} speeds", most=MOST_SPEEDS)
-    return found
+    return [] if text is None else read_speeds(text)
 
 
 def refuse_one(text: str) -> None:

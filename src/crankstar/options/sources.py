@@ -13,7 +13,8 @@ from crankstar.files import EngineFileError, changed, engine_of, explicit
 from crankstar.files.box import Spread, spread
 from crankstar.files.catalog import tree_of
 from crankstar.files.chains import chain_of, is_chain
-from crankstar.files.changes import turning
+from crankstar.files.changes import turning, with_traces
+from crankstar.files.source import tree_of_keys
 from crankstar.language.faults import Fault
 from crankstar.language.messages import _
 from crankstar.language.quoting import given
@@ -69,7 +70,7 @@ def loaded(
     if isinstance(engine, Engine) and not changes and not estimate:
         return Loaded(engine.name, explicit(engine), engine)
     shown, tree = _tree(engine, asking)
-    values = dict(changes or {})
+    values = with_traces(changes or {}, "changes")
     if chains and is_chain(tree):
         tree = changed(tree, values, name=shown) if values else tree
         return Loaded(shown, tree, chain_of(tree, name=shown))
@@ -103,7 +104,7 @@ def _tree(engine: EngineLike, asking: str) -> tuple[str, dict[str, Any]]:
     if isinstance(engine, Engine):
         return engine.name, explicit(engine)
     if isinstance(engine, Mapping) and all(isinstance(key, str) for key in engine):
-        return str(engine.get("name", _("the engine"))), dict(engine)
+        return tree_of_keys(engine)
     if isinstance(engine, str | Path):
         return tree_of(engine)
     raise TypeError(

@@ -7,16 +7,14 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from math import degrees as rad2deg
-from pathlib import Path
 from typing import Any, Literal, cast, get_args
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import ANGLE, SPEED, Quantity
 from crankstar.files import changed, keys_of, units
 from crankstar.files.catalog import tree_of
-from crankstar.files.changes import path_and_value
+from crankstar.files.changes import path_and_value, with_traces
 from crankstar.files.read_files import STANDARD_INPUT
-from crankstar.files.traces import TRACE, read_trace
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.numbers import number as number_text
@@ -27,6 +25,8 @@ from crankstar.options.refusals import refuse_unused as refuse_unused  # with th
 
 Derived = Literal["force", "couple", "torque"]
 Derivable = Literal["motion", "force", "couple", "torque", "gas", "twist"]
+MOST_SPEEDS = 2000
+"""Of all analyses, whose tables have a row for each."""
 ALONE = ("motion", "gas", "twist")
 """What is not derived order by order."""
 
@@ -76,9 +76,7 @@ def settings(texts: Sequence[str] | None) -> dict[str, Any]:
         if keys_of(path) in map(keys_of, found):
             raise refusal("--set", text, "{path} is set before; give it once", path=seen(path))
         found[path] = value
-        if tuple(keys_of(path)) == TRACE and isinstance(value, str):
-            found[path] = read_trace(value, Path(), "--set gas.trace")
-    return found
+    return with_traces(found, "--set")
 
 
 def settings_of_each(texts: Sequence[str] | None, count: int) -> list[list[str]]:
@@ -147,7 +145,7 @@ def speed(text: str | None) -> float | None:
 
 
 def speeds(text: str) -> list[float]:
-    """Crank speeds in rad/s. Raises SweepError.
+    """Crank speeds in rad/s, of --speeds. Raises SweepError, RequestError for too many.
 
     >>> [round(speed) for speed in speeds("600..1200 rpm by 300")]
     [63, 94, 126]
@@ -159,6 +157,8 @@ def speeds(text: str) -> list[float]:
     from crankstar.studies.variants import SweepError
 
     asked = speeds_request(text)
+    if len(asked.values) > MOST_SPEEDS:
+        raise refusal("--speeds", text, "give up to {most} speeds", most=MOST_SPEEDS)
     try:
         return rad_per_s(np.array(asked.values), asked.unit).tolist()
     except SweepError as error:

@@ -161,18 +161,18 @@ def search(
     words = _words(
         {
             "cycle": cycle,
-            "minimise": _joined(minimise),
-            "zero": _joined(zero),
-            "limit": [limit] if isinstance(limit, str) else _pairs(limit),
-            "gaps": _joined(gaps),
-            "fix": fix if fix is None or isinstance(fix, str) else ",".join(_pairs(fix)),
+            "minimise": _joined("minimise", minimise),
+            "zero": _joined("zero", zero),
+            "limit": [limit] if isinstance(limit, str) else _pairs("limit", limit),
+            "gaps": _joined("gaps", gaps),
+            "fix": fix if fix is None or isinstance(fix, str) else ",".join(_pairs("fix", fix)),
             "symmetric": symmetric,
-            "mode_shape": _joined(mode_shape),
+            "mode_shape": _joined("mode_shape", mode_shape),
             "avoid_adjacent": avoid_adjacent,
             "front": front,
             "best": best,
             "all": all,
-            "all_with": _joined(all_with),
+            "all_with": _joined("all_with", all_with),
         }
     )
     source, pace = _source(about, changes, speed, estimate=estimate)
@@ -211,14 +211,26 @@ def _words(values: Mapping[str, Any]) -> SearchWords:
         ) from None
 
 
-def _joined(parts: Texts | None) -> str | None:
-    return parts if parts is None or isinstance(parts, str) else ",".join(map(str, parts))
+def _joined(argument: str, parts: Texts | None) -> str | None:
+    if parts is None or isinstance(parts, str):
+        return parts
+    return ",".join(map(str, _listed(argument, parts)))
 
 
-def _pairs(values: Iterable[str] | Mapping[Any, Any]) -> list[str]:
+def _listed(argument: str, parts: Iterable[Any]) -> Iterable[Any]:
+    """The parts of a list. Raises TypeError for what is none."""
+    if not isinstance(parts, Iterable) or isinstance(parts, bytes):
+        raise TypeError(
+            _("{argument} takes text or a list of it, not {given}", argument=argument,
+              given=given(parts))
+        )  # fmt: skip
+    return parts
+
+
+def _pairs(argument: str, values: Iterable[str] | Mapping[Any, Any]) -> list[str]:
     if isinstance(values, Mapping):
         return [f"{name}={value}" for name, value in values.items()]
-    return [str(each) for each in values]
+    return [str(each) for each in _listed(argument, values)]
 
 
 def _source(

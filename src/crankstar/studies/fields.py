@@ -30,6 +30,7 @@ from crankstar.files.forms import (
     short_form,
 )
 from crankstar.files.mistakes import copied
+from crankstar.files.source import tree_of_keys
 from crankstar.language.messages import _, passage
 from crankstar.language.quoting import one_line, seen
 from crankstar.remedy import with_counterweights
@@ -81,7 +82,7 @@ def source_of(
     """
     own = isinstance(engine, Engine)
     if isinstance(engine, Mapping):
-        shown, tree = str(engine.get("name", _("the engine"))), dict(engine)
+        shown, tree = tree_of_keys(engine)
     else:
         shown, tree = (engine.name, files.explicit(engine)) if own else tree_of(engine)
     tree = files.changed(tree, changes or {}, name=shown)

@@ -214,6 +214,13 @@ def rad_per_s(values: Real, unit: str) -> Real:
             unit=unit,
             example=SPEED.example,
         )
+    if np.any(speeds < SPEED.least):
+        raise SweepError(
+            "the speed is {speed} {unit}, too small for an engine; give one such as {example}",
+            speed=f"{float(values.min()):g}",
+            unit=unit,
+            example=SPEED.example,
+        )
     if np.any(speeds > units.greatest(SPEED)):
         raise SweepError(
             "the speed is {speed} {unit}, too large for an engine; give one such as {example}",

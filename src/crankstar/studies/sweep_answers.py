@@ -90,12 +90,14 @@ class Judged:
 def judged(sweep: Sweep, curves: Sequence[Curve], *, beyond: bool = False) -> Judged:
     """What the curves of a sweep rest on: at the first values, of some at the highest.
 
-    With `beyond` at the other ends of the ranges, that of a closed one in its middle.
+    With `beyond` at the other ends of the ranges, that of a closed one in its middle. Where a curve
+    has no result there, at the values nearest to them at which all have one.
     """
-    places = [
+    wanted = [
         _other_end(axis) if beyond else int(np.argmax(axis.values)) if axis.path in HIGHEST else 0
         for axis in sweep.axes
     ]
+    places = _with_results(sweep, curves, wanted)
     try:
         engine, speed = sweep.case(places)
     except SweepError:  # it does not fire in the order of the file, which no inertia needs
@@ -105,6 +107,23 @@ def judged(sweep: Sweep, curves: Sequence[Curve], *, beyond: bool = False) -> Ju
         for axis, place in zip(sweep.axes, places, strict=True)
     }
     return Judged(engine, speed, values, curves, sweep.alone)
+
+
+def _with_results(sweep: Sweep, curves: Sequence[Curve], wanted: Sequence[int]) -> tuple[int, ...]:
+    """The place on the axes nearest to the one wanted at which no curve has a gap, if there is."""
+    gaps = {gap.place for curve in curves for gap in curve.gaps}
+    places = (place for place in np.ndindex(sweep.shape) if _flat(sweep, place) not in gaps)
+    if _flat(sweep, wanted) not in gaps:
+        return tuple(wanted)
+    return min(
+        places,
+        key=lambda place: sum(abs(a - b) for a, b in zip(place, wanted, strict=True)),
+        default=tuple(wanted),
+    )
+
+
+def _flat(sweep: Sweep, place: Sequence[int]) -> int:
+    return int(np.ravel_multi_index(tuple(place), sweep.shape))
 
 
 def _other_end(axis: Axis) -> int:

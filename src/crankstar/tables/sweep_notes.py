@@ -153,16 +153,16 @@ def _gaps(sweep: Sweep, curves: Sequence[Curve]) -> str:
         )
         for end in ends
     )
-    words = {"curves": ", ".join(curve.label for curve in curves), "first": first}
+    labels = ", ".join(curve.label for curve in curves)
+    words = {"curves": labels, "first": first, "reason": gaps[0].reason.rstrip(".。")}
     if len(gaps) == 1:
-        return _("No {curves} at {first}: {reason}.", **words, reason=gaps[0].reason)
+        return _("No {curves} at {first}: {reason}.", **words)
     return _(
         "No {curves} at {count} of {whole} values, from {first} to {last}. At {first}: {reason}.",
         **words,
         last=last,
         count=len(gaps),
         whole=curves[0].values.size,
-        reason=gaps[0].reason,
     )
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any
 
 from crankstar.analysis.reader import Reader
 from crankstar.engine.engine import Engine
-from crankstar.files.lists import Listed, ListError, read_list
+from crankstar.files.lists import Listed, ListError, list_given, read_list
 from crankstar.language.messages import N_
 from crankstar.options import readers
 from crankstar.options.refusals import RequestError
@@ -22,12 +23,17 @@ MEASURED = N_(
 )
 
 
+def _listed(name: str) -> Callable[[Any], Listed]:
+    """What reads a list that Python gives: a data frame, rows by heading, a path."""
+    return partial(list_given, name=name)
+
+
 @dataclass(frozen=True)
 class Question:
     """Which list was measured, and before the fault; at which speed (rad/s) and point."""
 
-    measured: Annotated[Listed, Reader("measured", read_list, MEASURED)]
-    before: Annotated[Listed | None, Reader("--before", read_list)] = None
+    measured: Annotated[Listed, Reader("measured", read_list, MEASURED, number=_listed("measured"))]
+    before: Annotated[Listed | None, Reader("--before", read_list, number=_listed("before"))] = None
     speed: Annotated[float | None, readers.SPEED] = None
     point: Annotated[str, readers.POINT] = ""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -58,8 +59,29 @@ def readings_of(listed: Listed, engine: Engine, *, speed: float | None) -> tuple
             _("there is no column speed; add it, or give --speed, or speed in the engine file")
         )
     found = [_reading(columns, row, engine, speed) for row in columns.rows]
+    _refuse_twice(columns, found)
     columns.check()
     return tuple(found)
+
+
+def _refuse_twice(columns: Columns, found: Sequence[Reading]) -> None:
+    """Note a reading that a line above it has too, value and all: it is one, not two.
+
+    Two of them would halve the variance of what they are of; two measurements differ.
+    """
+    lines: dict[tuple[object, ...], int] = {}
+    for row, each in zip(columns.rows, found, strict=True):
+        sizes = (each.order, *each.place, each.speed, each.velocity.real, each.velocity.imag)
+        key = (each.axis, *(f"{size:.9e}" for size in sizes))
+        if lines.setdefault(key, row.line) != row.line and not np.isnan(sizes).any():
+            columns.refuse(
+                row,
+                "order",
+                _(
+                    "this reading stands twice, value and all, first in line {line}; leave it out",
+                    line=lines[key],
+                ),
+            )
 
 
 def _reading(columns: Columns, row: Row, engine: Engine, speed: float | None) -> Reading:

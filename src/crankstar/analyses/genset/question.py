@@ -9,7 +9,7 @@ from typing import Annotated
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.phase_sums import MOST
 from crankstar.options import readers
-from crankstar.options.gas import refuse_weak_beside_off
+from crankstar.options.gas import refuse_together
 
 MOST_PAIRS = 200
 """Of poles: more than any slow hydroelectric generator has."""
@@ -34,4 +34,4 @@ class Question:
 
 def refuse(_engine: Engine, asked: Question) -> None:
     """Refuse cylinders that are both off and weaker. Raises RequestError."""
-    refuse_weak_beside_off(asked.weaker, asked.off)
+    refuse_together(off=asked.off, weaker=asked.weaker)

@@ -8,8 +8,7 @@ from typing import Annotated, Literal
 
 from crankstar.engine.engine import Engine
 from crankstar.options import readers
-from crankstar.options.gas import refuse_weak_beside_off
-from crankstar.options.refusals import RequestError, refuse_unused
+from crankstar.options.gas import refuse_together
 
 
 @dataclass(frozen=True)
@@ -47,18 +46,6 @@ def refuse(engine: Engine, asked: Question) -> None:
     """Refuse what does not go together. Raises RequestError, OrderError."""
     from crankstar.mechanics.occurring_orders import check_orders
 
-    given = [f"--{name.replace('_', '-')}" for name in asked.load]
-    if asked.motored:
-        refuse_unused(
-            dict.fromkeys(given, True) | {"--off": [*asked.off], "--weaker": [*asked.weaker]},
-            beside="--motored",
-        )
-    if len(given) > 1:
-        raise RequestError(
-            "{one} and {other} both say how much a cycle does; give one",
-            one=given[0],
-            other=given[1],
-        )
-    refuse_weak_beside_off(asked.weaker, asked.off)
+    refuse_together(asked.load, motored=asked.motored, off=asked.off, weaker=asked.weaker)
     if asked.orders and asked.orders != "all":
         check_orders(engine, asked.orders, gas=True)

@@ -9,7 +9,7 @@ from typing import Annotated
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.options import readers
-from crankstar.options.gas import refuse_weak_beside_off
+from crankstar.options.gas import refuse_together
 from crankstar.options.refusals import RequestError
 
 MOST_MODES = 300
@@ -38,7 +38,7 @@ def refuse(source: Engine | Chain, asked: Question) -> None:
 
     Raises RequestError.
     """
-    refuse_weak_beside_off(asked.weaker, asked.off)
+    refuse_together(off=asked.off, weaker=asked.weaker)
     is_chain = isinstance(source, Chain)
     if is_chain and asked.orders and not len(asked.speeds) and source.speed is None:
         raise RequestError(
