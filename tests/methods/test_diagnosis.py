@@ -389,7 +389,7 @@ def test_readings_in_any_unit_and_direction_are_velocities(tmp_path: Path) -> No
     del tmp_path
     text = (
         "order,direction,amplitude,phase\n"
-        "2,up,10 um,30\n2,down,10 um,210 deg\n2,up,5.0265 mm/s,120\n2,up,2.5266 m/s^2,210\n"
+        "2,up,10 um,30\n2,down,10.0001 um,210 deg\n2,up,5.0265 mm/s,120\n2,up,2.5266 m/s^2,210\n"
     )
     found = readings_of(list_of(text, name="m.csv"), four(), speed=SPEED)
     velocities = [each.velocity for each in found]
