@@ -390,6 +390,7 @@ def test_a_reading_that_stands_twice_is_one(run: Run, refused: Refused, tmp_path
 def test_python_takes_a_frame_and_rows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The weight that is missing in the engine that was measured is found, whatever holds it."""
     import pandas
+
     monkeypatch.chdir(tmp_path)
     frame = pandas.read_csv("lost.csv", skipinitialspace=True)
     lists: list[Any] = ["lost.csv", Path("lost.csv"), frame, frame.to_dict("records")]

@@ -16,6 +16,8 @@ import crankstar
 from crankstar.dynamics.mount_response import rms
 from crankstar.files import EngineFileError, engine_of, toml
 from crankstar.studies.variants import SweepError
+from crankstar.tables.sweep_notes import notes
+from crankstar.tables.sweeps import facts
 
 RPM = 30 / np.pi
 GAS = {
@@ -171,21 +173,21 @@ def test_a_sweep_of_the_speed_takes_the_mounts_at_each_speed() -> None:
     assert curve.values == pytest.approx(wanted)
 
 
-def test_a_sweep_at_one_speed_tells_vibration_at_this_speed(run: Run, tmp_path: Path) -> None:
+@pytest.mark.parametrize("speed", [None, 2000 / RPM])
+def test_a_sweep_at_one_speed_tells_vibration_at_this_speed(speed: float | None) -> None:
     """Without a speed it is the maximum over those of the file; both are said."""
-    place = written(tmp_path)
-    words = ("sweep", place, "--over", "mounts[3].z=-400, -300 mm", "--quantity", "mount_force")
-    for speed in ((), ("--speed", "2000 rpm")):
-        tree = json.loads(run(*words, *speed, "--json").out)
-        engine = crankstar.load(place, changes={"mounts[3].z": "-400 mm"})
-        speeds = [2000 / RPM] if speed else []
-        over = crankstar.mounts(engine, speeds=speeds).value.over
-        sizes = rms(over.ground_force[..., :3])
-        assert tree["values"][0]["mount_force"] == pytest.approx(sizes.max(), rel=1e-6)
-        assert tree["maximum_over_speeds"] is not bool(speed)
-        at = "that at 2000 rpm" if speed else "the maximum over the speeds of the file"
-        assert f"Forced vibration is {at}." in said(run, *words, *speed)
-    assert len(sizes) == 1
+    how: dict[str, Any] = {} if speed is None else {"speed": speed}
+    made = crankstar.sweep(mounted(), "mounts[3].z=-400..-300 mm/2", **how)
+    curve = crankstar.watched(made, "mount_force")
+    moved = [THREE[0], THREE[1], THREE[2] | {"z": "-400 mm"}]
+    over = crankstar.mounts(mounted(mounts=moved), speeds=[*how.values()]).value.over
+    sizes = rms(over.ground_force[..., :3])
+    assert (len(sizes) == 1) is (speed is not None)
+    assert curve.values[0] == pytest.approx(sizes.max(), rel=1e-6)
+    assert facts(made, [curve])["maximum_over_speeds"] is (speed is None)
+    at = "the maximum over the speeds of the file" if speed is None else "that at 2000 rpm"
+    lines = " ".join(line for part in notes(made, [curve]) for line in part.lines)
+    assert f"Forced vibration is {at}." in lines
 
 
 def test_a_sweep_of_mounts_says_what_is_missing() -> None:

@@ -101,6 +101,7 @@ def test_from_a_hundredth_of_the_greatest_force_on_it_counts(height: float) -> N
     assert np.isfinite(over.transmissibility[0, 2]) == (height > 0.5)
 
 
+@pytest.mark.release
 def test_every_view_leaves_it_out_and_says_so(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "boxer.toml"
     path.write_text(toml(boxer()), encoding="utf-8")
