@@ -27,7 +27,8 @@ from crankstar.files import engine_of
 from crankstar.language.messages import spoken
 from crankstar.page.figures import chart as page_chart
 from crankstar.studies import answers
-from crankstar.studies.single_faults import Fault, shaken
+from crankstar.studies.fault_kinds import Fault
+from crankstar.studies.single_faults import shaken
 
 AUDI = "audi-25-tfsi"
 

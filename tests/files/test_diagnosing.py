@@ -29,7 +29,7 @@ from crankstar.analyses.diagnose.diagnosis import expected
 from crankstar.analyses.diagnose.readings import AXES
 from crankstar.files import engine_of, tree_text
 from crankstar.spectra import Complex
-from crankstar.studies.single_faults import Fault
+from crankstar.studies.fault_kinds import Fault
 
 Refused = Callable[..., str]
 HEAD = "order, up [mm], right [mm], z [mm], direction, amplitude [mm/s], phase [deg]\n"
@@ -150,6 +150,18 @@ def test_a_heavier_piston_adds_its_share_of_force(run: Run) -> None:
     assert row["now"]["velocity"] > 0
     text = run("fault", "four.toml", "--heavier", "piston.1=-20g", "--weaker", "2=20%").out
     assert "cylinder 2 weak by 20 %, piston 1 lighter by 20 g" in text
+
+
+def test_a_cut_without_gas_in_the_file_is_told_by_a_usual_cycle(run: Run) -> None:
+    """As `torque --off` tells it: the same roll of order 0.5; what is assumed is said."""
+    told = run("fault", "cold.toml", "--cut", "3", "--orders", "0.5,1").out
+    assert "with a usual cycle: the file has no gas." in told
+    assert "a usual cycle is assumed: gas" in told
+    assert "roll and torque include the gas" in " ".join(told.split())
+    half = json.loads(run("fault", "cold.toml", "--cut", "3", "--json").out)["orders"][0]
+    alone = json.loads(run("torque", "cold.toml", "--off", "3", "--json").out)["orders"][0]
+    assert (half["order"], half["before"]["roll"]) == (0.5, pytest.approx(0, abs=1e-9))
+    assert half["now"]["torque"] == pytest.approx(abs(complex(*alone["gas"])), rel=1e-9)
 
 
 def test_csv_has_every_order(run: Run) -> None:

@@ -17,7 +17,8 @@ from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_loads import gas_over_speeds
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.mechanics.operating_points import GasError, operating_state
-from crankstar.studies.single_faults import Fault, shaken
+from crankstar.studies.fault_kinds import Fault
+from crankstar.studies.single_faults import shaken
 
 RPM = pi / 30
 CASES = Path(__file__).parents[1] / "cases"

@@ -9,7 +9,8 @@ import pytest
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.files.catalog import load
-from crankstar.studies.single_faults import DiagnosisError, Fault, shaken
+from crankstar.studies.fault_kinds import Fault
+from crankstar.studies.single_faults import DiagnosisError, shaken
 
 FLAT: dict[str, Any] = {
     "name": "boxer four",

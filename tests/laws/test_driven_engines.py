@@ -16,8 +16,8 @@ from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import narrowed
 from crankstar.studies.answers import outlook, rests_on, torques
+from crankstar.studies.fault_kinds import Fault
 from crankstar.studies.response_answers import felt
-from crankstar.studies.single_faults import Fault
 
 RADIUS, ROD, BORE, MASS, WHEEL = 0.045, 0.145, 0.082, 0.48, 0.14
 FIRES = {1: 0.0, 3: pi, 4: 2 * pi, 2: 3 * pi}

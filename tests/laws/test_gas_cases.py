@@ -25,8 +25,8 @@ from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import gas_torque, over_cycle
 from crankstar.studies.answers import rests_on, summary, torques
 from crankstar.studies.assumed_values import assumed_values
+from crankstar.studies.fault_kinds import Fault
 from crankstar.studies.response_answers import felt
-from crankstar.studies.single_faults import Fault
 from crankstar.tables.torque_orders import by_order
 
 Array = NDArray[Any]

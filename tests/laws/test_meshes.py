@@ -15,15 +15,17 @@ from tests.strategies import number
 
 import crankstar
 from crankstar import spectra
-from crankstar.dynamics.meshes import Mesh, Wheel, crankshafts, meshes, wheels
+from crankstar.dynamics.meshes import Mesh, meshes
 from crankstar.dynamics.uneven import SAMPLES, Running, running
 from crankstar.engine.copies import with_values
 from crankstar.engine.drive import Drive, Gearing
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Gas
 from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.doubts import doubts
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import crankshaft_torque, friction_torque, over_cycle
+from crankstar.mechanics.gear_wheels import Wheel, crankshafts, wheels
 from crankstar.mechanics.kinetic import inertia, inertias, shaft_torque
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Real
@@ -350,3 +352,29 @@ def test_crankshafts_mesh_with_the_nearest_and_by_an_idler_if_they_turn_alike() 
     assert wheels(crankstar.load("v8-flat-plane")) == ()
     coaxial = crankstar.load("kr250-production", changes={"layout.cranks[2].right": "0 mm"})
     assert [(wheel.idler, wheel.pitch_radius) for wheel in wheels(coaxial)] == [(False, None)]
+
+
+@pytest.mark.parametrize(
+    ("name", "drive", "found"),
+    [
+        ("kr250-racer", {"pitch_radius": "45.2 mm"}, None),
+        ("kr250-racer", {"pitch_radius": "45 m"}, ("doubt.pitch-radius", 45e3, 45.0)),
+        ("kr250-racer", {"pitch_radius": "30 mm"}, ("doubt.pitch-radius", 30.0, 45.0)),
+        ("kr250-racer", {"pitch_radius": "30 mm", "gearing": "output"}, None),
+        (
+            "kr250-racer",
+            {"pitch_radius": "60 mm", "gearing": "output"},
+            ("doubt.wheels-overlap", 60.0, 45.0),
+        ),
+        ("jumo-205", {"pitch_radius": "100 mm"}, None),
+    ],
+)
+def test_wheels_that_mesh_have_half_the_distance_of_their_shafts(
+    name: str, drive: dict[str, str], found: tuple[str, float, float] | None
+) -> None:
+    """Jumo 205: an idler joins crankshafts that turn the same way."""
+    engine = crankstar.load(name, changes={"drive": drive})
+    told = [each for each in doubts(engine) if each.path == ("drive", "pitch_radius")]
+    assert [(each.code, each.values["value"], each.values["half"]) for each in told] == (
+        [found] if found else []
+    )

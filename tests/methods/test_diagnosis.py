@@ -20,12 +20,10 @@ from crankstar.files.lists import list_of
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import crankshaft_torque
 from crankstar.spectra import Complex
+from crankstar.studies.fault_kinds import Fault, fault_name, fault_text
 from crankstar.studies.single_faults import (
     DiagnosisError,
-    Fault,
     catalogue,
-    fault_name,
-    fault_text,
     limits,
     receptance,
     shaken,

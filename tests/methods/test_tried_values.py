@@ -20,8 +20,9 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load
 from crankstar.studies.answers import amplitudes, rests_on, summary
+from crankstar.studies.fault_kinds import Fault
 from crankstar.studies.response_answers import felt
-from crankstar.studies.single_faults import Fault, shaken
+from crankstar.studies.single_faults import shaken
 from crankstar.tables.assumptions import assumption_facts, assumption_lines
 
 PLACES = {"left": (0.04, -0.32, 0.11), "right": (0.04, 0.31, 0.09), "rear": (-0.02, 0.0, -0.48)}

@@ -30,9 +30,9 @@ from crankstar import spectra
 from crankstar.dynamics.uneven import SAMPLES, Running, friction_apart, load_course
 from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
-from crankstar.engine.records import Shaft
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import crankshaft_torque
+from crankstar.mechanics.gear_wheels import Wheel, crankshafts, wheels
 from crankstar.mechanics.kinetic import inertias, samples_over, shaft_torque
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Real
@@ -41,21 +41,6 @@ NOTHING = 1e-9
 """Share of the torque of the crankshafts beyond a mesh below which it passes on nothing."""
 LIGHT = 0.01
 """The same share, below which the teeth are hardly pressed to either side."""
-
-
-@dataclass(frozen=True)
-class Wheel:
-    """The wheel of a crankshaft and what it meshes with: a crankshaft, or None for the output's.
-
-    `beyond` are the crankshafts whose torque passes through, itself first; by an `idler` where both
-    turn the same way; `pitch_radius` (m) where it is known.
-    """
-
-    crankshaft: str
-    onto: str | None
-    beyond: tuple[str, ...]
-    idler: bool
-    pitch_radius: float | None
 
 
 @dataclass(frozen=True)
@@ -133,77 +118,6 @@ class Mesh:
         last = int(np.flatnonzero(torque * torque[-1] <= 0)[-1])
         part = torque[last] / (torque[last] - torque[last + 1])
         return float((way[last] + part) % count) * step
-
-
-def crankshafts(engine: Engine) -> tuple[Shaft, ...]:
-    """The shafts with throws: balance shafts pass on no torque at a steady speed."""
-    return tuple(shaft for shaft in engine.shafts if shaft.throws)
-
-
-def wheels(engine: Engine) -> tuple[Wheel, ...]:
-    """How the crankshafts are geared to the load, by the table `[drive]`; empty for one crankshaft.
-
-    Geared with each other, each meshes with the nearest of those that are nearer to the load, and
-    of equally near ones with one that turns the other way, so that no idler is needed.
-
-    >>> from crankstar.files.catalog import load
-    >>> (wheel,) = wheels(load("kr250-racer"))
-    >>> wheel.crankshaft, wheel.onto, wheel.idler, wheel.pitch_radius
-    ('rear', 'front', False, 0.045)
-    """
-    cranks, drive = crankshafts(engine), engine.drive or Drive()
-    if len(cranks) < 2:
-        return ()
-    if drive.gearing == "output":
-        return tuple(
-            Wheel(shaft.name, None, (shaft.name,), False, drive.pitch_radius) for shaft in cranks
-        )
-    root = next((shaft for shaft in cranks if shaft.name == drive.output), cranks[0])
-    joined, pairs = [root], []
-    waiting = [shaft for shaft in cranks if shaft is not root]
-    while waiting:
-        shaft, onto = min(
-            ((one, other) for one in waiting for other in joined), key=lambda pair: _order(*pair)
-        )
-        pairs.append((shaft, onto))
-        joined.append(shaft)
-        waiting.remove(shaft)
-    return tuple(
-        Wheel(
-            shaft.name,
-            onto.name,
-            _beyond(shaft.name, [(one.name, other.name) for one, other in pairs]),
-            idler=_alike(shaft, onto) and _distance(shaft, onto) > 0,
-            pitch_radius=drive.pitch_radius or _half_distance(engine, shaft, onto),
-        )
-        for shaft, onto in pairs
-    )
-
-
-def _half_distance(engine: Engine, shaft: Shaft, other: Shaft) -> float | None:
-    """The pitch radius of two wheels that are alike and mesh, m; None for others, or if unknown."""
-    if "radius" in engine.relative or _alike(shaft, other):
-        return None
-    return _distance(shaft, other) / 2 or None
-
-
-def _order(shaft: Shaft, other: Shaft) -> tuple[float, bool]:
-    return round(_distance(shaft, other), 6), _alike(shaft, other)
-
-
-def _alike(shaft: Shaft, other: Shaft) -> bool:
-    """Whether both turn the same way."""
-    return shaft.speed_ratio * other.speed_ratio > 0
-
-
-def _distance(shaft: Shaft, other: Shaft) -> float:
-    return abs(complex(shaft.up - other.up, shaft.right - other.right))
-
-
-def _beyond(name: str, pairs: Sequence[tuple[str, str]]) -> tuple[str, ...]:
-    """A crankshaft and all that are geared to the load through it."""
-    nearer = [one for one, other in pairs if other == name]
-    return (name, *(shaft for one in nearer for shaft in _beyond(one, pairs)))
 
 
 def shares(engine: Engine, *, with_load: bool = False) -> tuple[float, ...]:

@@ -176,6 +176,14 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} kg m², and the masses of [torsion] together have {chain} kg m² at the "
         "crankshaft, without pistons and rods: is part of it left out, or not of the same set?"
     ),
+    "doubt.pitch-radius": N_(
+        "{where} is {value} mm; wheels of two crankshafts that mesh directly have half the "
+        "distance of their shafts, {half} mm"
+    ),
+    "doubt.wheels-overlap": N_(
+        "{where} is {value} mm, more than half the distance of two crankshafts, {half} mm: their "
+        "wheels would overlap"
+    ),
     "doubt.uneven-set": N_(
         "{where} is {value} kg m², with which the speed at {rpm} rpm varies by one part in about "
         "{parts}, and with {enough} kg m² by one in 100; generating sets have one part in 75 to "

@@ -24,6 +24,7 @@
 | `pressures` | the pressure at one operating point, with the heat that gives its load |
 | `maxima` | where curves on a grid have their maxima and cross their limits |
 | `gas` | the pressure in every chamber over a cycle |
+| `gear_wheels` | gear wheels between crankshafts: which meshes with which, and how large |
 | `central_rods` | rods of one crankpin in one plane, and where there are more than can be |
 | `mass_doubts` | the same of masses and bodies, without gas or speed |
 | `stiffness_doubts` | stiffnesses of crankshafts with which hardly any engine turns |

@@ -32,6 +32,7 @@ from crankstar.mechanics.chain_inertia import APART, chain_inertia
 from crankstar.mechanics.charge_air import CHARGED, STOICHIOMETRIC
 from crankstar.mechanics.friction import friction_of
 from crankstar.mechanics.gas import Cycle, computable, cycle
+from crankstar.mechanics.gear_wheels import wheel_doubts
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
 from crankstar.mechanics.mass_doubts import (
     body_doubts,
@@ -86,7 +87,7 @@ def doubts(engine: Engine) -> tuple[Fault, ...]:
     found += [*size_doubts(engine), *rod_doubts(engine)]
     found += [*central_doubts(engine), *piston_doubts(engine), *scale_doubts(engine)]
     found += [*body_doubts(engine), *inertia_doubts(engine), *torsion_doubts(engine)]
-    found += beam_doubts(engine)
+    found += [*beam_doubts(engine), *wheel_doubts(engine)]
     gas = engine.gas
     if gas is not None:
         loaded = any(getattr(gas, name) is not None for name in LOADS) or not gas.points
@@ -122,6 +123,8 @@ def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> 
         found += beam_doubts(engine)
     if "mounts" in uses:
         found += body_doubts(engine)
+    if {"running", "sized"} & {*uses}:
+        found += wheel_doubts(engine)
     if "gas" in uses and computed is not None:
         found += point_doubts(engine, computed)
     return tuple(found)

@@ -39,5 +39,6 @@
 | `assignments` | the assignments whose vectors add up to least, with proof |
 | `matching` | a batch matched to the cylinders of an engine, and what chance and classes leave |
 | `matched_sets` | a batch divided among several engines, each set matched |
+| `fault_kinds` | a fault of an engine as a record, in words, for machines |
 | `single_faults` | faults of an engine, and what each changes in what shakes its block |
 """

@@ -15,7 +15,7 @@ from crankstar.studies.assumed_loads import of_load
 from crankstar.studies.gas_alone import lacking_gas
 
 if TYPE_CHECKING:
-    from crankstar.studies.single_faults import Fault
+    from crankstar.studies.fault_kinds import Fault
 
 
 def felt(
@@ -32,12 +32,12 @@ def felt(
     Of the `orders` that are named, at the point `at` (up, right, z; m) or the centre of mass,
     wherever that is: the numbers of `Shaken.sizes`.
     """
-    from crankstar.studies.single_faults import lost_combustion, shaken, with_fault
+    from crankstar.studies.single_faults import fired, lost_combustion, shaken, with_fault
 
     units = {"force": "N", "couple": "N*m", "roll": "N*m", "torque": "N*m", "velocity": "mm/s"}
 
     def figures(each: Engine) -> Figures:
-        found = shaken(each, faults, point=point, speed=speed, orders=orders)
+        found = shaken(fired(each, faults), faults, point=point, speed=speed, orders=orders)
         return {
             (name, order): size
             for order, row in zip(found.orders.tolist(), found.sizes(at).tolist(), strict=True)
@@ -45,14 +45,15 @@ def felt(
         }
 
     built = reduce(with_fault, faults, engine)
-    gas, why = gas_of(engine, point=point, speed=speed, weaker=lost_combustion(faults))
-    usual = usual_gas(engine, speed=speed)[0]
+    burning = fired(engine, faults)
+    gas, why = gas_of(burning, point=point, speed=speed, weaker=lost_combustion(faults))
+    usual = usual_gas(burning, speed=speed)[0]
     left = None if usual is None else usual_load(usual, figures, IN_VIBRATION)
     if left is None:
-        left = lacking_gas(engine, figures, IN_VIBRATION, speed=speed, point=point)
+        left = lacking_gas(burning, figures, IN_VIBRATION, speed=speed, point=point)
     tunings = []
     if engine.mounts:
-        now = shaken(engine, faults, point=point, speed=speed, orders=orders)
+        now = shaken(burning, faults, point=point, speed=speed, orders=orders)
         tunings = [tuned_on_mounts(now.orders.tolist(), between=(now.speed, now.speed))]
     return Answer(
         figures=figures,

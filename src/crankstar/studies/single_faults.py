@@ -15,7 +15,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce
-from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -25,11 +24,10 @@ from crankstar.dynamics.mounted_block import SIX, dynamic_stiffness, mounted_blo
 from crankstar.dynamics.whirl import body
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import Gas
 from crankstar.engine.rigid_block import mass_matrix, moved
 from crankstar.language.faults import EngineError
-from crankstar.language.messages import MessageError, _
-from crankstar.language.numbers import number
-from crankstar.language.shown_units import quantity_text
+from crankstar.language.messages import MessageError
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, total
 from crankstar.mechanics.gas import lost_shares
 from crankstar.mechanics.gas_loads import gas_over_speeds, vibrating_state
@@ -39,9 +37,9 @@ from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.mechanics.operating_points import OperatingState
 from crankstar.spectra import Complex, Real, Spectrum
+from crankstar.studies.fault_kinds import Fault, fault_text
 from crankstar.studies.part_weights import with_parts
 
-Kind = Literal["piston", "big_end", "weight", "combustion"]
 HIGHEST = 6.0
 """The highest order where none are chosen."""
 MOST_TIMES = 10.0
@@ -50,18 +48,6 @@ MOST_TIMES = 10.0
 
 class DiagnosisError(MessageError):
     """Faults or measurements that an engine cannot have, and why."""
-
-
-class Fault(NamedTuple):
-    """A fault: its kind, the number of its cylinder or weight, the shaft of the weight.
-
-    `size`: kg that a piston or a big end is heavier, the share of a weight or of combustion lost.
-    """
-
-    kind: Kind
-    number: int
-    size: float = 1.0
-    shaft: str = ""
 
 
 @dataclass(frozen=True)
@@ -345,6 +331,18 @@ def lost_combustion(faults: Sequence[Fault]) -> dict[int, float]:
     return lost
 
 
+def fired(engine: Engine, faults: Sequence[Fault]) -> Engine:
+    """The engine; with a usual cycle, where combustion is lost and the file has no gas.
+
+    >>> from crankstar.files.catalog import load
+    >>> twin = load("parallel-twin-360")
+    >>> fired(twin, [Fault("combustion", 2)]).gas is None, fired(twin, []).gas is None
+    (False, True)
+    """
+    lost = engine.gas is None and lost_combustion(faults)
+    return with_values(engine, gas=Gas()) if lost else engine
+
+
 def gas_orders(
     engine: Engine, faults: Sequence[Fault], *, speed: float, point: str, orders: Real
 ) -> Spectrum:
@@ -352,12 +350,7 @@ def gas_orders(
 
     Raises DiagnosisError.
     """
-    if engine.gas is None and not point:
-        if lost_combustion(faults):
-            raise DiagnosisError(
-                "a cylinder that does not fire cannot be told without the gas of the others; add "
-                "[gas] to the engine file"
-            )
+    if engine.gas is None and not point and not lost_combustion(faults):
         return spectra.real_signal(orders, np.zeros(orders.size, complex))
     found = gas_over_speeds(engine, [speed], point=point, weaker=lost_combustion(faults))
     one = replace(found, forward=found.forward[0], backward=found.backward[0])
@@ -387,52 +380,3 @@ def catalogue(engine: Engine, *, gas: bool = True) -> list[Fault]:
     if gas and engine.gas is not None:
         found += [Fault("combustion", own[0].number) for own in engine.chambers.values()]
     return found
-
-
-def fault_text(fault: Fault, engine: Engine) -> str:
-    """A fault with its size in words.
-
-    >>> from crankstar.files.catalog import load
-    >>> fault_text(Fault("piston", 3, 0.0184), load("audi-25-tfsi"))
-    'piston 3 heavier by 18.4 g'
-    """
-    size = quantity_text(abs(fault.size), "kg")
-    share = f"{number(100 * fault.size, digits=3)} %"
-    if fault.kind == "piston" and fault.size < 0:
-        return _("piston {number} lighter by {size}", number=fault.number, size=size)
-    if fault.kind == "piston":
-        return _("piston {number} heavier by {size}", number=fault.number, size=size)
-    if fault.kind == "big_end" and fault.size < 0:
-        return _("big end {number} lighter by {size}", number=fault.number, size=size)
-    if fault.kind == "big_end":
-        return _("big end {number} heavier by {size}", number=fault.number, size=size)
-    if fault.kind == "combustion" and fault.size > 0.9995:
-        return _("cylinder {number} does not fire", number=fault.number)
-    if fault.kind == "combustion":
-        return _("cylinder {number} weak by {share}", number=fault.number, share=share)
-    name = fault_name(fault, engine)
-    return name if fault.size > 0.9995 else _("{what}: {share} of it", what=name, share=share)
-
-
-def fault_name(fault: Fault, engine: Engine) -> str:
-    """A fault in words, without its size."""
-    if fault.kind == "piston":
-        return _("piston {number} heavier", number=fault.number)
-    if fault.kind == "big_end":
-        return _("big end {number} heavier", number=fault.number)
-    if fault.kind == "combustion":
-        return _("cylinder {number} weak", number=fault.number)
-    if len([shaft for shaft in engine.shafts if shaft.weights]) > 1:
-        name = fault.shaft or engine.shafts[0].name
-        return _("weight {number} of {shaft} lost", number=fault.number, shaft=name)
-    return _("weight {number} lost", number=fault.number)
-
-
-def fault_facts(fault: Fault) -> dict[str, Any]:
-    """A fault for machines.
-
-    >>> fault_facts(Fault("combustion", 3))
-    {'kind': 'combustion', 'number': 3, 'size': 1.0}
-    """
-    out: dict[str, Any] = {"kind": fault.kind, "number": fault.number, "size": fault.size}
-    return {**out, "shaft": fault.shaft} if fault.shaft else out

@@ -70,10 +70,13 @@ def state_words(engine: Engine, state: OperatingState) -> str:
 def cycle_words(engine: Engine, cycle: Cycle) -> str:
     """The operating point and speed of a cycle; that it is a usual one where the file has none."""
     if engine.gas is None and cycle.speed is not None:
-        return _(
-            "At {rpm} rpm, with a usual cycle: the file has no gas.", rpm=rpm_text(cycle.speed)
-        )
+        return usual_words(cycle.speed)
     return state_words(engine, cycle_state(cycle))
+
+
+def usual_words(speed: float) -> str:
+    """The speed (rad/s) of a usual cycle, where the file has none."""
+    return _("At {rpm} rpm, with a usual cycle: the file has no gas.", rpm=rpm_text(speed))
 
 
 def cycle_state(cycle: Cycle) -> OperatingState:

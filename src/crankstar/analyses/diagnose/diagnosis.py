@@ -42,9 +42,9 @@ from crankstar.engine.rigid_block import moved
 from crankstar.mechanics.gas_loads import vibrating_state
 from crankstar.mechanics.operating_points import OperatingState
 from crankstar.spectra import Complex, Real
+from crankstar.studies.fault_kinds import Fault
 from crankstar.studies.single_faults import (
     DiagnosisError,
-    Fault,
     Shaken,
     catalogue,
     known,

@@ -16,7 +16,8 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, rpm_of
 from crankstar.language.shown_units import quantity_text
-from crankstar.studies.single_faults import Fault, fault_facts, fault_text, limits
+from crankstar.studies.fault_kinds import Fault, fault_facts, fault_text
+from crankstar.studies.single_faults import limits
 from crankstar.tables.gas_words import state_facts, state_words
 
 ROWS = 12

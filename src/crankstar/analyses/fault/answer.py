@@ -8,11 +8,12 @@ from crankstar.analysis.assumptions import Answer
 from crankstar.analysis.document import Audience
 from crankstar.engine.engine import Engine
 from crankstar.studies.response_answers import felt
-from crankstar.studies.single_faults import Shaken, shaken
+from crankstar.studies.single_faults import Shaken, fired, shaken
 
 
 def compute(engine: Engine, question: Question) -> tuple[Shaken, Shaken]:
     """What shakes the block without the faults and with them. Raises DiagnosisError."""
+    engine = fired(engine, question.faults)
     state = {"point": question.point, "speed": question.speed, "orders": question.orders or ()}
     return shaken(engine, **state), shaken(engine, question.faults, **state)
 

@@ -23,8 +23,9 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number, rpm_of
 from crankstar.spectra import Real
-from crankstar.studies.single_faults import Shaken, fault_facts, fault_text
-from crankstar.tables.gas_words import state_facts, state_words
+from crankstar.studies.fault_kinds import fault_facts, fault_text
+from crankstar.studies.single_faults import Shaken
+from crankstar.tables.gas_words import state_facts, state_words, usual_words
 
 AUDIENCES: tuple[Audience, Audience] = ("readers", "machines")
 VISIBLE = 1e-3
@@ -38,7 +39,9 @@ def document(engine: Engine, result: tuple[Shaken, Shaken], question: Question) 
     readers, machines = (_changes(before, after, point, audience=each) for each in AUDIENCES)
     fresh = _fresh(before, after, point)
     lines = [
-        state_words(engine, before.state),
+        usual_words(before.speed)
+        if engine.gas is None and before.engine.gas is not None
+        else state_words(engine, before.state),
         _("With: {faults}.", faults=", ".join(fault_text(fault, engine) for fault in faults)),
     ]
     if fresh:

@@ -17,7 +17,7 @@ from crankstar.options.gas import gas_orders, share
 from crankstar.options.refusals import RequestError, refusal
 
 if TYPE_CHECKING:
-    from crankstar.studies.single_faults import Fault
+    from crankstar.studies.fault_kinds import Fault
 
 HEAVIER = {"piston": "piston", "big_end": "big_end", "big-end": "big_end", "rod": "big_end"}
 """The parts that may be heavier by their names."""
@@ -96,7 +96,7 @@ class Question:
     @property
     def faults(self) -> list[Fault]:
         """All of them, cylinders first."""
-        from crankstar.studies.single_faults import Fault
+        from crankstar.studies.fault_kinds import Fault
 
         return [
             *(Fault("combustion", number) for number in self.cut),
@@ -120,11 +120,12 @@ class Question:
 def refuse(engine: Engine, question: Question) -> None:
     """Refuse no faults, and what an engine cannot have. Raises RequestError, DiagnosisError."""
     from crankstar.mechanics.occurring_orders import check_orders
-    from crankstar.studies.single_faults import check_faults
+    from crankstar.studies.single_faults import check_faults, fired
 
     if not question.faults:
         raise RequestError(
             "name a fault: --cut 3, --weaker 3=20%, --heavier piston.3=20g or --lost-weight 2"
         )
     check_faults(engine, question.faults)
-    check_orders(engine, question.orders or (), gas=engine.gas is not None or bool(question.point))
+    gas = fired(engine, question.faults).gas is not None or bool(question.point)
+    check_orders(engine, question.orders or (), gas=gas)
