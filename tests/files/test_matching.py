@@ -101,7 +101,11 @@ def test_a_spreadsheet_of_weights_is_read_as_well(run: Run, tmp_path: Path) -> N
         ("no,piston [g]\n1,412,9\n2,x\n", "w.csv: 2 mistakes"),
         ("no,pistn [g],pn [g]\n1,412,9\n", "w.csv: 2 mistakes"),
         ("no,piston [g]\n1,412,9\n", "line 2: it has 3 cells under 2 headings"),
-        ("no,piston [kg]\n1,4\n2,3\n3,900\n", "piston 3 has 900 kg in the list and"),
+        (
+            "no,piston [kg]\n1,800\n2,850\n3,900\n",
+            "in the list, piston: 850 kg; that is more than twice",
+        ),
+        ("no,piston [g]\n1,412\n2,41.3\n3,411\n", 'line 3, column "piston [g]": 41.3 g is far'),
         ("no,piston [g]\n1,412\n2,413\n", "the list has 2 of each part"),
     ],
 )

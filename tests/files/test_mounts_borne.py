@@ -120,7 +120,7 @@ def test_chart_page_and_figures_leave_it_out() -> None:
     engine = boxer()
     drawn = str(charts.transmissibility_chart(engine, speeds=SPEEDS.tolist()).to_dict())
     assert "'what': 'front'" not in drawn
-    assert "'what': 'left'" in drawn
+    assert "'what': 'left, right'" in drawn
     shown = mounts_shown(engine)
     assert shown is not None
     assert shown.over is not None

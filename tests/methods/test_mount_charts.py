@@ -155,6 +155,21 @@ def test_what_is_missing_of_mounts_is_said() -> None:
         charts.mount_response_chart(still, quantity="speed")
 
 
+@pytest.mark.parametrize(("moved", "lines"), [(0, 3), (150, 4)])
+def test_mounts_whose_lines_cover_each_other_share_one(moved: int, lines: int) -> None:
+    """Two mounts in one place have one line, with both names."""
+    second = {**THREE[0], "name": "second", "right": f"{-300 + moved} mm"}
+    engine = mounted(mounts=[THREE[0], second, *THREE[1:]])
+    for chart in (
+        charts.transmissibility_chart(engine, speeds=SPEEDS.tolist()),
+        charts.mount_response_chart(engine, quantity="mounts", speeds=SPEEDS.tolist()),
+    ):
+        drawn = {row["what"] for row in rows_of(chart.to_dict()) if "what" in row}
+        names = {name for name in drawn if "stiff" not in name}
+        assert ("left, second" in names) == (lines == 3)
+        assert len(names) == lines
+
+
 def test_many_mounts_on_a_foundation_are_drawn_apart() -> None:
     engine = mounted(foundation=GROUND)
     drawn = charts.mount_response_chart(engine, quantity="mounts", speeds=SPEEDS.tolist())

@@ -19,6 +19,7 @@ from crankstar.engine.records import Cylinder, Rod
 from crankstar.files.columns import Columns
 from crankstar.files.lists import Listed
 from crankstar.language.messages import MessageError, _
+from crankstar.language.shown_units import quantity_text
 from crankstar.spectra import Real
 
 WEIGHED = ("piston", "pin", "small_end", "big_end")
@@ -35,6 +36,9 @@ HEADS = {
     **dict.fromkeys(NUMBERS, "label"),
 }
 """The parts by the headings under which people list them."""
+
+APART = 2.0
+"""Factor by which a part may differ from the middle of its batch; parts differ by a few percent."""
 
 
 class MatchingError(MessageError):
@@ -85,9 +89,7 @@ def batch_of(listed: Listed) -> Batch:
     masses: dict[str, Real] = {}
     for name in weighed:
         found = [columns.value(row, name, MASS) for row in columns.rows]
-        for row, mass in zip(columns.rows, found, strict=True):
-            if mass <= 0:
-                columns.refuse(row, name, _("a weight must be greater than 0"))
+        _check_weights(columns, name, found)
         masses[name] = np.array(found)
     labels = [str(place) for place, _row in enumerate(columns.rows, 1)]
     if "label" in columns:
@@ -95,6 +97,22 @@ def batch_of(listed: Listed) -> Batch:
         _note_twice(columns, labels)
     columns.check()
     return Batch(tuple(labels), masses)
+
+
+def _check_weights(columns: Columns, name: str, found: Sequence[float]) -> None:
+    """Refuse what weighs nothing, or is far from the middle of its column; nan is noted already."""
+    sound = [mass for mass in found if mass > 0]
+    middle = float(np.median(sound)) if sound else 0.0
+    for row, mass in zip(columns.rows, found, strict=True):
+        if mass <= 0:
+            columns.refuse(row, name, _("a weight must be greater than 0"))
+        elif mass < middle / APART or mass > middle * APART:
+            slip = _(
+                "{value} is far from the middle of its column, {middle}; is there a slip in it?",
+                value=quantity_text(mass, "kg"),
+                middle=quantity_text(middle, "kg"),
+            )
+            columns.refuse(row, name, slip)
 
 
 def _note_twice(columns: Columns, labels: Sequence[str]) -> None:
@@ -139,6 +157,7 @@ def base(engine: Engine, batch: Batch) -> dict[str, Real]:
             "the engine file gives no masses, so that grams mean nothing in it; add "
             "cylinder.parts, or reciprocating_mass and rotating_mass"
         )
+    _refuse_heavier(engine, batch)
     out: dict[str, Real] = {}
     for name, masses in batch.masses.items():
         found: list[float] = []
@@ -159,6 +178,26 @@ def base(engine: Engine, batch: Batch) -> dict[str, Real]:
     if "big_end" in batch.masses:
         _refuse_without_ends(engine)
     return out
+
+
+def _refuse_heavier(engine: Engine, batch: Batch) -> None:
+    """Refuse parts that go up and down and weigh more than all that does in a file without parts.
+
+    By a factor of APART, as masses of files are often estimates: more is another unit.
+    """
+    own = [cylinder.reciprocating for cylinder in engine.cylinders if cylinder.parts is None]
+    up = {name: masses for name, masses in batch.masses.items() if name in RECIPROCATING}
+    if not own or not up:
+        return
+    listed, most = sum(float(masses.mean()) for masses in up.values()), max(own)
+    if listed > APART * most:
+        raise MatchingError(
+            "mean mass in the list, {parts}: {listed}; that is more than twice all that goes up "
+            "and down with a piston in the file, {known}; check the units",
+            parts=" + ".join(name.replace("_", " ") for name in up),
+            listed=quantity_text(float(f"{listed:.4g}"), "kg"),
+            known=quantity_text(float(f"{most:.4g}"), "kg"),
+        )
 
 
 def _refuse_without_ends(engine: Engine) -> None:

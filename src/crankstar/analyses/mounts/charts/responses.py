@@ -78,6 +78,8 @@ MOST_ORDERS, VISIBLE = 5, 0.02
 """Orders that are drawn by themselves, and the share of the greatest that one of them has."""
 MOST_MOUNTS = 10
 """Lines of mounts that can be told apart; of more those that have most are drawn."""
+ALIKE = 7e-3
+"""Share of the height of a drawing within which one line covers another: a line is as thick."""
 HEIGHT = 230.0
 BESIDE_NAME = 40.0
 """px beside a name in a legend: its line, and the space to the next one."""
@@ -170,7 +172,7 @@ def transmissibility_chart(
     if not np.isfinite(over.transmissibility).any():
         return without(engine, title=title, reason=_("Nothing shakes this engine."))
     names = [each.name for each in over.block.mounts[: over.block.of_block]]
-    every = _coloured(names, over.transmissibility)
+    every = _coloured(*_apart(names, over.transmissibility, top=1.0))
     lines = [line for line in every if np.isfinite(line.values).any()]
     one = _Line(_("stiff mounts (dashed)"), np.ones(over.speeds.size), GREY, 1.2, (4, 3))
     told = [
@@ -218,7 +220,24 @@ def _of_mounts(over: MountResponse) -> list[_Line]:
         own = over.block.of_block
         names = [*names[:own], *(f"{below}: {name}" for name in names[own:])]
     kept = np.sort(np.argsort(-each.max(axis=0), kind="stable")[:MOST_MOUNTS])
-    return _coloured([names[place] for place in kept], each[:, kept])
+    return _coloured(*_apart([names[place] for place in kept], each[:, kept]))
+
+
+def _apart(names: Sequence[str], values: Real, *, top: float = 0.0) -> tuple[list[str], Real]:
+    """Lines that lie on each other as one that has both names, as of left and right mounts.
+
+    The drawing reaches to the largest value, or to `top`.
+    """
+    near = ALIKE * np.nanmax(np.abs(values), initial=top)
+    first: dict[int, list[str]] = {}
+    for place, name in enumerate(names):
+        on = (
+            other
+            for other in first
+            if np.allclose(values[:, place], values[:, other], rtol=0, atol=near, equal_nan=True)
+        )
+        first.setdefault(next(on, place), []).append(name)
+    return [", ".join(alike) for alike in first.values()], values[:, [*first]]
 
 
 def _coloured(names: Sequence[str], values: Real) -> list[_Line]:
