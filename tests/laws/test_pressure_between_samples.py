@@ -41,6 +41,14 @@ def test_side_thrust_and_pin_load_are_greatest_where_the_curve_of_the_trace_has_
     assert spectra.peaks(loads.pin)[0] == pytest.approx(pin.max(), rel=1e-6)
 
 
+def test_the_peak_pressure_is_that_of_the_curve() -> None:
+    dense = np.linspace(0.0, 4 * pi, 2_000_001)
+    whole = float(pressure(dense).max()) * 1e5
+    found = cycle(single())
+    assert found.peak == pytest.approx(whole, rel=1e-6)
+    assert found.pressure.max() < whole * (1 - 1e-6)
+
+
 def test_a_jump_of_an_ideal_cycle_is_not_overshot() -> None:
     found = cycle(crankstar.load("audi-25-tfsi", changes={"gas.process": "otto"}))
     between = pressure_at(found, np.linspace(0.0, 4 * pi, 50_000))

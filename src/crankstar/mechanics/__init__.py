@@ -21,8 +21,8 @@
 | `operating_points` | the values of an operating point, given or assumed |
 | `roots` | where a function is nought |
 | `gas_traces` | when valves act, and the charge that a measured pressure shows |
-| `pressures` | the pressure at one operating point, with the heat that gives its load |
 | `maxima` | where curves on a grid have their maxima and cross their limits |
+| `pressures` | the pressure at one operating point, with the heat that gives its load |
 | `gas` | the pressure in every chamber over a cycle |
 | `gear_wheels` | gear wheels between crankshafts: which meshes with which, and how large |
 | `central_rods` | rods of one crankpin in one plane, and where there are more than can be |

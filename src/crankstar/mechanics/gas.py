@@ -22,6 +22,7 @@ from crankstar.language.messages import _, _n
 from crankstar.mechanics.charge_air import GREATEST_STEPS, SETTLED, air_fuel_ratio
 from crankstar.mechanics.friction import friction_of
 from crankstar.mechanics.gas_traces import charges_of_trace
+from crankstar.mechanics.maxima import highest
 from crankstar.mechanics.operating_points import (
     GasError,
     OperatingState,
@@ -175,7 +176,7 @@ def _at_point(
         crankcase=values["crankcase_pressure"],
         imep=float(work.sum() / places.swept[[*places.kind]].sum()),
         friction=friction_of(values),
-        peak=float(rows.max()),
+        peak=highest(rows),
         speed=values.get("speed"),
         name=name,
         values={**values, **next(iter(charges.values()), {}), "charges": charges},
@@ -219,7 +220,7 @@ def _between(ends: Sequence[Cycle], state: OperatingState) -> Cycle:
         pressure=rows,
         imep=mean((first.imep, last.imep)),
         friction=mean((rubs[0], rubs[1])),
-        peak=float(rows.max()),
+        peak=highest(rows),
         speed=state.speed,
         name="",
         values={**values, "speed": state.speed},

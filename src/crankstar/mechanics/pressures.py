@@ -19,6 +19,7 @@ from crankstar.mechanics import heat_release, ideal_cycles, real_gas
 from crankstar.mechanics.charge_air import boosted, events
 from crankstar.mechanics.friction import friction_of
 from crankstar.mechanics.gas_traces import traced
+from crankstar.mechanics.maxima import highest
 from crankstar.mechanics.operating_points import GasError
 from crankstar.mechanics.roots import root
 from crankstar.spectra import Real
@@ -165,7 +166,7 @@ def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
         return float(np.dot(work, kinds)) * step / swept
 
     def peak(heat: float) -> float:
-        return max(float(law(heat).max()) for law in laws)
+        return max(highest(law(heat)) for law in laws)
 
     wanted, found = _target(values), mean
     if "imep" not in values and "bmep" not in values:
