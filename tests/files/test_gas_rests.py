@@ -293,3 +293,15 @@ def test_a_point_at_the_speed_of_the_file_goes_along() -> None:
     volume = 5 * np.pi / 4 * 0.0825**2 * 0.0928
     mean = (18.608e5 + friction) * volume / (4 * np.pi)
     assert (moved.quantity, [moved.low, moved.high]) == ("mean torque", pytest.approx(mean))
+
+
+@pytest.mark.parametrize(("bore", "told"), [("81.8 mm", 0), ("70 mm", 1)])
+def test_how_unlike_chambers_share_the_heat_is_said(
+    run: Run, tmp_path: Path, bore: str, told: int
+) -> None:
+    """Each by its swept volume: the pressures are alike, whatever the bore."""
+    tree = {**FIVE, **BURNING, "cylinders": [{"number": 2, "bore": bore}]}
+    text = run("torque", written(tmp_path, tree)).out
+    assert text.count("Chambers of unlike size burn the same heat") == told
+    rows = cycle(engine_of(tree)).pressure
+    assert rows[1] == pytest.approx(rows[0], rel=1e-9)  # cylinder 2, and cylinder 1

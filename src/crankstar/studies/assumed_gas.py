@@ -71,6 +71,16 @@ the exhaust valve of a ship's engine to the ports of a small one.
 """
 USUAL = N_("usual for such engines")
 AT_SAME_CHARGE = N_("usual for such engines; at the same charge pressure")
+ONE_HEAT = Assumption(
+    "assumed", "gas",
+    N_("chambers of unlike size burn the same heat for their swept volume"),
+    sentence=N_(
+        "Chambers of unlike size burn the same heat for their swept volume, and a load is the mean "
+        "by volume; not in the file: {paths}."
+    ),
+)  # fmt: skip
+"""How the heat is shared among chambers of which one has more than UNLIKE times another."""
+UNLIKE = 1.01
 LOADS = 9
 """Loads of a usual cycle at which its roll is tried: near the inertia's it has a minimum inside."""
 START_ENDS = radians(10.0)
@@ -140,6 +150,9 @@ def gas_values(engine: Engine, own: Cycle) -> Iterator[Assumption]:
     Where the charge is kept that a run by hand would change, the reason says so.
     """
     yield from _firing(engine)
+    swept = own.volumes.swept
+    if swept.max() > UNLIKE * swept.min():
+        yield ONE_HEAT
     for each in _gas_values(engine, own):
         ends = (each.low, each.high)
         charge = each.path.removeprefix("gas.") in CHARGE
