@@ -91,11 +91,13 @@ WIDE = 0.2
 
 
 def wide(tolerances: Iterable[Tolerance]) -> list[str]:
-    """A sentence for each tolerance of a mass or length that no part is made to.
+    """A sentence for each tolerance of a mass or length that no part is made to, if it is not 0.
 
     >>> tree = {"cylinder": {"stroke": "90 mm +- 30 mm", "rod_length": "150 mm +- 0.05 mm"}}
     >>> len(wide(tolerances_of(tree | {"layout": {"type": "inline"}}).values()))
     1
+    >>> wide(tolerances_of({"cylinder": {"rotating_mass": "0 g +- 5 g"}}).values())
+    []
     """
     return [
         _(
@@ -109,7 +111,7 @@ def wide(tolerances: Iterable[Tolerance]) -> list[str]:
         if own.quantity.least
         and (own.quantity.dimension == "mass" or own.quantity.dimension.startswith("length"))
         and "clearance" not in own.path
-        and own.bound > WIDE * own.value
+        and own.bound > WIDE * own.value > 0
     ]
 
 
