@@ -87,9 +87,12 @@ def _taken(one: Asked, hint: Any) -> str:
     if takes == "nothing":
         return "bool"
     kind = re.sub(r"Union\[(.*)\]$", lambda found: _parts(found[1]), formatannotation(hint))
-    kind = kind.replace("collections.abc.", "").replace("Sequence[", "Iterable[")
+    kind = kind.replace("collections.abc.", "").replace("typing.", "")
+    kind = kind.replace("Sequence[", "Iterable[")
     if takes == "several texts":
         kind = "Iterable[str] | Mapping[Any, Any]" + " | None" * ("None" in kind)
+    elif "lists.Listed" in kind:  # a file, a data frame, rows by heading
+        return "Any"
     elif "crankstar." in kind:  # a record of its own, which is given as text or in a file
         kind = "Path | None" if "None" in kind else "Path"
     elif one.name == "orders":

@@ -17,7 +17,8 @@ from crankstar import cli
 WRITTEN = re.compile(
     r"^(Wrote |Replaced |Estimated\b|None of orders? |No [a-z_, ]+ at |Not in the(?:se)? "
     r"|--set [a-z_., ]+ changes nothing |package [^\n]+: its |(?:All|Each) at [^\n]+ file"
-    r"|--[a-z]+ changes nothing |The file gives no |Shapes are |At [a-z_.]+ = |Записан файл ).*\n"
+    r"|--[a-z]+ changes nothing |The file gives no |Shapes are |At [a-z_.]+ = |Interrupted: "
+    r"|Записан файл ).*\n"
     r"|^.* rests on:\n(?:.+\n)*",
     re.MULTILINE,
 )

@@ -4,15 +4,23 @@ from __future__ import annotations
 
 import datetime
 import json
+import signal
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import openpyxl
 import pytest
 from tests.commands import Run, csv_rows
-from tests.methods.test_matching import TRIPLE
+from tests.files.test_parts import tree
+from tests.methods.test_matching import TRIPLE, batch
+
+import crankstar
+from crankstar.analyses.match import answer
+from crankstar.analyses.match.batch import MatchingError
+from crankstar.files import tree_text
 
 LIST = """no., piston [g], pin [g], small end [g], big end [g]
 a, 412, 99.5, 151, 401
@@ -305,3 +313,55 @@ def test_what_classes_leave_is_told_of_each_of_several_engines(run: Run, tmp_pat
     assert [float(row["most [kg*m]"]) for row in classes] == pytest.approx(
         [row["most"] for row in found["classes"]]
     )
+
+
+def test_what_the_whole_engine_rests_on_is_said(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without counterweights in its file; the parts alone rest on none."""
+    monkeypatch.chdir(tmp_path)
+    line = ("match", "triple.toml", "w.csv", "--json")
+    whole = json.loads(run(*line, "--whole").out)
+    [own] = [each for each in whole["rests_on"] if each["path"] == "crankshaft.weight"]
+    [matched, *_others] = whole["left"]
+    assert matched["parts"] == "matched"
+    assert own["moves"]["now"] == pytest.approx(matched["unbalance"], rel=1e-9)
+    assert own["moves"]["quantity"] == "unbalance left"
+    assert own["moves"]["low"] < 0.8 * own["moves"]["now"]
+    assert "rests_on" not in json.loads(run(*line).out)
+    found = crankstar.match("triple.toml", "w.csv", whole=True)
+    assert [each.path for each in found.rests_on] == [each["path"] for each in whole["rests_on"]]
+    rows = found.to_frame("left").to_dict("records")
+    assert rows[0]["unbalance_kg_m"] == pytest.approx(matched["unbalance"])
+    few = [{"no.": 1, "piston [g]": 412}, {"no.": 2, "piston [g]": 410}]
+    with pytest.raises(MatchingError, match="3 cylinders"):
+        crankstar.match("triple.toml", few)
+    with pytest.raises(ValueError, match="greater than 0"):
+        crankstar.match("triple.toml", "w.csv", classes=[-0.001])
+
+
+@pytest.mark.parametrize(("name", "halted"), [("triple", False), ("eight", True)])
+def test_an_interrupt_gives_the_best_so_far(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, *, halted: bool
+) -> None:
+    """It comes as the search begins, which ends where it first tells how far it is, if it does.
+
+    All ways to fill three cylinders are listed at once, and are proved.
+    """
+    whole = answer.divided
+
+    def interrupted(*given: Any, **options: Any) -> Any:
+        signal.raise_signal(signal.SIGINT)
+        return whole(*given, **options)
+
+    (tmp_path / "eight.toml").write_text(tree_text(tree()), encoding="utf-8")
+    parts = batch(8)
+    kinds = [f"{kind.replace('_', ' ')} [kg]" for kind in parts.masses]
+    rows = np.column_stack([range(8), *parts.masses.values()]).tolist()
+    lines = [",".join(map(str, row)) for row in (["no", *kinds], *rows)]
+    (tmp_path / "w.csv").write_text("\n".join(lines), encoding="utf-8")
+    monkeypatch.setattr(answer, "divided", interrupted)
+    ran = run("match", f"{name}.toml", "w.csv")
+    assert ran.code == 0
+    assert ("Interrupted: what follows is the best so far" in ran.err) == halted
+    assert ("that it is least is not proved" in " ".join(ran.out.split())) == halted

@@ -10,25 +10,18 @@ import pytest
 from tests.files.test_parts import tree
 
 from crankstar import spectra
+from crankstar.analyses.match.assignments import Kind, _exchanged, _halved, _listed, least
+from crankstar.analyses.match.batch import Batch, MatchingError, batch_of, paired
+from crankstar.analyses.match.law import linear_unbalance
+from crankstar.analyses.match.matching import left_by, matched
+from crankstar.analyses.match.sets import divided, divided_rods, runs
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.files.catalog import load
 from crankstar.files.lists import list_of
 from crankstar.mechanics.balance import balance, total
 from crankstar.spectra import Real
-from crankstar.studies.assignments import Kind, _exchanged, _halved, _listed, least
-from crankstar.studies.matched_orders import linear_unbalance
-from crankstar.studies.matched_sets import divided, divided_rods, runs
-from crankstar.studies.matching import matched
-from crankstar.studies.part_weights import (
-    WEIGHED,
-    Batch,
-    MatchingError,
-    batch_of,
-    paired,
-    with_own_big_ends,
-    with_parts,
-)
+from crankstar.studies.part_weights import WEIGHED, with_own_big_ends, with_parts
 
 TRIPLE = """
 name = "triple"
@@ -367,7 +360,7 @@ def test_of_too_many_of_every_part_the_best_are_fitted(whole: bool) -> None:
 def test_of_more_parts_than_can_be_tried_nothing_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
     parts = Batch(tuple("abcde"), {"piston": FIVE})
     listed = matched(triple(), parts)
-    monkeypatch.setattr("crankstar.studies.assignments.MOST", 10)
+    monkeypatch.setattr("crankstar.analyses.match.assignments.MOST", 10)
     exchanged = matched(triple(), parts)
     assert (listed.proved, exchanged.proved) == (True, False)
     assert exchanged.unbalance == pytest.approx(listed.unbalance, rel=1e-6)
@@ -408,3 +401,15 @@ def test_one_engine_of_a_batch_has_one_answer(whole: bool) -> None:
     (one,) = divided(triple(), parts, engines=1, whole=whole).engines
     assert (one.places, one.unbalance, one.whole) == (alone.places, alone.unbalance, whole)
     assert one.classes == alone.classes
+
+
+@pytest.mark.parametrize("whole", [False, True])
+def test_what_is_left_in_the_cylinders_is_the_same_by_the_law(*, whole: bool) -> None:
+    """Of the assignment that was found; of the whole engine also by its own sums."""
+    engine, parts = triple(), batch(3)
+    found = matched(engine, parts, whole=whole)
+    asked = {"orders": (1.0, 2.0), "quantities": found.quantities, "whole": whole}
+    again = left_by(engine, parts, found.places, **asked)
+    assert again == pytest.approx(found.unbalance, rel=1e-9)
+    if whole:
+        assert again == pytest.approx(left(found.engine, found.law.arm), rel=1e-9)

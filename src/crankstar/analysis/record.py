@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, get_args
 
 if TYPE_CHECKING:
     from crankstar.analysis.assumptions import Answer
-    from crankstar.analysis.document import Document, Table
+    from crankstar.analysis.document import Audience, Document, Table
     from crankstar.engine.engine import Engine
     from crankstar.engine.torsion import Chain
 
@@ -140,16 +140,19 @@ class Writes:
     engine     (engine, question) -> Engine; (result) -> Engine if it is `of_result`
     refuse     (question): refuses to write an engine to which nothing is done
     more       how the analysis uses the option
+    count      (question) -> how many engines there are: `engine` gives a sequence of them, each of
+               several is written in a file with its number
 
-    Where the engine is of the result, the assumptions of the document are those of that engine.
+    Where the one engine is of the result, the assumptions of the document are those of that engine.
     Where the option is --output, the document itself is printed only, as text or JSON.
     """
 
     option: str
-    engine: Later[Callable[..., Engine]]
+    engine: Later[Callable[..., Any]]
     refuse: Later[Callable[[Any], None]] | None = None
     more: str = ""
     of_result: bool = False
+    count: Later[Callable[[Any], int]] | None = None
 
     @property
     def name(self) -> str:
@@ -205,6 +208,8 @@ class Analysis:
                the file and `speed`, or `alone` at that speed (rad/s), of all orders or one
     natural    () -> Answer: the figures of free vibration alone
     writes     the engine that it makes, which an option writes as a file
+    proved     (result) -> whether it is the best, of steps that end where `tell` gives False: the
+               result is then the best so far
     grids      (result) -> Grids by the name of its attribute, for what has dimensions
     picture    what is drawn of its result, where -o names a picture
 
@@ -213,7 +218,8 @@ class Analysis:
     `estimates`: values that a file leaves out may be estimated, and results have ranges;
     `marks_speed`: a speed that changes nothing, since the file has no masses or sizes, is marked;
     `steps`: compute takes long, and `tell=`, to be called with the steps done and their number;
-    `by_audience`: answer also takes `audience=`, as readers are shown less than machines.
+    `by_audience`: answer also takes `audience=`, as readers are shown less than machines;
+    `by_result`: answer also takes `result=`, as it goes on from what was found.
     """
 
     name: str
@@ -239,6 +245,7 @@ class Analysis:
     measured: Later[Callable[..., float]] | None = None
     natural: Later[Callable[[], Answer]] | None = None
     writes: Writes | None = None
+    proved: Later[Callable[[Any], bool]] | None = None
     grids: Later[Callable[[Any], Mapping[str, Grid]]] | None = None
     picture: Picture | None = None
     chains: tuple[str, ...] = ()
@@ -247,6 +254,7 @@ class Analysis:
     marks_speed: bool = False
     steps: bool = False
     by_audience: bool = False
+    by_result: bool = False
 
     def tells(self, engine: Engine, speed: float | None = None) -> bool:
         """Whether reports and verdicts have it of an engine, at a speed (rad/s) or its own."""
@@ -255,3 +263,16 @@ class Analysis:
     def told(self, source: Engine | Chain, question: Any) -> Document:
         """The document of a source, with the values of a question."""
         return self.document.value(source, self.compute.value(source, question), question)
+
+    def resting(self, source: Engine, result: Any) -> Engine:
+        """The engine whose assumptions are told: the source, or the one that was made of it."""
+        writes = self.writes
+        made = writes is not None and writes.of_result and writes.count is None
+        return writes.engine.value(result) if writes is not None and made else source
+
+    def answered(self, engine: Engine, question: Any, result: Any, audience: Audience) -> Answer:
+        """The figures that the assumptions of an engine move, of a result told to an audience."""
+        more: dict[str, Any] = {"audience": audience} if self.by_audience else {}
+        if self.by_result:
+            more["result"] = result
+        return self.answer.value(engine, question, **more)

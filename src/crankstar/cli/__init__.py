@@ -21,7 +21,6 @@
 | `searching` | search |
 | `balancing` | balance |
 | `workshop` | bobweight, drill, grade |
-| `matching` | match |
 | `correcting` | correct |
 | `picturing` | plot |
 | `drawing` | draw, animate |

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import ExitStack, contextmanager
 from functools import partial
 from inspect import Parameter as Argument
 from inspect import Signature
 from itertools import count
+from os.path import realpath
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from cyclopts import Parameter
@@ -24,13 +25,14 @@ from crankstar.cli.options import (
     engine_place,
     mark_load,
     mark_speed,
+    numbered,
     once,
     option,
     read_engine,
     together,
     write_engine,
 )
-from crankstar.cli.output import complain, progress, working, write_bytes
+from crankstar.cli.output import complain, progress, working, writable, write_bytes
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
@@ -38,12 +40,12 @@ from crankstar.language.faults import EngineError
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options.forms import PICTURES, TABLES, form_of
-from crankstar.options.refusals import RequestError, refuse_unused
+from crankstar.options.refusals import RequestError, refusal, refuse_unused
 from crankstar.options.sources import Loaded
 from crankstar.options.vocabulary import OPTIONS
 
 if TYPE_CHECKING:
-    from crankstar.analysis.assumptions import Answer, Assumption
+    from crankstar.analysis.assumptions import Assumption
     from crankstar.analysis.document import Document
 
 TYPES = {"nothing": bool, "text": str, "several texts": list[str], "whole number": int}
@@ -167,17 +169,15 @@ def _answer(record: Analysis, options: dict[str, Any]) -> None:
 
 
 def _write(record: Analysis, writes: Writes, read: Read, result: Any, path: str) -> None:
-    """Write the engine that an analysis makes."""
+    """Write the engine that an analysis makes, or several, each in a file with its number."""
     source = read.loaded.source
     if isinstance(source, Engine):
+        of = (result,) if writes.of_result else (source, read.question)
         with added().running(record.name):
-            made = _made(writes, result) or writes.engine.value(source, read.question)
-        write_engine(made, read.loaded.tree, path, option=_spelt(writes))
-
-
-def _made(writes: Writes | None, result: Any) -> Engine | None:
-    """The engine that a result has made."""
-    return writes.engine.value(result) if writes is not None and writes.of_result else None
+            made = writes.engine.value(*of)
+        several: Sequence[Engine] = (made,) if writes.count is None else made
+        for each, place in zip(several, numbered(path, len(several)), strict=True):
+            write_engine(each, read.loaded.tree, place, option=_spelt(writes))
 
 
 def _spelt(writes: Writes) -> str:
@@ -194,8 +194,8 @@ def _draw(record: Analysis, read: Read, output: str | None) -> None:
     title = _(record.picture.title, engine=source.name)
     plain = dict.fromkeys(("theme", "width", "height", "dpi", "font_size"))
     look = chart_request.paper(read.form, **plain)
-    with added().running(record.name), _shown(record, 1) as tell:
-        result = _computed(record, source, read.question, tell)
+    with added().running(record.name), _shown(record, 1) as steps:
+        result = _computed(record, source, read.question, steps.tell)
         draw = partial(record.picture.draw.value, result, read.question)
         printed = drawing.printed(draw, look, title=title)
         write_bytes(drawing.saved_print(printed, read.form, title=title), output)
@@ -223,17 +223,23 @@ def _documented(record: Analysis, read: Read) -> tuple[Document, Any]:
     several = 1 if spread is None else len(spread.engines)
     number = count(1)
     results: list[Any] = []
-    with _shown(record, several) as tell:
+    with _shown(record, several) as steps:
 
         def told(each: Engine) -> Document:
             if several > 1:
-                tell(next(number), several)
-            results.append(_computed(record, each, question, None if several > 1 else tell))
+                steps.tell(next(number), several)
+            own = None if several > 1 else steps.tell
+            results.append(_computed(record, each, question, own))
+            proved = record.proved is None or record.proved.value(results[-1])
+            if steps.ended() and not proved:
+                complain(_("Interrupted: what follows is the best so far, and not proved."))
             return record.document.value(each, results[-1], question)
 
         def rests() -> Sequence[Assumption]:
-            about = _made(record.writes, results[0]) or source
-            found = resting_on(read.form, about, partial(_answered, record, about, read))
+            audience = "readers" if read.form == "txt" else "machines"
+            about = record.resting(source, results[0])
+            answer = partial(record.answered, about, question, results[0], audience)
+            found = resting_on(read.form, about, answer)
             return () if found is None else found()
 
         if record.estimates:
@@ -244,36 +250,47 @@ def _documented(record: Analysis, read: Read) -> tuple[Document, Any]:
 
 
 def _computed(
-    record: Analysis, source: Engine | Chain, question: Any, tell: Callable[[int, int], None] | None
+    record: Analysis, source: Engine | Chain, question: Any, tell: Callable[[int, int], bool] | None
 ) -> Any:
     """The result; `tell` is called after each step of a long one."""
     steps = {"tell": tell} if record.steps else {}
     return record.compute.value(source, question, **steps)
 
 
-def _answered(record: Analysis, engine: Engine, read: Read) -> Answer:
-    """The figures of the answer in the form that is asked for."""
-    audience = "readers" if read.form == "txt" else "machines"
-    return record.answer.value(
-        engine, read.question, **({"audience": audience} if record.by_audience else {})
-    )
+class Steps(NamedTuple):
+    """What is called with the steps done and their number, and whether they were to end."""
+
+    tell: Callable[[int, int], bool]
+    ended: Callable[[], bool] = lambda: False
 
 
 @contextmanager
-def _shown(record: Analysis, several: int) -> Iterator[Callable[[int, int], None]]:
+def _shown(record: Analysis, several: int) -> Iterator[Steps]:
     """Show that work is under way; of steps or several engines also how many are done.
 
-    Steps are ended in order by the first interrupt.
+    Steps are ended in order by the first interrupt: by False to what can halt.
     """
     doing = _(record.doing)
     if several == 1 and not record.steps:
         with working(doing):
-            yield lambda _done, _of: None
+            yield Steps(lambda _done, _of: True)
         return
-    from crankstar.stars.interrupts import ended_once
+    from crankstar.stars.interrupts import ended_once, signals_noted
 
-    with ended_once() if record.steps else nullcontext(), progress(doing) as tell:
-        yield lambda done, of: tell(done, of, f"{done}/{of}")
+    with ExitStack() as opened:
+        noted = opened.enter_context(signals_noted()) if record.proved is not None else None
+        if record.steps and noted is None:
+            opened.enter_context(ended_once())
+        show = opened.enter_context(progress(doing))
+
+        def ended() -> bool:
+            return noted is not None and noted.is_set()
+
+        def tell(done: int, of: int) -> bool:
+            show(done, of, "" if noted is not None else f"{done}/{of}")
+            return not ended()
+
+        yield Steps(tell, ended)
 
 
 class Read(NamedTuple):
@@ -331,13 +348,29 @@ def _refusals(
     """What refuses values that do not go together, and a file that cannot be written."""
     question = being_read(record.question.value, reading)
     refuse, writes = record.refuse, record.writes
+    if (output := options.get("output")) is not None and not _only_printed(record):
+        yield partial(writable, output)
     if writes is not None and options.get(writes.name) is not None:
-        yield partial(engine_place, options[writes.name], option=_spelt(writes))
+        yield partial(_engine_places, writes, options, question)
         if writes.refuse is not None:
             yield partial(writes.refuse.value, question)
     if refuse is not None:
         yield lambda: refuse.value(source(), question)
     yield lambda: _refuse_of_chain(record, options, source())
+
+
+def _engine_places(writes: Writes, options: dict[str, Any], question: Any) -> None:
+    """Refuse files of engines that cannot be written, or that the document would replace."""
+    output = None if writes.name == "output" else options.get("output")
+    count = 1 if writes.count is None else writes.count.value(question)
+    for place in numbered(options[writes.name], count):
+        if output is not None and realpath(place) == realpath(output):
+            raise refusal(
+                _spelt(writes),
+                place,
+                "it is read or written besides and would be lost; name another",
+            )
+        engine_place(place, option=_spelt(writes))
 
 
 def _refuse_of_chain(record: Analysis, options: dict[str, Any], source: Engine | Chain) -> None:

@@ -58,7 +58,6 @@ VERBS = {
     "export": "exporting:export",
     "grade": "workshop:grade",
     "list": "inspect:list_engines",
-    "match": "matching:match",
     "new": "files:new",
     "orders": "firing:orders",
     "page": "showing:page",

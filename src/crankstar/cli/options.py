@@ -230,6 +230,18 @@ def engine_suffix(place: str | None, *, option: str = "-o") -> str:
     return suffix
 
 
+def numbered(place: str, count: int) -> list[str]:
+    """The name of a file, for several each with its number.
+
+    >>> numbered("mine.toml", 1), numbered("mine.toml", 2)
+    (['mine.toml'], ['mine-1.toml', 'mine-2.toml'])
+    """
+    if count == 1:
+        return [place]
+    path = Path(place)
+    return [str(path.with_name(f"{path.stem}-{n}{path.suffix}")) for n in range(1, count + 1)]
+
+
 def engine_place(place: str | None, *, option: str = "-o") -> None:
     """Refuse, before long work, a name under which no engine can be written."""
     from crankstar.cli.output import writable

@@ -9,7 +9,7 @@ from typing import Any
 
 from crankstar.engine.arguments import check_number as check_number  # with the other numbers
 from crankstar.engine.arguments import is_number as is_number
-from crankstar.engine.quantities import INERTIA, POWER, PRESSURE, SPEED, Quantity
+from crankstar.engine.quantities import INERTIA, MASS, POWER, PRESSURE, SPEED, Quantity
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.numbers import RPM
@@ -96,6 +96,11 @@ def pressure(argument: str, given: Any) -> float:
 def inertia(argument: str, given: Any) -> float:
     """A moment of inertia above nought, kg m^2, or text. Raises ValueError, TypeError."""
     return _positive(argument, given, INERTIA, "0.2 kg*m^2")
+
+
+def mass(argument: str, given: Any) -> float:
+    """A mass above nought, kg, or text with its unit. Raises ValueError, TypeError."""
+    return _positive(argument, given, MASS, "5 g")
 
 
 def power(argument: str, given: Any) -> float:

@@ -42,9 +42,9 @@ def bearings(
 def diagnose(
     engine: EngineLike,
     /,
-    measured: Path | str,
+    measured: Any,
     *,
-    before: Path | str | None = None,
+    before: Any = None,
     speed: float | str | None = None,
     point: str = "",
     changes: Mapping[str, Any] | None = None,
@@ -255,6 +255,40 @@ def marine(
             of note.
         changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
         estimate: fill in what the file leaves out.
+    """
+
+def match(
+    engine: EngineLike,
+    /,
+    weights: Any,
+    *,
+    orders: Iterable[float] | str = (1.0, 2.0),
+    quantity: Iterable[Literal["force", "couple"]] | str = ("force", "couple"),
+    engines: int = 1,
+    classes: Iterable[float] | str = (0.0005, 0.001, 0.002, 0.005),
+    whole: bool = False,
+    speed: float | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+) -> Result:
+    """Match weighed pistons, pins and rods to the cylinders.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        weights: CSV file (or .xlsx) with the weights: columns no., piston, pin, small end, big
+            end.
+        orders: Crank orders with commas, such as 1,2,4, or all. Default: 1,2.
+        quantity: Quantity, such as force or couple, or several with commas. Force, couple, or
+            both (the default).
+        engines: How many engines: alike on one foundation, or those among which a batch is
+            divided.
+        classes: Widths of classes with which the match is compared, such as "1 g, 5 g"
+            (default: 0.5, 1, 2 and 5 g).
+        whole: Minimise what the whole engine leaves with the counterweights of its file,
+            instead of what the parts add to the engine with the mean of the fitted parts in
+            every cylinder, for which its crankshaft is balanced afterwards.
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
     """
 
 def mounts(

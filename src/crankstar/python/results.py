@@ -152,11 +152,9 @@ class Result:
             return RestsOn()
         from crankstar.studies.answers import rests_on
 
-        record, writes = self.analysis, self.analysis.writes
-        made = writes is not None and writes.of_result
-        about = writes.engine.value(self.value) if writes is not None and made else self.source
-        audience = {"audience": "machines"} if record.by_audience else {}
-        return told(rests_on(about, record.answer.value(about, self.question, **audience)))
+        record = self.analysis
+        about = record.resting(self.source, self.value)
+        return told(rests_on(about, record.answered(about, self.question, self.value, "machines")))
 
     @cached_property
     def tables(self) -> Mapping[str, Table]:

@@ -34,11 +34,7 @@
 | `unit_parts` | the parts of an engine at unit mass: masses and angles of many engines at once |
 | `builds` | engines built at random within their tolerances |
 | `scatter` | the scatter of an engine: law, random engines, what matters most |
-| `part_weights` | weights of a batch of pistons, pins and rods; an engine with such parts |
-| `matched_orders` | the unbalance of an engine as a linear law of the masses of its cylinders |
-| `assignments` | the assignments whose vectors add up to least, with proof |
-| `matching` | a batch matched to the cylinders of an engine, and what chance and classes leave |
-| `matched_sets` | a batch divided among several engines, each set matched |
+| `part_weights` | an engine with other weights of its pistons, pins and rods |
 | `fault_kinds` | a fault of an engine as a record, in words, for machines |
 | `single_faults` | faults of an engine, and what each changes in what shakes its block |
 """

@@ -52,7 +52,6 @@
 | `meshes` | gears between crankshafts: what each mesh passes on |
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `mount_points` | how the named points of a block shake |
-| `matching` | parts matched to cylinders, and what is left |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
 | `placings` | the places of balance shafts, and what they leave of the roll |
 | `remedies` | the balancing sheet |

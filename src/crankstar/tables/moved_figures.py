@@ -54,6 +54,7 @@ FIGURES = {
     "acceleration at the point": N_("maximum acceleration of the point"),
     "weighted acceleration": N_("maximum weighted acceleration of the point"),
     "transmissibility": N_("maximum transmissibility"),
+    "unbalance left": N_("unbalance left"),
     "least force": N_("maximum force on the ground"),
     "least mounts": N_("maximum force of all mounts"),
     "least velocity": N_("maximum velocity of the point"),

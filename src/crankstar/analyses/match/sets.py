@@ -21,12 +21,13 @@ import numpy as np
 from scipy.optimize import Bounds, LinearConstraint, milp
 from scipy.sparse import csr_matrix
 
+from crankstar.analyses.match.assignments import Watch
+from crankstar.analyses.match.batch import Batch, MatchingError, paired
+from crankstar.analyses.match.law import ORDERS
+from crankstar.analyses.match.matching import CLASSES, Matched, Place, matched
+from crankstar.analyses.match.question import Minimised
 from crankstar.engine.engine import Engine
 from crankstar.spectra import Real
-from crankstar.studies.assignments import Watch
-from crankstar.studies.matched_orders import ORDERS, Minimised
-from crankstar.studies.matching import CLASSES, Matched, Place, matched
-from crankstar.studies.part_weights import Batch, MatchingError, paired
 
 SECONDS = 20.0
 """Time for the programme that divides rods."""
@@ -169,16 +170,6 @@ def divided(
     >>> round(found.pistons.spread * 1000, 6)  # 413 - 410 and 423 - 420
     6.0
     """
-    size = len(engine.cylinders)
-    if batch.size < engines * size:
-        raise MatchingError(
-            "the list has {items} of each part, and {engines} engines with {count} cylinders need "
-            "{needed}",
-            items=batch.size,
-            engines=engines,
-            count=size,
-            needed=engines * size,
-        )
     least = partial(
         matched,
         engine,
@@ -190,6 +181,16 @@ def divided(
     )
     if engines == 1:
         return Division(None, None, (least(batch),))
+    size = len(engine.cylinders)
+    if batch.size < engines * size:
+        raise MatchingError(
+            "the list has {items} of each part, and {engines} engines with {count} cylinders need "
+            "{needed}",
+            items=batch.size,
+            engines=engines,
+            count=size,
+            needed=engines * size,
+        )
     pins, sums = paired(batch)
     pistons = runs(sums, sets=engines, size=size) if batch.has_pistons else None
     rods = None

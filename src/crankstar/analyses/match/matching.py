@@ -1,8 +1,8 @@
 """A batch of pistons, pins and rods matched to the cylinders of an engine, with proof.
 
-Pins go with pistons first, the heaviest with the lightest (`part_weights.paired`). Then pistons
+Pins go with pistons first, the heaviest with the lightest (`batch.paired`). Then pistons
 with their pins, and rods, are assigned to the cylinders so that the unbalance U that is left
-(`matched_orders`) is least of all assignments (`assignments`). Beside it stands what chance would
+(`law`) is least of all assignments (`assignments`). Beside it stands what chance would
 leave: the rms of U over all assignments, of items i with the 2-vector m_i = (going up and down,
 turning) and the 2-column vectors A_c of the cylinders, S the scatter of the m_i,
 
@@ -27,6 +27,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.match.assignments import Kind, Watch, least
+from crankstar.analyses.match.batch import Batch, MatchingError, base, paired
+from crankstar.analyses.match.law import ORDERS, LinearUnbalance, linear_unbalance
+from crankstar.analyses.match.question import Minimised
 from crankstar.engine.engine import Engine
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import _
@@ -35,9 +39,7 @@ from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.mechanics.remains import kept
 from crankstar.spectra import Real
-from crankstar.studies.assignments import Kind, Watch, least
-from crankstar.studies.matched_orders import ORDERS, LinearUnbalance, Minimised, linear_unbalance
-from crankstar.studies.part_weights import Batch, MatchingError, base, paired, with_parts
+from crankstar.studies.part_weights import with_parts
 
 CLASSES = (0.0005, 0.001, 0.002, 0.005)
 """Widths of classes that are compared where none are asked for, kg."""
@@ -180,6 +182,39 @@ def matched(
         whole_alike=size(alike),
         left_over=batch.size - count,
     )
+
+
+def left_by(
+    engine: Engine,
+    batch: Batch,
+    places: Sequence[Place],
+    *,
+    orders: Sequence[float],
+    quantities: Sequence[Minimised],
+    whole: bool,
+) -> float:
+    """U (kg m) with the parts of a batch in these places, as `Matched.unbalance` has it.
+
+    >>> from crankstar.files.catalog import load
+    >>> four = load("subaru-ej25")
+    >>> parts = Batch(("a", "b"), {"piston": np.array([0.412, 0.410])})
+    >>> here = [Place(n, int(n > 2), None, None) for n in (1, 2, 3, 4)]
+    >>> asked = {"orders": (1.0,), "quantities": ("force", "couple")}
+    >>> left = left_by(four, parts, here, whole=False, **asked)
+
+    Two grams less in cylinders 3 and 4, next to each other on opposite sides, are a couple.
+
+    >>> 0 < left < 0.004 * four.throw(four.first).radius
+    True
+    """
+    law = linear_unbalance(engine, orders=orders, quantities=quantities)
+    if whole:
+        return float(np.linalg.norm(_of_engine(law, batch, base(engine, batch), places)))
+    counted = _about_fitted(law)
+    masses = {name: _in_places(batch, name, places) for name in batch.masses}
+    around = masses.pop("big_end", np.zeros(len(places)))
+    up = sum(masses.values(), np.zeros(len(places)))
+    return float(np.linalg.norm(counted.reciprocating @ up + counted.rotating @ around))
 
 
 def _about_fitted(law: LinearUnbalance) -> LinearUnbalance:

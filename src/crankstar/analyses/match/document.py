@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from crankstar.analyses.match.batch import Batch
+from crankstar.analyses.match.matching import Matched, Place, labels
+from crankstar.analyses.match.question import Question
+from crankstar.analyses.match.sets import Division
 from crankstar.analysis.document import Column, Document, Table, Value, remarks
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import RPM, number, order_text, rpm_of
 from crankstar.language.shown_units import quantity_text
-from crankstar.studies.matched_sets import Division
-from crankstar.studies.matching import Matched, Place, labels
-from crankstar.studies.part_weights import Batch
 
 PARTS = {
     "piston": N_("piston"),
@@ -37,9 +38,16 @@ CLASSED = N_(
 """What is understood by classes."""
 
 
-def matching_document(
-    engine: Engine, batch: Batch, found: Matched, *, speed: float | None
-) -> Document:
+def document(engine: Engine, result: Division, question: Question) -> Document:
+    """The matched engine or engines: what goes where, what is left beside chance and classes."""
+    speed = question.turning(engine)
+    first, *others = result.engines
+    if others:
+        return _several(engine, question.batch, result, speed)
+    return _one(engine, question.batch, first, speed)
+
+
+def _one(engine: Engine, batch: Batch, found: Matched, speed: float | None) -> Document:
     """One engine: its parts, what is left of which orders, beside chance and classes."""
     parts = (_places_table(batch, [found]), _left_table(found, speed))
     lines = [_said(batch, found), *_spare(found.left_over), *_notes(batch, found)]
@@ -48,9 +56,7 @@ def matching_document(
     return Document(engine.name, (*parts, *remarks(*lines, kind="note")), _facts(found, speed))
 
 
-def division_document(
-    engine: Engine, batch: Batch, found: Division, *, speed: float | None
-) -> Document:
+def _several(engine: Engine, batch: Batch, found: Division, speed: float | None) -> Document:
     """Several engines: the sets, what each leaves, how nearly equal their parts are."""
     first = found.engines[0]
     lines: list[str] = []

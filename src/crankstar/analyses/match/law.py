@@ -14,18 +14,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 
 from crankstar import spectra
+from crankstar.analyses.match.question import Minimised
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import default_reference
 from crankstar.mechanics.excitation import Totals, part_spectra
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Real, Spectrum
 
-Minimised = Literal["force", "couple"]
 ORDERS = (1.0, 2.0)
 """The orders that are minimised where none are chosen."""
 
