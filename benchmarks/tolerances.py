@@ -11,7 +11,7 @@ from typing import Any
 from gas import seconds
 
 import tables
-from crankstar.studies.scatter import BUILDS, scatter
+from crankstar.analyses.tolerance.scatter import BUILDS, scatter
 
 MASSES: dict[str, Any] = {
     "cylinder.reciprocating_mass": "500 g +- 3 g",

@@ -29,6 +29,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, Literal
 
+from crankstar.mechanics.excitation import Reference
 from crankstar.options.sources import EngineLike
 from crankstar.python.results import Result
 '''
@@ -93,6 +94,8 @@ def _taken(one: Asked, hint: Any) -> str:
         kind = "Iterable[str] | Mapping[Any, Any]" + " | None" * ("None" in kind)
     elif "lists.Listed" in kind:  # a file, a data frame, rows by heading
         return "Any"
+    elif "excitation.Reference" in kind:
+        return "Reference | float | str | None"
     elif "crankstar." in kind:  # a record of its own, which is given as text or in a file
         kind = "Path | None" if "None" in kind else "Path"
     elif one.name == "orders":

@@ -78,6 +78,7 @@ if TYPE_CHECKING:
         match,
         mounts,
         strokes,
+        tolerance,
         torque,
         torsion,
     )
@@ -87,7 +88,6 @@ if TYPE_CHECKING:
     from crankstar.python.sums import balance, bearing_loads, bending_moment
     from crankstar.remedy.counterweights import with_counterweights
     from crankstar.remedy.shafts import with_balance_shaft
-    from crankstar.studies.scatter import Scatter, scatter
     from crankstar.studies.sweep import sweep, watched
     from crankstar.tables.comparison import compare
     from crankstar.tables.verdict import verdict
@@ -118,7 +118,6 @@ _HOMES = {
     "python.sums": ("balance", "bearing_loads", "bending_moment"),
     "remedy.counterweights": ("with_counterweights",),
     "remedy.shafts": ("with_balance_shaft",),
-    "studies.scatter": ("Scatter", "scatter"),
     "studies.sweep": ("sweep", "watched"),
     "tables.comparison": ("compare",),
     "tables.verdict": ("verdict",),
@@ -146,7 +145,6 @@ __all__ = [
     "Result",
     "Rod",
     "Running",
-    "Scatter",
     "Shaft",
     "SideThrust",
     "Throw",
@@ -175,12 +173,12 @@ __all__ = [
     "mounts",
     "names",
     "of_parts",
-    "scatter",
     "search",
     "side_thrust",
     "signs",
     "strokes",
     "sweep",
+    "tolerance",
     "torque",
     "torsion",
     "total",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import random
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from tests.spoilt import TREES
 from tests.texts import check_sentences
 
 import crankstar
+from crankstar.analyses.tolerance.scatter import scatter_of
 from crankstar.files import (
     EngineFileError,
     changed,
@@ -34,7 +36,6 @@ from crankstar.files.typical_tolerances import typical
 from crankstar.files.workbook import workbook_bytes, workbook_tree
 from crankstar.remedy.counterweights import with_counterweights
 from crankstar.studies.fields import Source
-from crankstar.studies.scatter import scatter_of
 
 SIX = """
 format = 1
@@ -319,7 +320,7 @@ def test_machines_get_what_python_computes(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "six.toml"
     place.write_text(SIX)
     out = json.loads(run("tolerance", str(place), "--builds", "2000", "--seed", "7", "--json").out)
-    found = crankstar.scatter(str(place), count=2000, seed=7)
+    found = crankstar.tolerance(str(place), builds=2000, seed=7).value
     assert (out["format"], out["builds"], out["seed"]) == (1, 2000, 7)
     assert out["speed_rpm"] == pytest.approx(6000)
     assert len(out["orders"]) == len(found.rows)
@@ -480,3 +481,30 @@ def test_a_throw_that_is_set_takes_its_weights_along(run: Run, tmp_path: Path) -
     sums = crankstar.total(crankstar.balance(turned, speed=turned.speed, orders=[1]))
     nominal = abs(sums.force.forward[0]) + abs(sums.force.backward[0])
     assert json.loads(out)["orders"][0]["nominal"] == pytest.approx(nominal)
+
+
+def test_python_asks_as_the_command_does(tmp_path: Path) -> None:
+    """A result with frames, the reference as z, and what is refused."""
+    place = tmp_path / "six.toml"
+    place.write_text(SIX)
+    found = crankstar.tolerance(place, builds=1000, orders=[1], reference=-0.12)
+    assert found.value.reference == crankstar.Reference(-0.12)
+    rows = found.to_frame("orders").to_dict("records")
+    assert {row["order"] for row in rows} == {1.0}
+    [force] = [row for row in rows if row["signal"] == "force"]
+    assert force["rms"] == pytest.approx(found.value.of("force", 1).rms)
+    with pytest.raises(ValueError, match="from 1000 to 1000000"):
+        crankstar.tolerance(place, builds=10)
+    with pytest.raises(ValueError, match="take published ones with typical"):
+        crankstar.tolerance("audi-25-tfsi")
+
+
+def test_a_picture_looks_as_it_is_asked_to_and_a_table_does_not(
+    run: Run, refused: Callable[..., str], tmp_path: Path
+) -> None:
+    place = tmp_path / "six.toml"
+    place.write_text(SIX)
+    line = ("tolerance", str(place), "--builds", "1000")
+    run(*line, "-o", str(tmp_path / "p.svg"), "--width", "150 mm", "--theme", "print")
+    assert 'width="150mm"' in (tmp_path / "p.svg").read_text(encoding="utf-8")[:400]
+    assert "a table" in refused(*line, "--theme", "dark")

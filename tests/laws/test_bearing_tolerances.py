@@ -8,6 +8,14 @@ import pytest
 from tests.laws.test_tolerances import MASSES, errors_of
 
 from crankstar import spectra
+from crankstar.analyses.tolerance.error_sources import sources_of
+from crankstar.analyses.tolerance.linear_law import (
+    amplitudes,
+    bearing_lines,
+    bearing_signals,
+    moved,
+)
+from crankstar.analyses.tolerance.scatter import scatter
 from crankstar.dynamics.bearing_variants import bearing_forces, bearing_names
 from crankstar.dynamics.bearings import bearing_loads
 from crankstar.engine.copies import with_values
@@ -18,10 +26,7 @@ from crankstar.files.tolerances import tolerances_of
 from crankstar.mechanics.balance import scales
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Complex
-from crankstar.studies.error_sources import sources_of
-from crankstar.studies.linear_law import amplitudes, bearing_lines, bearing_signals, moved
 from crankstar.studies.part_weights import with_parts
-from crankstar.studies.scatter import scatter
 
 ORDERS = [1.0, 2.0, 4.0]
 SPEED = 6000 * pi / 30

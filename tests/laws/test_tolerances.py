@@ -7,17 +7,9 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-from crankstar.engine.motion import piston_harmonics
-from crankstar.engine.quantities import ANGLE, INERTIA, LENGTH, MASS
-from crankstar.files import changed, engine_of, keys_of
-from crankstar.files.catalog import load, tree_of
-from crankstar.files.tolerances import tolerances_of
-from crankstar.files.units import si
-from crankstar.mechanics.balance import default_reference, scales
-from crankstar.mechanics.mechanism import mechanism
-from crankstar.studies.builds import _drawn, _plan
-from crankstar.studies.error_sources import sources_of
-from crankstar.studies.linear_law import (
+from crankstar.analyses.tolerance.builds import _drawn, _plan
+from crankstar.analyses.tolerance.error_sources import sources_of
+from crankstar.analyses.tolerance.linear_law import (
     QUANTITIES,
     Linear,
     Vectors,
@@ -28,7 +20,15 @@ from crankstar.studies.linear_law import (
     variances,
     worst,
 )
-from crankstar.studies.scatter import ScatterError, scatter
+from crankstar.analyses.tolerance.scatter import ScatterError, scatter
+from crankstar.engine.motion import piston_harmonics
+from crankstar.engine.quantities import ANGLE, INERTIA, LENGTH, MASS
+from crankstar.files import changed, engine_of, keys_of
+from crankstar.files.catalog import load, tree_of
+from crankstar.files.tolerances import tolerances_of
+from crankstar.files.units import si
+from crankstar.mechanics.balance import default_reference, scales
+from crankstar.mechanics.mechanism import mechanism
 
 ORDERS = (1.0, 2.0, 3.0, 4.0, 6.0)
 SPEED = 6000 * pi / 30

@@ -6,12 +6,12 @@ from typing import Any
 
 import pytest
 
+from crankstar.analyses.tolerance.scatter import ScatterError, scatter_of
 from crankstar.engine.records import Record
 from crankstar.files import engine_of, explicit
 from crankstar.files.catalog import names, tree_of
 from crankstar.files.forms import field_at, form_of, quantity_of
 from crankstar.studies.fields import Source
-from crankstar.studies.scatter import ScatterError, scatter_of
 
 SMALL = 1e-3
 

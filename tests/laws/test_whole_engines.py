@@ -18,6 +18,8 @@ from tests.strategies import RELEASE, number
 from tests.whole_engines import whole_engines
 
 from crankstar import spectra
+from crankstar.analyses.tolerance.error_sources import sources_of
+from crankstar.analyses.tolerance.linear_law import QUANTITIES, linear, summed_parts
 from crankstar.dynamics.bearings import bearing_loads
 from crankstar.dynamics.mount_analysis import mounts
 from crankstar.dynamics.mounted_block import SIX
@@ -38,8 +40,6 @@ from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.mechanics.side_thrust import pressure_at
 from crankstar.spectra import Complex
-from crankstar.studies.error_sources import sources_of
-from crankstar.studies.linear_law import QUANTITIES, linear, summed_parts
 from crankstar.studies.single_faults import shaken
 
 Loaded = tuple[Engine, Cycle]

@@ -9,9 +9,9 @@ from tests.report.reading import Reader
 from tests.texts import SHORT, spoilt
 from tests.tolerant import TOLERANT
 
+from crankstar.analyses.tolerance.as_built import as_built
 from crankstar.files import engine_of
 from crankstar.report import Subject, report
-from crankstar.tables.built_facts import as_built
 
 
 def sections(tree: dict[str, Any]) -> tuple[str, list[str], dict[str, list[list[str]]]]:

@@ -43,7 +43,7 @@ GAS = ("cycle", "driven", "flywheel_for", "side_thrust")
 ANALYSES = ("bearings", "genset", "marine", "mounts", "torque", "torsion")
 ASKING = ("diagnose", "fault", "guide", "isolate", "match")
 """Analyses that are asked for more than an engine, or search long."""
-OWN = {"load", "names", "scatter", "widget", *ANALYSES, *ASKING}
+OWN = {"load", "names", "tolerance", "widget", *ANALYSES, *ASKING}
 """They load engines themselves, or ask for more of one than others have."""
 
 

@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+from crankstar.analyses.tolerance.charts import scatter_chart
+from crankstar.analyses.tolerance.document import scatter_document
+from crankstar.analyses.tolerance.scatter import scatter_of
 from crankstar.analysis.document import Document, Table
-from crankstar.charts import scatter_chart
 from crankstar.spectra import Complex, Real
 from crankstar.studies.fields import Source
-from crankstar.studies.scatter import scatter_of
-from crankstar.tables.scatter import scatter_document
 from crankstar.tables.terminal import rendered
 
 RADIUS, ROD, STEPS = 0.04, 0.13, 512

@@ -21,6 +21,7 @@ import crankstar
 from crankstar import charts
 from crankstar.analyses.diagnose.charts import suspect_chart
 from crankstar.analyses.diagnose.diagnosis import diagnosed
+from crankstar.analyses.tolerance.charts import scatter_chart
 from crankstar.charts.themes import THEMES
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import spoken
@@ -287,11 +288,11 @@ def test_sizes_that_cannot_be_printed_are_refused(
 @pytest.mark.release
 def test_names_of_faults_and_of_tolerances_are_not_cut(page: Page) -> None:
     masses = {"cylinder.reciprocating_mass": "500 g +- 3 g", "cylinder.stroke": "90 mm"}
-    found = crankstar.scatter("i6", changes=masses | {"speed": "6000 rpm"}, count=1000)
+    found = crankstar.tolerance("i6", changes=masses | {"speed": "6000 rpm"}, builds=1000).value
     suspects = diagnosed(four(), lines(seen(heavy(3, "reciprocating_mass", "708.4 g"))))
     drawings = {
         "suspects": charts.svg(suspect_chart(suspects), ""),
-        "scatter": charts.svg(charts.scatter_chart(found, quantities=("force",)), ""),
+        "scatter": charts.svg(scatter_chart(found, quantities=("force",)), ""),
     }
     for name, picture in zip(drawings, measured(page, [*drawings.values()]), strict=True):
         assert not picture.cut(), name

@@ -13,10 +13,10 @@ from tests.web.engine_page import opened
 from tests.web.everyone import SCREENS, Scheme, read_by_everyone
 
 from crankstar import cli
+from crankstar.analyses.tolerance.as_built import BUILDS
 from crankstar.files import engine_of
 from crankstar.page.library import held
 from crankstar.page.standalone import document
-from crankstar.tables.built_facts import BUILDS
 
 
 @pytest.fixture(scope="module")

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 NAMES = (
     *("torsion", "mounts", "torque", "genset", "marine", "guide", "bearings"),
-    *("fault", "diagnose", "isolate", "strokes", "match"),
+    *("fault", "diagnose", "isolate", "strokes", "match", "tolerance"),
 )
 """The folders of `crankstar.analyses`, in the order in which hosts go over them."""
 

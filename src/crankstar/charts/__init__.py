@@ -41,7 +41,6 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `balance_shafts` | the balance shafts from the front and from the side |
 | `curve_names` | the results of a sweep in the words of the field |
 | `sweeps` | a result over a number of the engine |
-| `scatter` | the amplitudes of engines built to their tolerances, and what matters most |
 | `contour_lines` | lines along which a result has one value, with their labels |
 | `pair_sweeps` | results over two numbers of the engine, and the front of two results |
 | `amplitude_curves` | amplitudes over the speed |

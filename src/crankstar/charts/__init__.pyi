@@ -20,7 +20,6 @@ from .paper import Paper as Paper, Print as Print, printed as printed
 from .pressures import pressure_chart as pressure_chart
 from .registry import CHARTS as CHARTS, draw as draw, side_by_side as side_by_side
 from .saving import SUFFIXES as SUFFIXES, saved as saved, saved_print as saved_print
-from .scatter import scatter_chart as scatter_chart
 from .search_stars import best_stars as best_stars
 from .side_thrusts import side_thrust_chart as side_thrust_chart
 from .spectra import spectrum as spectrum

@@ -26,7 +26,6 @@
 | `drawing` | draw, animate |
 | `sounding` | sound |
 | `sweeping` | sweep |
-| `tolerances` | tolerance |
 | `showing` | page |
 | `siting` | site |
 | `reporting` | report |

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
+from dataclasses import asdict
 from functools import partial
 from inspect import Parameter as Argument
 from inspect import Signature
@@ -17,9 +18,11 @@ from crankstar.analysis.reader import Asked, asked, being_read, readings
 from crankstar.analysis.record import Analysis, Writes
 from crankstar.analysis.registry import added, analysis
 from crankstar.cli.options import (
+    FLAT,
     Csv,
     Estimating,
     Json,
+    Looks,
     Output,
     Settings,
     engine_place,
@@ -39,7 +42,7 @@ from crankstar.engine.torsion import Chain
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
-from crankstar.options.forms import PICTURES, TABLES, form_of
+from crankstar.options.forms import PICTURES, TABLES, form_of, suffix_of
 from crankstar.options.refusals import RequestError, refusal, refuse_unused
 from crankstar.options.sources import Loaded
 from crankstar.options.vocabulary import OPTIONS
@@ -50,8 +53,17 @@ if TYPE_CHECKING:
 
 TYPES = {"nothing": bool, "text": str, "several texts": list[str], "whole number": int}
 """What the parser makes of what an option takes."""
-SHARED = {"settings": Settings, "estimate": Estimating, "json": Json, "csv": Csv, "output": Output}
-"""The options of every analysis, behind those of its question."""
+SHARED = {
+    "settings": Settings,
+    "estimate": Estimating,
+    "json": Json,
+    "csv": Csv,
+    "looks": Annotated[Looks, FLAT],
+    "output": Output,
+}
+"""The options of every analysis, behind those of its question; looks where it has a picture."""
+LOOKS = Looks()
+DEFAULTS: dict[str, Any] = {"settings": None, "looks": LOOKS, "output": None}
 
 
 def __getattr__(name: str) -> Callable[..., None]:
@@ -80,10 +92,7 @@ def verb(record: Analysis) -> Callable[..., None]:
         *([] if writes is None or _only_printed(record) else [_of_file(writes)]),
         *(
             Argument(
-                name,
-                Argument.KEYWORD_ONLY,
-                default=None if name in ("settings", "output") else False,
-                annotation=kind,
+                name, Argument.KEYWORD_ONLY, default=DEFAULTS.get(name, False), annotation=kind
             )
             for name, kind in _shared(record).items()
         ),
@@ -132,7 +141,9 @@ def _shared(record: Analysis) -> dict[str, Any]:
     shared = dict(SHARED)
     if not record.estimates:
         del shared["estimate"]
-    if record.picture is not None:
+    if record.picture is None:
+        del shared["looks"]
+    else:
         shared["output"] = _path("--output", record.picture.more)
     if record.writes is not None and _only_printed(record):
         del shared["csv"]
@@ -158,14 +169,16 @@ def _answer(record: Analysis, options: dict[str, Any]) -> None:
     with added().running(record.name):
         read = _read(record, options)
     if read.form in PICTURES:
-        _draw(record, read, options.get("output"))
+        _draw(record, read, options)
         return
     with words_for(read.form):
         document, result = _document(record, read)
     writes = record.writes
     if writes is not None and (path := options.get(writes.name)) is not None:
         _write(record, writes, read, result, path)
-    give(document, None if _only_printed(record) else options.get("output"), form=read.form)
+    tree = read.loaded.tree if record.of_file else None
+    output = None if _only_printed(record) else options.get("output")
+    give(document, output, form=read.form, tree=tree)
 
 
 def _write(record: Analysis, writes: Writes, read: Read, result: Any, path: str) -> None:
@@ -185,20 +198,20 @@ def _spelt(writes: Writes) -> str:
     return "-o" if writes.option == "--output" else writes.option
 
 
-def _draw(record: Analysis, read: Read, output: str | None) -> None:
+def _draw(record: Analysis, read: Read, options: dict[str, Any]) -> None:
     """Write the picture of a result."""
     from crankstar.options import charts as chart_request
 
     assert record.picture is not None  # noqa: S101  # only then it has forms of pictures
     drawing, source = chart_request.charts(), read.loaded.source
     title = _(record.picture.title, engine=source.name)
-    plain = dict.fromkeys(("theme", "width", "height", "dpi", "font_size"))
-    look = chart_request.paper(read.form, **plain)
+    look = chart_request.paper(read.form, **asdict(options.get("looks", LOOKS)))
     with added().running(record.name), _shown(record, 1) as steps:
-        result = _computed(record, source, read.question, steps.tell)
+        about = read.loaded if record.of_file else source
+        result = _computed(record, about, read.question, steps.tell)
         draw = partial(record.picture.draw.value, result, read.question)
         printed = drawing.printed(draw, look, title=title)
-        write_bytes(drawing.saved_print(printed, read.form, title=title), output)
+        write_bytes(drawing.saved_print(printed, read.form, title=title), options["output"])
     for line in printed.chart.notes:
         complain(line)
 
@@ -229,7 +242,8 @@ def _documented(record: Analysis, read: Read) -> tuple[Document, Any]:
             if several > 1:
                 steps.tell(next(number), several)
             own = None if several > 1 else steps.tell
-            results.append(_computed(record, each, question, own))
+            about = read.loaded if record.of_file else each
+            results.append(_computed(record, about, question, own))
             proved = record.proved is None or record.proved.value(results[-1])
             if steps.ended() and not proved:
                 complain(_("Interrupted: what follows is the best so far, and not proved."))
@@ -242,7 +256,7 @@ def _documented(record: Analysis, read: Read) -> tuple[Document, Any]:
             found = resting_on(read.form, about, answer)
             return () if found is None else found()
 
-        if record.estimates:
+        if record.ranges:
             document = ranged(told, spread, source, rests=rests)
         else:
             document = resting(told(source), rests)
@@ -250,7 +264,10 @@ def _documented(record: Analysis, read: Read) -> tuple[Document, Any]:
 
 
 def _computed(
-    record: Analysis, source: Engine | Chain, question: Any, tell: Callable[[int, int], bool] | None
+    record: Analysis,
+    source: Loaded | Engine | Chain,
+    question: Any,
+    tell: Callable[[int, int], bool] | None,
 ) -> Any:
     """The result; `tell` is called after each step of a long one."""
     steps = {"tell": tell} if record.steps else {}
@@ -354,9 +371,24 @@ def _refusals(
         yield partial(_engine_places, writes, options, question)
         if writes.refuse is not None:
             yield partial(writes.refuse.value, question)
+    if record.picture is not None:
+        yield partial(_refuse_looks, options)
     if refuse is not None:
         yield lambda: refuse.value(source(), question)
     yield lambda: _refuse_of_chain(record, options, source())
+
+
+def _refuse_looks(options: dict[str, Any]) -> None:
+    """Refuse how a picture looks, of a table altogether. Raises RequestError."""
+    kind = suffix_of(options.get("output") or "").removeprefix(".")
+    looks = options.get("looks", LOOKS)
+    if kind not in PICTURES or options.get("json") or options.get("csv"):
+        looks.refuse(_("a table"))
+        return
+    from crankstar.options import charts as chart_request
+
+    if chart_request.charts():
+        chart_request.paper(kind, **asdict(looks))
 
 
 def _engine_places(writes: Writes, options: dict[str, Any], question: Any) -> None:
@@ -392,7 +424,7 @@ def _loaded(
     record: Analysis, name: str, settings: list[str] | None, *, estimate: bool, speed: str | None
 ) -> Loaded:
     """What is named. Raises MessageError where it lacks what is computed with."""
-    chains, ranged = bool(record.chains), record.estimates
+    chains, ranged = bool(record.chains), record.ranges
     found = read_engine(
         name, settings, estimate=estimate, speed=speed, chains=chains, ranged=ranged
     )

@@ -70,7 +70,6 @@ VERBS = {
     "site": "siting:site",
     "sound": "sounding:sound",
     "sweep": "sweeping:sweep",
-    "tolerance": "tolerances:tolerance",
     "vees": "firing:vees",
     "verdict": "inspect:verdict",
 }

@@ -251,11 +251,11 @@ def verdict(
     output: Output = None,
 ) -> None:
     """State in short sentences which orders balance, which remain, and what would cure them."""
+    from crankstar.analyses.tolerance.as_built import with_built
     from crankstar.analysis.document import remarks
     from crankstar.remedy.fitting import recommended
     from crankstar.studies.answers import summary
     from crankstar.tables import verdict as tables
-    from crankstar.tables.built_facts import with_built
     from crankstar.tables.ranges import resting, with_doubt
     from crankstar.tables.verdict_ranges import ranged_facts
 

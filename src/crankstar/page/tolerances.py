@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
+from crankstar.analyses.tolerance.as_built import as_built
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.page.printed import printed
 from crankstar.page.records import ChartKey
 from crankstar.page.unit_records import Table
-from crankstar.tables.built_facts import as_built
 
 if TYPE_CHECKING:
     from crankstar.charts.grammar import Chart
@@ -30,7 +30,7 @@ def tolerance_tables(engine: Engine, tree: Mapping[str, Any]) -> tuple[Table, ..
     found = as_built(engine, tree)
     if found is None:
         return ()
-    from crankstar.tables.scatter import scatter_document
+    from crankstar.analyses.tolerance.document import scatter_document
 
     _heading, *parts = scatter_document(found).parts
     return printed(parts)
@@ -47,6 +47,6 @@ def drawn_scatter(engine: Engine, tree: Mapping[str, Any]) -> Chart | None:
     found = as_built(engine, tree)
     if found is None:
         return None
-    from crankstar.charts.scatter import scatter_chart
+    from crankstar.analyses.tolerance.charts import scatter_chart
 
     return scatter_chart(found)

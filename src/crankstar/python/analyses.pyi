@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, Literal
 
+from crankstar.mechanics.excitation import Reference
 from crankstar.options.sources import EngineLike
 from crankstar.python.results import Result
 
@@ -325,6 +326,46 @@ def strokes(engine: EngineLike, /, *, changes: Mapping[str, Any] | None = None) 
     Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
 
         changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+    """
+
+def tolerance(
+    engine: EngineLike,
+    /,
+    *,
+    quantity: Iterable[str] | str = (),
+    orders: Iterable[float] | Literal["all"] | str | None = None,
+    typical: bool = False,
+    distribution: Literal["normal", "uniform"] | str = "normal",
+    builds: int = 100000,
+    seed: int = 1,
+    speed: float | str | None = None,
+    reference: Reference | float | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
+) -> Result:
+    """Scatter the masses, lengths and angles of an engine within their tolerances.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        quantity: Quantity, such as force or couple, or several with commas. Also roll, torque,
+            force.up, force.right, couple.pitch, couple.yaw; bearing: the loads on main
+            bearings.
+        orders: Crank orders with commas, such as 1,2,4, or all. Default: those up to 6 that
+            occur.
+        typical: Take published tolerances of pistons and rods of car engines for masses that
+            the file gives none for.
+        distribution: How an error lies within its tolerance: normal, with a standard deviation
+            of a third of it (default), or uniform.
+        builds: Number of engines built at random, from 1000 to 1000000 (default: 100000).
+        seed: Number from which the random engines come; the same number gives the same ones
+            (default: 1).
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        reference: Point about which couples and roll are taken: z, or z, up and right, such as
+            "-120 mm" or "0 mm, 35 mm, 0 mm", with z as in `crankstar show` (default: the middle
+            of the cylinders, on the crank axis).
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+        estimate: fill in what the file leaves out.
     """
 
 def torque(

@@ -143,7 +143,8 @@ def answered(record: Analysis, engine: EngineLike, arguments: Mapping[str, Any])
         record.needs.value(source)
     if record.refuse is not None:
         _in_python(record, partial(record.refuse.value, source, question))
-    result = _in_python(record, partial(record.compute.value, source, question))
+    about = loaded_engine if record.of_file else source
+    result = _in_python(record, partial(record.compute.value, about, question))
     return Result(record, source, question, result, loaded_engine)
 
 

@@ -133,7 +133,7 @@ class Result:
         from crankstar.tables import ranges
 
         rests = (lambda: self.rests_on) if resting else None
-        if self.analysis.estimates:
+        if self.analysis.ranges:
             return ranges.ranged(self._told, self.loaded.spread, self.source, rests=rests)
         return ranges.resting(self._of_source, rests)
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from crankstar.analyses.tolerance.as_built import as_built
+from crankstar.analyses.tolerance.document import scatter_document
 from crankstar.charts.canvas import drawn_on
 from crankstar.charts.grammar import Chart
 from crankstar.language.messages import _
 from crankstar.report.gallery import ACROSS, Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
-from crankstar.tables.built_facts import as_built
-from crankstar.tables.scatter import scatter_document
 
 
 def tolerances(subject: Subject, gallery: Gallery) -> str:
@@ -17,7 +17,7 @@ def tolerances(subject: Subject, gallery: Gallery) -> str:
     found = as_built(subject.engine, subject.tree, speed=subject.speed)
     if found is None:
         return ""
-    from crankstar.charts.scatter import scatter_chart
+    from crankstar.analyses.tolerance.charts import scatter_chart
 
     def chart() -> Chart:
         with drawn_on(ACROSS):

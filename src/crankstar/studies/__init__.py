@@ -28,12 +28,6 @@
 | `sweep_doubts` | values of a sweep at which hardly any engine runs, or fires otherwise |
 | `best_value` | the least or greatest of a curve, refined between its points |
 | `best_pair` | the best pair of two values, and the pairs that none beats in two results |
-| `pitch_errors` | errors of the distances between cylinders |
-| `error_sources` | the independent errors behind the tolerances of a file, and what they move |
-| `linear_law` | mean, rms and worst case of each order to first order in these errors |
-| `unit_parts` | the parts of an engine at unit mass: masses and angles of many engines at once |
-| `builds` | engines built at random within their tolerances |
-| `scatter` | the scatter of an engine: law, random engines, what matters most |
 | `part_weights` | an engine with other weights of its pistons, pins and rods |
 | `fault_kinds` | a fault of an engine as a record, in words, for machines |
 | `single_faults` | faults of an engine, and what each changes in what shakes its block |

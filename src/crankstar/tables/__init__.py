@@ -40,7 +40,6 @@
 | `sweep_notes` | what is said below a sweep |
 | `sweeps` | a sweep and its best value |
 | `pair_sweeps` | a sweep of two numbers, its best pairs and its front |
-| `scatter` | the scatter of an engine built to its tolerances |
 | `over_speeds` | amplitudes over the speed |
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |
@@ -58,7 +57,6 @@
 | `firing_facts` | layout, firing and exhaust pulses as sentences of the verdict |
 | `relatives` | engines of the catalog with the same balance |
 | `verdict` | the verdict |
-| `built_facts` | what a verdict says of engines built to their tolerances |
 | `verdict_ranges` | the verdict on an estimated engine |
 | `summary` | how an engine shakes, in ten lines |
 | `analysis` | force, couple and moments by order, as `analyze` shows them |

@@ -17,12 +17,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.tolerance.error_sources import ErrorSource
+from crankstar.analyses.tolerance.linear_law import Vectors
 from crankstar.mechanics.balance import Scale
 from crankstar.mechanics.excitation import Reference, part_spectra
 from crankstar.mechanics.mechanism import Mechanism
 from crankstar.spectra import Complex, Real
-from crankstar.studies.error_sources import ErrorSource
-from crankstar.studies.linear_law import Vectors
 
 MASSES = ("reciprocating_mass", "rod_mass", "rod_inertia", "big_end_mass")
 """Bodies of each cylinder: piston, rod as a mass and as an inertia, big end."""

@@ -6,6 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+from crankstar.analyses.tolerance.linear_law import BEARING
+from crankstar.analyses.tolerance.question import Question
+from crankstar.analyses.tolerance.scatter import SIGNALS, OrderScatter, Scatter
 from crankstar.analysis.document import (
     ROW_UNIT,
     Column,
@@ -23,8 +26,6 @@ from crankstar.language.faults import listed
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text, rpm_of
 from crankstar.language.shown_units import quantity_text
-from crankstar.studies.linear_law import BEARING
-from crankstar.studies.scatter import SIGNALS, OrderScatter, Scatter
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.headings import heading
 from crankstar.tables.ranges import estimated_paths
@@ -62,6 +63,13 @@ def signal_text(signal: str) -> str:
 def is_of(row: OrderScatter, quantity: str) -> bool:
     """Whether a row is of a quantity that was asked for: of `bearing` those of every bearing."""
     return row.signal == quantity or row.signal.partition(" ")[0] == quantity
+
+
+def document(engine: Engine, result: Scatter, question: Question) -> Document:
+    """What is asked of a scatter."""
+    del engine
+    every = question.orders is not None
+    return scatter_document(result, signals=question.quantity or None, every=every)
 
 
 def scatter_document(

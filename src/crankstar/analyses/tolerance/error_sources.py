@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.tolerance.pitch_errors import Arrays, Moves, homes_of, of_pitches, throw_of
 from crankstar.engine.cylinder_parts import ENDS, RECIPROCATING, ROTATING
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import roots
@@ -30,7 +31,6 @@ from crankstar.files.units import si_unit
 from crankstar.language.messages import _
 from crankstar.mechanics.mechanism import Mechanism, mechanism
 from crankstar.spectra import Real
-from crankstar.studies.pitch_errors import Arrays, Moves, homes_of, of_pitches, throw_of
 from crankstar.studies.variants import ANGLES, arrays_of
 
 STEP = 1e-4

@@ -8,6 +8,25 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.tolerance.builds import DEVIATION, Builds, Tell, builds, out_of_reach
+from crankstar.analyses.tolerance.error_sources import ErrorSource, sources_of
+from crankstar.analyses.tolerance.linear_law import (
+    Linear,
+    amplitudes,
+    bearing_lines,
+    bearing_signals,
+    linear,
+    named,
+    parted,
+    variances,
+    worst,
+)
+from crankstar.analyses.tolerance.question import (
+    FEWEST_BUILDS,
+    GREATEST_SEED,
+    MOST_BUILDS,
+    Distribution,
+)
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.files.tolerances import Tolerance, tolerances_of
@@ -21,20 +40,7 @@ from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.occurring_orders import check_orders
 from crankstar.mechanics.remains import USUAL_ORDERS, orders_shown, summed
 from crankstar.spectra import ROUNDING, Real, checked
-from crankstar.studies.builds import DEVIATION, Builds, Distribution, Tell, builds, out_of_reach
-from crankstar.studies.error_sources import ErrorSource, sources_of
 from crankstar.studies.fields import Source, source_of
-from crankstar.studies.linear_law import (
-    Linear,
-    amplitudes,
-    bearing_lines,
-    bearing_signals,
-    linear,
-    named,
-    parted,
-    variances,
-    worst,
-)
 
 SIGNALS = (
     "force",
@@ -48,8 +54,6 @@ SIGNALS = (
 )
 """What is told of each order: vectors in the clock plane, real signals, and components."""
 BUILDS = 100_000
-FEWEST_BUILDS, MOST_BUILDS = 1000, 1_000_000
-GREATEST_SEED = 2**63
 MOST_ERRORS = 4000
 """Independent errors of one engine."""
 GREATEST_ORDER = 1000.0

@@ -12,7 +12,7 @@ from crankstar.files.tolerances import tolerances_of
 from crankstar.tables.verdict import Fact
 
 if TYPE_CHECKING:
-    from crankstar.studies.scatter import Scatter
+    from crankstar.analyses.tolerance.scatter import Scatter
 
 BUILDS = 20_000
 """Engines built at random: 5 % of them are a thousand."""
@@ -28,7 +28,7 @@ def with_built(
     found = as_built(engine, tree, speed=speed)
     if found is None:
         return facts
-    from crankstar.tables.scatter import sentences
+    from crankstar.analyses.tolerance.document import sentences
 
     own = [Fact("tolerances", sentence) for sentence in sentences(found)]
     last = max(
@@ -56,8 +56,8 @@ def as_built(
 
 @lru_cache(maxsize=8)
 def _built(engine: Engine, text: str, speed: float | None) -> Scatter | None:
+    from crankstar.analyses.tolerance.scatter import ScatterError, scatter_of
     from crankstar.studies.fields import Source
-    from crankstar.studies.scatter import ScatterError, scatter_of
 
     at = "file" if speed is None else speed
     try:

@@ -8,6 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.analyses.tolerance.document import is_of, signal_text
+from crankstar.analyses.tolerance.linear_law import BEARING
+from crankstar.analyses.tolerance.scatter import OrderScatter, Scatter
 from crankstar.analysis.assumptions import MAIN_OF
 from crankstar.charts.canvas import curve_height, half_width
 from crankstar.charts.drawing import (
@@ -28,9 +31,6 @@ from crankstar.charts.resting import Rests, of_inertia, of_loads
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
-from crankstar.studies.linear_law import BEARING
-from crankstar.studies.scatter import OrderScatter, Scatter
-from crankstar.tables.scatter import is_of, signal_text
 
 CLASSES = 48
 """Bars of a histogram."""

@@ -10,22 +10,29 @@ order in all errors.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.tolerance.error_sources import ErrorSource
+from crankstar.analyses.tolerance.linear_law import (
+    Linear,
+    Vectors,
+    amplitudes,
+    mean_square,
+    named,
+    sums_with,
+)
+from crankstar.analyses.tolerance.question import Distribution
+from crankstar.analyses.tolerance.unit_parts import EXACT, parts_of
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import Scale
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.mechanism import Mechanism, mechanism
 from crankstar.spectra import Real
-from crankstar.studies.error_sources import ErrorSource
-from crankstar.studies.linear_law import Linear, Vectors, amplitudes, mean_square, named, sums_with
-from crankstar.studies.unit_parts import EXACT, parts_of
 from crankstar.studies.variants import ANGLES
 
-Distribution = Literal["normal", "uniform"]
-DEVIATION: dict[str, float] = {"normal": 1 / 3, "uniform": 3**-0.5}
+DEVIATION: dict[Distribution, float] = {"normal": 1 / 3, "uniform": 3**-0.5}
 """Standard deviation of an error as a share of its bound."""
 LARGE = 0.01
 """Share of the crank radius, or radians, from which errors of the motion are no longer linear."""
@@ -35,7 +42,7 @@ TWICE, CLEAR = 2.0, 1.05
 """Bounds to which errors are taken, and how much longer a rod must then be than what it spans."""
 BLOCK = 512
 """Engines worked out at once: so few stay in the cache, and are multiplied by one thread."""
-Tell = Callable[[int, int], None]
+Tell = Callable[[int, int], object]
 
 
 class Builds(NamedTuple):

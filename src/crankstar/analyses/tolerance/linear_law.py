@@ -27,13 +27,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.tolerance.error_sources import ErrorSource
 from crankstar.dynamics.bearing_variants import bearing_forces, bearing_names
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import Scale, default_reference
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, rolling_moment
 from crankstar.mechanics.mechanism import Mechanism, mechanism
 from crankstar.spectra import Complex, Real, Spectrum
-from crankstar.studies.error_sources import ErrorSource
 from crankstar.studies.variants import ANGLES, Arrays, arrays_of, with_arrays
 
 STENCIL = ((1.0, 8 / 12), (-1.0, -8 / 12), (2.0, -1 / 12), (-2.0, 1 / 12))
