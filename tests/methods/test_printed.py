@@ -44,7 +44,7 @@ from crankstar.derive.notations import CRANKSTAR, SINITSYN, STROKE, Notation, no
 from crankstar.derive.records import Quantity
 from crankstar.derive.torques import in_harmonics, torque_harmonic
 from crankstar.engine.engine import Engine
-from crankstar.files import catalog
+from crankstar.files import catalog, tree_of
 from crankstar.files.read import engine_of
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Totals, rolling_moment
@@ -557,3 +557,48 @@ def test_a_product_in_the_place_of_a_letter_is_multiplied_out_in_front() -> None
     )
     assert formula.renamed(formula.Power(x, 2), {"x": y}) == formula.Power(y, 2)
     assert formula.renamed(formula.Applied("cos", x), {"x": y}) == formula.Applied("cos", y)
+
+
+SLAVE = """
+name = "slave of a long rod at half speed"
+cycle = "two-stroke"
+[[shaft]]
+name = "one"
+throw = [{ angle = "0 deg", radius = "125 mm" }]
+[[shaft]]
+name = "two"
+speed_ratio = "1/2"
+throw = [{ angle = "0 deg", radius = "125 mm" }]
+[[cylinders]]
+number = 1
+shaft = "one"
+throw = 1
+rod_length = "127.5 mm"
+reciprocating_mass = "1 kg"
+[[cylinders]]
+number = 2
+shaft = "two"
+throw = 1
+offset = "62.5 mm"
+rod_length = "937.5 mm"
+reciprocating_mass = "0 kg"
+[[cylinders]]
+number = 4
+shaft = "two"
+throw = 1
+rod_length = "438.058473459602 mm"
+reciprocating_mass = "0 kg"
+big_end_mass = "2 kg"
+[cylinders.articulated]
+master = 2
+radius = "62.5 mm"
+angle = "57.2957795130823 deg"
+"""
+
+
+def test_an_amplitude_of_no_certain_digit_is_printed_by_its_places() -> None:
+    """The eighth harmonic of a slave's big end, 5e-10 of a unit: an interval a seventh as wide."""
+    told = checked(engine_of(tree_of(SLAVE)), Fraction(4), "force")
+    shown = str([documents.equations(line) for _, line in lines(told)])
+    assert "0.000000000…" in shown
+    assert "+/-" not in shown

@@ -101,12 +101,17 @@ NARROW = 1e-6
 """Share of the last figure within which a number is known that may be rounded to it."""
 
 
-def figures(decimal: Decimal) -> str:
+def figures(decimal: Decimal) -> str | None:
     """The digits of a decimal that are certain, at most as many as it asks for.
 
     `-0.8516` is cut, not rounded.
 
-    An enclosure of zero that is not zero is written as 0.
+    An enclosure of zero that is not zero is written as 0. Of a number of which not even the first
+    digit is certain, these are the places at which it certainly has none, or None, if it has more
+    than units.
+
+    >>> figures(Decimal(arb(5e-10, 0.7e-10))), figures(Decimal(arb(5, 0.7)))
+    ('0.000000000', None)
     """
     ball = decimal.ball
     if ball.contains(0):
@@ -115,13 +120,12 @@ def figures(decimal: Decimal) -> str:
     for places in range(most, -1, -1):
         scaled = abs(ball) * 10**places
         # Cut; or rounded where it is known to be so near to a round number that a cut is undecided.
-        known = scaled.rad() < NARROW or places == 0
-        for start in (scaled, *([scaled + arb(0.5)] if known else [])):
+        for start in (scaled, *([scaled + arb(0.5)] if scaled.rad() < NARROW else [])):
             low, high = start.lower().floor(), start.upper().floor()
             if low == high:
                 shown = _pointed(int(low.unique_fmpz()), places)
                 return shown if ball > 0 else f"-{shown}"
-    return str(ball)
+    return None
 
 
 def _pointed(whole: int, places: int) -> str:
@@ -186,14 +190,25 @@ def _of_ratio(style: Style) -> Binding:
 
 def _decimal(formula: Decimal, style: Style) -> Printed:
     ball = formula.ball
-    if not ball.contains(0) and abs(ball) < TINY:
-        power = floor(log10(float(abs(ball).mid())))
-        mantissa = _decimal(Decimal(ball * arb(10) ** -power, formula.digits), style)
-        tens = _raised(style.figures.format(10), power, style)
-        return Printed(mantissa.body + style.dot + tens, Binding.QUOTIENT, mantissa.negative)
-    shown = figures(formula)
-    body = style.figures.format(shown.removeprefix("-")) + (style.dots if shown != "0" else "")
-    return Printed(body, negative=shown.startswith("-"))
+    if ball.contains(0):
+        return Printed(style.figures.format("0"))
+    power = floor(log10(float(abs(ball).mid()))) if abs(ball) < TINY else 0
+    shown = _scaled(formula, power)
+    if shown is None or shown.lstrip("-").startswith("0"):  # of these no digit is certain
+        power = 0
+        while (shown := _scaled(formula, power)) is None:
+            power += 1
+    body = style.figures.format(shown.removeprefix("-")) + style.dots
+    negative = shown.startswith("-")
+    if power == 0:
+        return Printed(body, negative=negative)
+    tens = _raised(style.figures.format(10), power, style)
+    return Printed(body + style.dot + tens, Binding.QUOTIENT, negative)
+
+
+def _scaled(formula: Decimal, power: int) -> str | None:
+    """The certain digits of a decimal over 10**power."""
+    return figures(Decimal(formula.ball * arb(10) ** -power, formula.digits))
 
 
 def _degrees(formula: Degrees, style: Style) -> Printed:
