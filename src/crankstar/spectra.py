@@ -306,10 +306,13 @@ def tops(spectrum: Spectrum) -> list[Peak]:
     theta, rows = np.concatenate([starts, *maxima]) % period_angle, np.tile(rows, 3)
     theta = np.where(period_angle - theta < 1e-9, 0.0, theta)
     lengths = np.abs(_derivatives(spectrum[rows], theta)[0])
+    # A sample counts where no maximum beside it is higher, but by rounding.
+    beside = lengths.reshape(3, -1)
+    beside[0, beside[0] * (1 + ALIKE) < beside[1:].max(axis=0)] = -1.0
     greatest = np.zeros(moving.size)
     np.maximum.at(greatest, rows, lengths)
     # Equal peaks differ by rounding, and by how near Newton's method came: take the first.
-    first, high = np.full(moving.size, np.inf), lengths >= greatest[rows] * (1 - 1e-9)
+    first, high = np.full(moving.size, np.inf), lengths >= greatest[rows] * (1 - EQUAL)
     np.minimum.at(first, rows[high], theta[high])
     first = np.where(first < 1e-9, 0.0, first)
     for row, angle, here in zip(moving, first, _derivatives(spectrum, first)[0], strict=True):
@@ -321,6 +324,10 @@ POINTS, POINTS_AT_MOST = 16, 1 << 22
 """Samples to one turn of the highest order, and in all; beyond that, a quarter as many."""
 CANDIDATES = 256
 SAMPLES_AT_ONCE = 1 << 18
+EQUAL = 1e-12
+"""Share within which peaks are equal."""
+ALIKE = 1e-15
+"""Share by which a maximum beside a sample is higher than the sample, if it is another."""
 FLAT = 1e-13
 """A sample above its neighbours by less than this share of it needs no search beside it."""
 

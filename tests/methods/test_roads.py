@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 from tests.newton import PI, Rate, placed
@@ -359,6 +359,7 @@ def test_no_sample_of_any_spectrum_is_longer_than_its_peak(spectrum: Spectrum) -
     assert_peak(spectrum)
 
 
+@example([1.3352056514018935], 1)  # next to a sample that is as long but for 4e-10
 @given(st.lists(st.floats(0.001, 1.56), min_size=1, max_size=5), st.sampled_from([1, 2, 3, 5]))
 def test_of_equal_peaks_in_a_batch_each_vector_has_its_first(
     delays: list[float], order: int
