@@ -69,6 +69,7 @@ if TYPE_CHECKING:
     from crankstar.python import records as records
     from crankstar.python.analyses import (
         bearings,
+        bobweight,
         diagnose,
         fault,
         genset,
@@ -154,6 +155,7 @@ __all__ = [
     "bearing_loads",
     "bearings",
     "bending_moment",
+    "bobweight",
     "compare",
     "cycle",
     "derivation",

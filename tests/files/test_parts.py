@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from crankstar import spectra
+from crankstar.analyses.bobweight.document import parts_table
 from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, engine_of, explicit, rewritten, schema, toml, tree_of
 from crankstar.files.estimate import estimated
@@ -18,7 +19,6 @@ from crankstar.files.workbook import workbook_bytes, workbook_tree
 from crankstar.language.faults import where
 from crankstar.mechanics.balance import balance, total
 from crankstar.remedy import bobweight, loads, with_counterweights
-from crankstar.tables.bobweights import parts_table
 
 PARTS = {
     "piston": "510 g",

@@ -13,6 +13,7 @@ import pytest
 from tests.commands import Run, csv_rows
 from tests.files.test_parts import PARTS, tree
 
+import crankstar
 from crankstar.engine.copies import with_values
 from crankstar.engine.records import Weight
 from crankstar.files import engine_of as load_tree
@@ -409,3 +410,32 @@ def test_a_half_that_nobody_gave_is_in_the_record(run: Run, v8: str) -> None:
         for given in (["--factor", "0.5"], ["--set", "balance_factor=0.5"]):
             told = json.loads(run(*words, *given, "--json").out)
             assert "balance_factor" not in [each["path"] for each in told.get("rests_on", ())]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        ("bobweight", "--json"),
+        ("drill", "--diameter", "20 mm", "--at-radius", "60 mm"),
+        ("balance", "--weights", "ends"),
+    ],
+)
+def test_a_balance_factor_of_standard_input_counts(
+    run: Run, tmp_path: Path, line: tuple[str, ...]
+) -> None:
+    """As that of the file does; without it the answer is another."""
+    text = tree_text({**tree(), "balance_factor": 0.62})
+    (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+    verb, *options = line
+    read = run(verb, "own.toml", *options).out
+    assert run(verb, "-", *options, stdin=text.encode()).out == read
+    assert run(verb, "own.toml", "--set", "balance_factor=0.5", *options).out != read
+
+
+def test_the_card_is_a_function_of_python() -> None:
+    found = crankstar.bobweight({**tree(), "balance_factor": 0.62})
+    assert (found.value.factor, found.value.assumed) == (0.62, False)
+    shares = [row["factor_percent"] for row in found.to_frame("overbalance").to_dict("records")]
+    assert shares == [58, 60, 62, 64, 66]
+    half = crankstar.bobweight(tree())
+    assert "balance_factor" in [each.path for each in half.rests_on]

@@ -216,8 +216,8 @@ class Analysis:
     `chains` are the fields of the question that a drive line without an engine may be asked too;
     `lists` those that choose what tables list, and change no figure that is plotted;
     `of_file`: compute takes what was loaded, with the tree of its file, in place of the source;
-    `estimates`: values that a file leaves out may be estimated, and results have ranges, but those
-    `of_file`;
+    `estimates`: values that a file leaves out may be estimated, and results have ranges;
+    `unranged`: but for these results;
     `marks_speed`: a speed that changes nothing, since the file has no masses or sizes, is marked;
     `steps`: compute takes long, and `tell=`, to be called with the steps done and their number;
     `by_audience`: answer also takes `audience=`, as readers are shown less than machines;
@@ -254,6 +254,7 @@ class Analysis:
     lists: tuple[str, ...] = ()
     of_file: bool = False
     estimates: bool = False
+    unranged: bool = False
     marks_speed: bool = False
     steps: bool = False
     by_audience: bool = False
@@ -262,7 +263,7 @@ class Analysis:
     @property
     def ranges(self) -> bool:
         """Whether results have the ranges of estimated values."""
-        return self.estimates and not self.of_file
+        return self.estimates and not self.unranged
 
     def tells(self, engine: Engine, speed: float | None = None) -> bool:
         """Whether reports and verdicts have it of an engine, at a speed (rad/s) or its own."""

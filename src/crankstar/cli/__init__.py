@@ -20,7 +20,7 @@
 | `sequencing` | search, where star and firing order are searched together |
 | `searching` | search |
 | `balancing` | balance |
-| `workshop` | bobweight, drill, grade |
+| `workshop` | drill, grade |
 | `correcting` | correct |
 | `picturing` | plot |
 | `drawing` | draw, animate |

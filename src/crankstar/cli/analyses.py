@@ -242,7 +242,7 @@ def _documented(record: Analysis, read: Read) -> tuple[Document, Any]:
             if several > 1:
                 steps.tell(next(number), several)
             own = None if several > 1 else steps.tell
-            about = read.loaded if record.of_file else each
+            about = read.loaded.of(each) if record.of_file else each
             results.append(_computed(record, about, question, own))
             proved = record.proved is None or record.proved.value(results[-1])
             if steps.ended() and not proved:

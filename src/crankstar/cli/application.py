@@ -46,7 +46,6 @@ VERBS = {
     "analyze": "inspect:analyze",
     "animate": "drawing:animate",
     "balance": "balancing:balance",
-    "bobweight": "workshop:bobweight",
     "check": "files:check",
     "compare": "inspect:compare",
     "correct": "correcting:correct",

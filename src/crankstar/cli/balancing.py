@@ -49,12 +49,11 @@ def balance(
     from crankstar.tables import remedies
     from crankstar.tables.ranges import ranged, resting
 
-    own, found, _turning = together(
-        partial(request.own_factor, engine, settings),
+    found, _turning = together(
         partial(read_engine, engine, settings, estimate=estimate, speed=speed),
         partial(request.speed, speed),
     )
-    loaded, spread = found.engine, found.spread
+    loaded, spread, own = found.engine, found.spread, found.balance_factor
     mark_speed(speed, loaded)
     with working(_("balancing ...")):
         with values_kept() if spread else nullcontext():  # a refusal is marked as estimated

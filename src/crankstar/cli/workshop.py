@@ -1,4 +1,4 @@
-"""The verbs of the balancing shop: bobweight, drill, grade."""
+"""The verbs of the balancing shop: drill, grade."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from crankstar.cli.options import (
     ENGINE,
     FLAT,
     Csv,
-    EngineName,
     Estimating,
     Json,
     Output,
     Settings,
     Speed,
+    once,
     option,
     read_engine,
     together,
@@ -29,6 +29,7 @@ from crankstar.options import remedies, workshop
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
 from crankstar.options.refusals import RequestError
+from crankstar.options.sources import Loaded
 from crankstar.options.workshop import DrillOptions
 
 if TYPE_CHECKING:
@@ -41,42 +42,10 @@ AnyEngine = Annotated[str | None, Parameter(help=ENGINE)]
 Factor = Annotated[str | None, option("--factor")]
 
 
-def _factor(name: str, settings: list[str] | None, text: str | None) -> tuple[float, bool]:
+def _factor(text: str | None, found: Loaded) -> tuple[float, bool]:
     """The balance factor that is asked for, else that of the file, else a half; if it is that."""
-    if text is not None:
-        return remedies.factor(text), False
-    own = request.own_factor(name, settings)
+    own = found.balance_factor if text is None else remedies.factor(text)
     return (remedies.HALF, True) if own is None else (own, False)
-
-
-def bobweight(
-    engine: EngineName,
-    /,
-    *,
-    factor: Factor = None,
-    settings: Settings = None,
-    estimate: Estimating = False,
-    json: Json = False,
-    csv: Csv = False,
-    output: Output = None,
-) -> None:
-    """Print the bobweight card of a crankshaft: parts, bobweight of each pin, overbalance."""
-    from crankstar.studies.answers import bobweights
-    from crankstar.tables.bobweights import card_document
-    from crankstar.tables.ranges import ranged
-
-    form = form_of(output, TABLES, json=json, csv=csv)
-    (share, assumed), found = together(
-        partial(_factor, engine, settings, factor),
-        partial(read_engine, engine, settings, estimate=estimate),
-    )
-    loaded = found.engine
-
-    def card(each: Engine) -> Document:
-        return card_document(each, factor=share)
-
-    rests = resting_on(form, loaded, partial(bobweights, loaded, factor=share, assumed=assumed))
-    give(ranged(card, found.spread, loaded, rests=rests), output, form=form)
 
 
 def drill(
@@ -116,10 +85,9 @@ def drill(
         (made,) = together(partial(workshop.drill_of, options))
         document = _measured_holes(unbalance or "", made)
     else:
-        made, (share, assumed), found = together(
-            partial(workshop.drill_of, options),
-            partial(_factor, engine, settings, factor),
-            partial(read_engine, engine, settings, estimate=estimate),
+        load = once(partial(read_engine, engine, settings, estimate=estimate))
+        made, found, (share, assumed) = together(
+            partial(workshop.drill_of, options), load, lambda: _factor(factor, load())
         )
         loaded, planes = found.engine, weights or "ends"
         build = partial(_engine_holes, made=made, factor=share, weights=planes)

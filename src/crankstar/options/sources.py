@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +43,16 @@ class Loaded:
         if isinstance(self.source, Chain):
             raise EngineFileError(self.name, [Fault((), "form.drive-line")])
         return self.source
+
+    @property
+    def balance_factor(self) -> float | None:
+        """That of the file; None without one."""
+        factor = self.tree.get("balance_factor")
+        return float(factor) if isinstance(factor, int | float) else None
+
+    def of(self, source: Engine | Chain) -> Loaded:
+        """The same file, of another engine: one of those over its ranges."""
+        return replace(self, source=source)
 
 
 def loaded(

@@ -11,10 +11,8 @@ from typing import Any, Literal, cast, get_args
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import ANGLE, SPEED, Quantity
-from crankstar.files import changed, keys_of, units
-from crankstar.files.catalog import tree_of
+from crankstar.files import keys_of, units
 from crankstar.files.changes import path_and_value, with_traces
-from crankstar.files.read_files import STANDARD_INPUT
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.numbers import number as number_text
@@ -118,15 +116,6 @@ def _setting(text: str) -> tuple[str, Any]:
         return path, tomllib.loads(f"value = {value}")["value"]
     except (ValueError, RecursionError):  # not TOML, or a number of thousands of digits
         return path, value
-
-
-def own_factor(name: str, texts: Sequence[str] | None) -> float | None:
-    """The balance factor that an engine file gives, with what --set changes; None without one."""
-    if name in ("-", STANDARD_INPUT):
-        return None  # it has been read already
-    shown, tree = tree_of(name)
-    factor = changed(tree, settings(texts), name=shown).get("balance_factor")
-    return float(factor) if isinstance(factor, int | float) else None
 
 
 def speed(text: str | None) -> float | None:

@@ -40,6 +40,24 @@ def bearings(
         estimate: fill in what the file leaves out.
     """
 
+def bobweight(
+    engine: EngineLike,
+    /,
+    *,
+    factor: float | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
+) -> Result:
+    """Print the bobweight card of a crankshaft: parts, bobweight of each pin, overbalance.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        factor: Share of the reciprocating mass on each pin that is balanced, such as 0.5 or 52%
+            (default: the file's, else 0.5).
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+        estimate: fill in what the file leaves out.
+    """
+
 def diagnose(
     engine: EngineLike,
     /,

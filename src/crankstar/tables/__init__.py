@@ -21,7 +21,7 @@
 | `workshop` | what to drill or to fit, which unbalance may remain |
 | `two_planes` | corrections in two planes |
 | `conditions` | speed, units and point of reference of an analysis |
-| `bobweights` | the bobweight card: parts, bobweights, overbalance |
+| `bobweights` | the bobweight of each pin, and how far it is from that of one half |
 | `paths` | names of vectors and of their paths |
 | `peaks` | peaks over a turn, and what counterweights can remove |
 | `by_order` | force, couple and moments of each order |

@@ -39,6 +39,7 @@ RECORD = Analysis(
     ),
     of_file=True,
     estimates=True,
+    unranged=True,
     marks_speed=True,
     steps=True,
     by_result=True,
