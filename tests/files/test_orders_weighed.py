@@ -12,6 +12,7 @@ import pytest
 from tests.commands import Run
 from tests.search import plain_orders as plain
 
+import crankstar
 from crankstar import bearing_loads, cycle, load, spectra
 from crankstar import torsion as torsional
 from crankstar.dynamics.torsion_criticals import stresses
@@ -271,3 +272,22 @@ def test_orders_are_sorted_by_any_function_of_the_engine(six: str) -> None:
     assert values == pytest.approx([value / 2 for value in halves])
     third = judged(engine, orders, lambda each: float(each.firing_order.index(4)))
     assert third[1] == tuple(sorted(each.firing.order.index(4) for each in orders))
+
+
+def test_a_sum_in_newtons_rests_on_its_gas(run: Run) -> None:
+    """Each end of a range is the sum of a file that has that value; without gas there is none."""
+    line = ("orders", "audi-25-tfsi", "--minimise", "twist", "--json")
+    said = json.loads(run(*line).out)
+    rows = {row["path"]: row for row in said["rests_on"]}
+    start = rows["gas.combustion_start"]["moves"]
+    assert start["quantity"] == "least sum of firing orders"
+    assert start["now"] == pytest.approx(said["orders"][0]["twist"]["together"], rel=1e-9)
+    late = json.loads(run(*line, "--set", "gas.combustion_start=-10 deg").out)
+    early = json.loads(run(*line, "--set", "gas.combustion_start=-30 deg").out)
+    ends = sorted(each["orders"][0]["twist"]["together"] for each in (early, late))
+    assert [start["low"], start["high"]] == pytest.approx(ends, rel=1e-9)
+    counted = json.loads(run("orders", "i6", "--minimise", "torque", "--json").out)
+    assert not [row for row in counted.get("rests_on", ()) if row["path"].startswith("gas")]
+    found = crankstar.orders("audi-25-tfsi", minimise="twist")
+    assert found.value.orders[0].firing.order == tuple(said["orders"][0]["order"])
+    assert len(found.to_frame("orders")) == len(said["orders"])

@@ -40,7 +40,7 @@ MORE: dict[str, dict[str, Any]] = {
 }
 """What the functions need besides an engine."""
 GAS = ("cycle", "driven", "flywheel_for", "side_thrust")
-ANALYSES = ("bearings", "genset", "marine", "mounts", "torque", "torsion")
+ANALYSES = ("bearings", "genset", "marine", "mounts", "orders", "torque", "torsion")
 ASKING = ("diagnose", "fault", "guide", "isolate", "match")
 """Analyses that are asked for more than an engine, or search long."""
 OWN = {"load", "names", "tolerance", "widget", *ANALYSES, *ASKING}

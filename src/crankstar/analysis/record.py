@@ -143,6 +143,9 @@ class Writes:
     count      (question) -> how many engines there are: `engine` gives a sequence of them, each of
                several is written in a file with its number
 
+    instead    (question) -> the option for which the engine is given in place of the document, or
+               empty; `engine` is then (result, question) -> Engine
+
     Where the one engine is of the result, the assumptions of the document are those of that engine.
     Where the option is --output, the document itself is printed only, as text or JSON.
     """
@@ -153,6 +156,7 @@ class Writes:
     more: str = ""
     of_result: bool = False
     count: Later[Callable[[Any], int]] | None = None
+    instead: Later[Callable[[Any], str]] | None = None
 
     @property
     def name(self) -> str:

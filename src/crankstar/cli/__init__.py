@@ -13,7 +13,7 @@
 | `analyses` | the verbs of all analyses that are records |
 | `estimating` | estimate |
 | `deriving` | derive, errata |
-| `firing` | orders, vees |
+| `firing` | vees |
 | `search_options` | the options of search |
 | `checkpoints` | the file in which a search is kept, and what of it is damaged |
 | `search_job` | a search run, reported and kept in a file |

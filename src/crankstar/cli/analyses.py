@@ -42,7 +42,7 @@ from crankstar.engine.torsion import Chain
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
-from crankstar.options.forms import PICTURES, TABLES, form_of, suffix_of
+from crankstar.options.forms import ENGINES, PICTURES, TABLES, form_of, suffix_of
 from crankstar.options.refusals import RequestError, refusal, refuse_unused
 from crankstar.options.sources import Loaded
 from crankstar.options.vocabulary import OPTIONS
@@ -89,7 +89,7 @@ def verb(record: Analysis) -> Callable[..., None]:
             annotation=Annotated[str, Parameter(help=record.takes)],
         ),
         *map(_argument, fields),
-        *([] if writes is None or _only_printed(record) else [_of_file(writes)]),
+        *([] if writes is None or writes.name == "output" else [_of_file(writes)]),
         *(
             Argument(
                 name, Argument.KEYWORD_ONLY, default=DEFAULTS.get(name, False), annotation=kind
@@ -145,15 +145,17 @@ def _shared(record: Analysis) -> dict[str, Any]:
         del shared["looks"]
     else:
         shared["output"] = _path("--output", record.picture.more)
-    if record.writes is not None and _only_printed(record):
+    if _only_printed(record):
         del shared["csv"]
+    if record.writes is not None and record.writes.name == "output":
         shared["output"] = _path("--output", record.writes.more)
     return shared
 
 
 def _only_printed(record: Analysis) -> bool:
     """Whether -o names the engine that it makes, and not its document."""
-    return record.writes is not None and record.writes.name == "output"
+    writes = record.writes
+    return writes is not None and writes.name == "output" and writes.instead is None
 
 
 def answer(record: Analysis, options: dict[str, Any]) -> None:
@@ -168,13 +170,19 @@ def _answer(record: Analysis, options: dict[str, Any]) -> None:
     """The same, with the faults of an engine as they are told without its file."""
     with added().running(record.name):
         read = _read(record, options)
+    if (writes := record.writes) is not None and _instead(writes, read.question):
+        _write_instead(record, writes, read, options.get("output"))
+        return
     if read.form in PICTURES:
         _draw(record, read, options)
         return
     with words_for(read.form):
         document, result = _document(record, read)
-    writes = record.writes
-    if writes is not None and (path := options.get(writes.name)) is not None:
+    if (
+        writes is not None
+        and writes.instead is None
+        and (path := options.get(writes.name)) is not None
+    ):
         _write(record, writes, read, result, path)
     tree = read.loaded.tree if record.of_file else None
     output = None if _only_printed(record) else options.get("output")
@@ -191,6 +199,30 @@ def _write(record: Analysis, writes: Writes, read: Read, result: Any, path: str)
         several: Sequence[Engine] = (made,) if writes.count is None else made
         for each, place in zip(several, numbered(path, len(several)), strict=True):
             write_engine(each, read.loaded.tree, place, option=_spelt(writes))
+
+
+def _instead(writes: Writes, question: Any) -> str:
+    """The option for which an engine is given in place of the document."""
+    return "" if writes.instead is None else writes.instead.value(question)
+
+
+def _write_instead(record: Analysis, writes: Writes, read: Read, place: str | None) -> None:
+    """Write the engine that is given in place of the document, or print it."""
+    with added().running(record.name), _shown(record, 1) as steps:
+        result = _computed(record, read.loaded.source, read.question, steps.tell)
+        made = writes.engine.value(result, read.question)
+    write_engine(made, read.loaded.tree, place)
+
+
+def _form(record: Analysis, options: dict[str, Any], question: Any) -> str:
+    """The form of what is written. Raises RequestError."""
+    flags = {name: bool(options.get(name)) for name in ("json", "csv")}
+    output = None if _only_printed(record) else options.get("output")
+    for_engine = "" if record.writes is None else _instead(record.writes, question)
+    if for_engine:
+        refuse_unused({f"--{name}": given for name, given in flags.items()}, beside=for_engine)
+        return form_of(output, ENGINES)
+    return form_of(output, _forms(record), **flags)
 
 
 def _spelt(writes: Writes) -> str:
@@ -338,10 +370,8 @@ def _read(record: Analysis, options: dict[str, Any]) -> Read:
         return load().source
 
     reading = readings(record.question.value, _over_speeds(options, fields), source)
-    forms = {name: bool(options.get(name)) for name in ("json", "csv")}
-    output = None if _only_printed(record) else options.get("output")
     form, loaded, *values = together(
-        partial(form_of, output, _forms(record), **forms),
+        partial(_form, record, options, being_read(record.question.value, reading)),
         load,
         *reading.values(),
         *_refusals(record, options, reading, source),
@@ -367,7 +397,7 @@ def _refusals(
     refuse, writes = record.refuse, record.writes
     if (output := options.get("output")) is not None and not _only_printed(record):
         yield partial(writable, output)
-    if writes is not None and options.get(writes.name) is not None:
+    if writes is not None and writes.instead is None and options.get(writes.name) is not None:
         yield partial(_engine_places, writes, options, question)
         if writes.refuse is not None:
             yield partial(writes.refuse.value, question)

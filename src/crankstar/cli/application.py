@@ -58,7 +58,6 @@ VERBS = {
     "grade": "workshop:grade",
     "list": "inspect:list_engines",
     "new": "files:new",
-    "orders": "firing:orders",
     "page": "showing:page",
     "plot": "picturing:plot",
     "report": "reporting:write_report",

@@ -338,6 +338,45 @@ def mounts(
         changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
     """
 
+def orders(
+    engine: EngineLike,
+    /,
+    *,
+    intervals: Iterable[float] | str | None = None,
+    any_: bool = False,
+    together: bool = False,
+    tolerance: float | str | None = None,
+    minimise: str | None = None,
+    orders: Iterable[float] | str | None = None,
+    mode_shape: str | None = None,
+    point: str = "",
+    top: int = 20,
+    row: int | None = None,
+    changes: Mapping[str, Any] | None = None,
+) -> Result:
+    """List the firing orders that a crank can fire, with exhaust intervals and neighbours.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        intervals: Firing intervals, repeated to fill the cycle, such as "90, 150 deg"; 0 for
+            cylinders that fire together (default: even).
+        any_: List every order that the dead centres allow, the most even first.
+        together: With --any: cylinders may fire together at the same dead centre.
+        tolerance: Greatest deviation of a firing from its place in the cycle, such as "2 deg"
+            (default: 0.0001 deg).
+        minimise: Quantity to minimise. Torque, roll or twist of the gas, stress of torsion, or
+            load on the bearings; sorts the orders.
+        orders: Crank orders with commas, such as 1,2,4, or all. For --minimise. Default:
+            0.5,1,1.5,2,2.5,3.
+        mode_shape: For torsion: straight, mode N of the engine's [torsion], or the amplitude at
+            each cylinder (default: its mode, if it has that table).
+        point: Operating point of the engine file, by its name, such as idle. Default: by speed,
+            interpolated between two; without a speed the load of [gas], else the first point.
+        top: Number of rows to print; --csv and --json have all. Default: 20.
+        row: Write this row as an engine file.
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+    """
+
 def strokes(engine: EngineLike, /, *, changes: Mapping[str, Any] | None = None) -> Result:
     """Print strokes, valve events and exhaust intervals of each cylinder; find exhaust overlaps.
 

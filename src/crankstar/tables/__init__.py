@@ -29,7 +29,7 @@
 | `amplitudes` | amplitudes for machines, one row each |
 | `mount_places` | the mounts of an engine file, as they are given |
 | `engines` | an engine's parts, the sources of its values, the catalog |
-| `firing_orders` | firing orders of a crank |
+| `judgements` | what firing orders are judged by, in words |
 | `vee_engines` | V engines that fire evenly |
 | `search_stars` | the stars of a search |
 | `sequence_verdicts` | where an order stands beside a front over stars and firing orders |

@@ -12,7 +12,7 @@ from crankstar.language.numbers import number
 from crankstar.stars.sequence_fronts import Point, SequenceFront
 from crankstar.stars.shafts import Fired, followed
 from crankstar.stars.vector_sums import OrderSum, SequenceQuestion, couple, force, shares
-from crankstar.tables.firing_orders import JUDGEMENTS, judge_column, mode_sentence
+from crankstar.tables.judgements import JUDGEMENTS, judge_column, mode_sentence
 from crankstar.tables.sequence_verdicts import Judged, judged_by, judgement, placed, uneven, verdict
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from crankstar.stars.sequence_engines import fired_of_engine
 from crankstar.stars.sequence_fronts import Point, SequenceFront, beaten
 from crankstar.stars.shafts import Fired
 from crankstar.stars.vector_sums import NEIGHBOURS, Goal, SequenceQuestion
-from crankstar.tables.firing_orders import judge_text
+from crankstar.tables.judgements import judge_text
 
 if TYPE_CHECKING:
     from crankstar.studies.judged_orders import Judge, JudgedWays

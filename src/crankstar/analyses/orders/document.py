@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
 
-from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
+from crankstar.analyses.orders.listing import Listing
+from crankstar.analyses.orders.question import Question
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, for_each, remarks
 from crankstar.engine.engine import Engine
-from crankstar.firing.orders import Order, place_of
+from crankstar.firing.orders import place_of
 from crankstar.firing.succession import Follower
-from crankstar.firing.weighing import Weighed, Weight
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number, unit_text
-from crankstar.language.shown_units import quantity_text
-from crankstar.studies.judged_orders import UNITS, Judge
+from crankstar.language.numbers import number
 from crankstar.tables.headings import heading
-
-if TYPE_CHECKING:
-    from crankstar.dynamics.torsion_modes import Mode
+from crankstar.tables.judgements import JUDGEMENTS, judge_column, mode_sentence
 
 HEADS = {"torque": N_("torque"), "roll": N_("roll"), "twist": N_("twist")}
 MEANINGS = {
@@ -34,54 +30,24 @@ MEANINGS = {
         "crankshaft over that of the farthest, or times the amplitude of --mode-shape."
     ),
 }
-JUDGED = {"stress": N_("shear stress"), "bearings": N_("load on a main bearing")}
-JUDGEMENTS = {
-    "stress": N_(
-        "shear stress: the greatest of torsion over the cycle, all orders with their phases, over "
-        "the speeds of the engine."
-    ),
-    "bearings": N_(
-        "load on a main bearing: the greatest over the cycle, of gas and inertia, on any of them."
-    ),
-}
 EQUAL_INTERVALS = 1e-3
 """Degrees by which intervals may differ and are written as one."""
 
 
-class Listing(NamedTuple):
-    """Firing orders of an engine, and what was asked for.
-
-    `why_uneven`: why there are no even ones; `asked_deg`: the intervals that were asked for, none
-    where any would do; `tolerance_deg`: how far a firing may be from its place; `weighed`: the sums
-    by which they are sorted, those of `weight`, in N m at the `load`, which is a sentence, else
-    counted in one cylinder; `mode`: the mode that gives the twist its shape; `judged`: of each
-    order the stress or bearing load of the whole engine, by which they are sorted, as `judge` says.
-    """
-
-    engine: Engine
-    orders: tuple[Order, ...]
-    why_uneven: str = ""
-    asked_deg: tuple[float, ...] = ()
-    tolerance_deg: float | None = None
-    weighed: Weighed | None = None
-    weight: Weight = "torque"
-    load: str = ""
-    mode: Mode | None = None
-    judged: tuple[float, ...] = ()
-    judge: Judge = "stress"
-
-
-def firing_orders(listing: Listing, *, limit: int | None = None) -> Document:
+def document(engine: Engine, result: Listing, question: Question) -> Document:
     """The orders, best first, with exhaust intervals, neighbours and partners in succession.
 
-    A `limit` keeps the first ones and that of the file.
+    Of readers the first ones and that of the file, of machines all.
     """
+    del engine
+    listing = result
     own = place_of(listing.engine, listing.orders)
-    count = len(listing.orders)
-    shown = list(range(count if limit is None else min(limit, count)))
-    shown += [own] if own is not None and own not in shown else []
-    rows = tuple(_row(listing, place, own) for place in shown)
-    table = Table("", _columns(listing), rows, key="orders")
+    every = range(len(listing.orders))
+    shown = [place for place in every if place < question.top or place == own]
+    first, whole = (
+        Table("", _columns(listing), tuple(_row(listing, at, own) for at in places), key="orders")
+        for places in (shown, every)
+    )
     facts = {
         "engine": listing.engine.name,
         "cycle_deg": listing.engine.cycle_angle,
@@ -94,7 +60,7 @@ def firing_orders(listing: Listing, *, limit: int | None = None) -> Document:
             listing.why_uneven,
             _("The most even orders:") if listing.why_uneven and listing.orders else "",
         ),
-        table,
+        *for_each(first, whole),
         Remarks(tuple(_notes(listing, len(shown), own))),
     )
     return Document(listing.engine.name, parts, facts)
@@ -195,29 +161,6 @@ def _notes(listing: Listing, shown: int, own: int | None) -> list[str]:
         out += [_(JUDGEMENTS[listing.judge]), listing.load]
     out.append(_("--row N -o FILE writes the engine with that order."))
     return out
-
-
-def judge_column(judge: Judge) -> Column:
-    """The column of what orders are judged by."""
-    return Column(_(JUDGED[judge]), UNITS[judge], key=judge, fixed=judge == "stress")
-
-
-def judge_text(judge: Judge, value: float) -> str:
-    """What an order is judged by, in words: shear stress 102.9 MPa."""
-    size = quantity_text(value, UNITS[judge])
-    if judge == "stress":  # a pressure may be shown in bar, a stress is not
-        size = f"{number(value)} {unit_text('MPa')}"
-    return _("{name} {value}", name=_(JUDGED[judge]), value=size)
-
-
-def mode_sentence(mode: Mode) -> str:
-    """Which mode of the engine's own gives the cylinders their amplitudes."""
-    return _(
-        "Amplitudes of the cylinders: mode {mode} of the crankshaft, {frequency} Hz, 1 at the "
-        "largest.",
-        mode=mode.number,
-        frequency=number(mode.frequency, digits=4),
-    )
 
 
 def _count_sentence(listing: Listing) -> str:
