@@ -291,3 +291,12 @@ def test_a_sum_in_newtons_rests_on_its_gas(run: Run) -> None:
     found = crankstar.orders("audi-25-tfsi", minimise="twist")
     assert found.value.orders[0].firing.order == tuple(said["orders"][0]["order"])
     assert len(found.to_frame("orders")) == len(said["orders"])
+
+
+def test_python_takes_crank_orders_as_numbers() -> None:
+    found = crankstar.orders("i6", minimise="torque", orders=[0.5, 1]).to_frame("orders")
+    assert {"torque_0.5", "torque_1"} < {*found.columns}
+    with pytest.raises(ValueError, match="gas torque has multiples of"):
+        crankstar.orders("i6", minimise="torque", orders=[0.3])
+    with pytest.raises(TypeError, match="orders takes numbers such as"):
+        crankstar.orders("i6", minimise="torque", orders=5)  # pyright: ignore[reportArgumentType]

@@ -439,3 +439,9 @@ def test_the_card_is_a_function_of_python() -> None:
     assert shares == [58, 60, 62, 64, 66]
     half = crankstar.bobweight(tree())
     assert "balance_factor" in [each.path for each in half.rests_on]
+
+
+def test_the_card_of_python_has_the_ranges_of_estimates() -> None:
+    rows = crankstar.bobweight("audi-25-tfsi", estimate=True).to_frame("bobweights")
+    for row in rows.to_dict("records"):
+        assert row["bobweight_low_kg"] < row["bobweight_kg"] < row["bobweight_high_kg"]

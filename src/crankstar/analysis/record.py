@@ -273,9 +273,10 @@ class Analysis:
         """Whether reports and verdicts have it of an engine, at a speed (rad/s) or its own."""
         return self.lacks is not None and not self.lacks(engine, speed)
 
-    def told(self, source: Engine | Chain, question: Any) -> Document:
-        """The document of a source, with the values of a question."""
-        return self.document.value(source, self.compute.value(source, question), question)
+    def told(self, source: Engine | Chain, question: Any, *, file: Any = None) -> Document:
+        """The document of a source, with the values of a question; of a `file` that was loaded."""
+        about = file if self.of_file else source
+        return self.document.value(source, self.compute.value(about, question), question)
 
     def resting(self, source: Engine, result: Any) -> Engine:
         """The engine whose assumptions are told: the source, or the one that was made of it."""

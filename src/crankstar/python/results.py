@@ -143,7 +143,8 @@ class Result:
 
     def _told(self, source: Engine) -> Document:
         own = source is self.source
-        return self._of_source if own else self.analysis.told(source, self.question)
+        file = self.loaded.of(source)
+        return self._of_source if own else self.analysis.told(source, self.question, file=file)
 
     @cached_property
     def rests_on(self) -> RestsOn:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Any
 
 from crankstar.analysis.reader import Reader
 from crankstar.engine.engine import Engine
@@ -46,6 +46,11 @@ def _orders(text: str, engine: Engine) -> Sequence[float] | None:
     return wanted
 
 
+def _orders_given(given: Any, engine: Engine) -> Sequence[float]:
+    """The same as numbers. Raises ValueError, TypeError."""
+    return _orders(",".join(f"{order:.12g}" for order in numbers.orders(given)), engine) or ()
+
+
 def _top(number: int) -> int:
     if number < 1:
         raise refusal("--top", number, "give a number from 1 up")
@@ -82,7 +87,7 @@ class Question:
             _orders,
             "For --minimise. Default: 0.5,1,1.5,2,2.5,3.",
             of_source=True,
-            number=lambda given, _engine: numbers.orders(given),
+            number=_orders_given,
         ),
     ] = None
     mode_shape: Annotated[str | None, Reader("--mode-shape", str)] = None
