@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from crankstar.analyses.tolerance.charts import scatter_chart
-from crankstar.analyses.tolerance.linear_law import BEARING
-from crankstar.analyses.tolerance.question import Question
+from crankstar.analyses.tolerance.question import BEARING, Question
 from crankstar.analyses.tolerance.scatter import Scatter, scatter_of
 from crankstar.analysis.assumptions import Answer
 from crankstar.charts.grammar import Chart

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from crankstar.analyses.tolerance.document import is_of, signal_text
-from crankstar.analyses.tolerance.linear_law import BEARING
+from crankstar.analyses.tolerance.question import BEARING
 from crankstar.analyses.tolerance.scatter import OrderScatter, Scatter
 from crankstar.analysis.assumptions import MAIN_OF
 from crankstar.charts.canvas import curve_height, half_width

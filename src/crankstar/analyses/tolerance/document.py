@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from crankstar.analyses.tolerance.linear_law import BEARING
-from crankstar.analyses.tolerance.question import Question
-from crankstar.analyses.tolerance.scatter import SIGNALS, OrderScatter, Scatter
+from crankstar.analyses.tolerance.question import BEARING, SIGNALS, Question
+from crankstar.analyses.tolerance.scatter import OrderScatter, Scatter
 from crankstar.analysis.document import (
     ROW_UNIT,
     Column,

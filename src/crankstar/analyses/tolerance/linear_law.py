@@ -28,6 +28,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from crankstar.analyses.tolerance.error_sources import ErrorSource
+from crankstar.analyses.tolerance.question import BEARING
 from crankstar.dynamics.bearing_variants import bearing_forces, bearing_names
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import Scale, default_reference
@@ -65,8 +66,6 @@ class Linear(NamedTuple):
 
 
 QUANTITIES = ("force", "couple", "roll", "torque")
-BEARING = "bearing"
-"""The load on a main bearing; its signals have its number."""
 
 
 def linear(

@@ -17,15 +17,25 @@ from crankstar.options.refusals import RequestError, choice, refuse_unused
 FEWEST_BUILDS, MOST_BUILDS = 1000, 1_000_000
 GREATEST_SEED = 2**63
 Distribution = Literal["normal", "uniform"]
+SIGNALS = (
+    "force",
+    "couple",
+    "roll",
+    "torque",
+    "force.up",
+    "force.right",
+    "couple.pitch",
+    "couple.yaw",
+)
+"""What is told of each order: vectors in the clock plane, real signals, and components."""
+BEARING = "bearing"
+"""The loads on main bearings, as a quantity."""
 ABOUT_A_POINT = ("couple", "roll")
 """Quantities that hang on the point of reference."""
 
 
 def _signals(text: str) -> Sequence[str]:
     """Quantities with commas, each once. Raises RequestError."""
-    from crankstar.analyses.tolerance.linear_law import BEARING
-    from crankstar.analyses.tolerance.scatter import SIGNALS
-
     names = [*dict.fromkeys(request.listed(text))]
     if not names:
         raise RequestError("--quantity: give at least one quantity, such as force,couple")

@@ -25,6 +25,7 @@ from crankstar.analyses.tolerance.question import (
     FEWEST_BUILDS,
     GREATEST_SEED,
     MOST_BUILDS,
+    SIGNALS,
     Distribution,
 )
 from crankstar.engine.engine import Engine
@@ -42,17 +43,6 @@ from crankstar.mechanics.remains import USUAL_ORDERS, orders_shown, summed
 from crankstar.spectra import ROUNDING, Real, checked
 from crankstar.studies.fields import Source, source_of
 
-SIGNALS = (
-    "force",
-    "couple",
-    "roll",
-    "torque",
-    "force.up",
-    "force.right",
-    "couple.pitch",
-    "couple.yaw",
-)
-"""What is told of each order: vectors in the clock plane, real signals, and components."""
 BUILDS = 100_000
 MOST_ERRORS = 4000
 """Independent errors of one engine."""
