@@ -335,8 +335,8 @@ def fired(engine: Engine, faults: Sequence[Fault]) -> Engine:
     """The engine; with a usual cycle, where combustion is lost and the file has no gas.
 
     >>> from crankstar.files.catalog import load
-    >>> twin = load("parallel-twin-180")
-    >>> fired(twin, [Fault("combustion", 2)]).gas is None, fired(twin, []).gas is None
+    >>> four = load("i4")
+    >>> fired(four, [Fault("combustion", 2)]).gas is None, fired(four, []).gas is None
     (False, True)
     """
     lost = engine.gas is None and lost_combustion(faults)
