@@ -324,7 +324,7 @@ POINTS, POINTS_AT_MOST = 16, 1 << 22
 """Samples to one turn of the highest order, and in all; beyond that, a quarter as many."""
 CANDIDATES = 256
 SAMPLES_AT_ONCE = 1 << 18
-EQUAL = 1e-12
+EQUAL = 1e-11
 """Share within which peaks are equal."""
 ALIKE = 1e-15
 """Share by which a maximum beside a sample is higher than the sample, if it is another."""

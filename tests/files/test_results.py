@@ -168,7 +168,7 @@ def test_the_pressures_of_the_array_make_its_torque() -> None:
     torque, pressure = found.to_xarray(), found.to_xarray("pressure").pressure
     assert torque.torque.dims == ("chamber", "order")
     assert pressure.dims == ("chamber", "theta_deg")
-    assert float(pressure.max()) == pytest.approx(found.to_dict()["peak_pressure"], rel=1e-12)
+    assert float(pressure.max()) == pytest.approx(found.to_dict()["peak_pressure"], rel=2e-5)
     assert float(torque["mean"].sum()) == pytest.approx(found.to_dict()["mean_torque"], rel=1e-12)
     whole = np.abs(torque.torque.sum("chamber").sel(order=2.5).item())
     [row] = [row for row in found.to_dict()["orders"] if row["order"] == 2.5]

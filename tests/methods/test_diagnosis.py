@@ -345,8 +345,6 @@ def test_faults_that_an_engine_cannot_have_are_refused() -> None:
         shaken(four(), [Fault("piston", 9)], speed=SPEED)
     with pytest.raises(DiagnosisError, match="no weight 5"):
         shaken(four(), [Fault("weight", 5)], speed=SPEED)
-    with pytest.raises(DiagnosisError, match="add \\[gas\\]"):
-        shaken(load("subaru-ej25"), [Fault("combustion", 1)], speed=SPEED)
     with pytest.raises(DiagnosisError, match="give cylinder\\.stroke"):
         shaken(load("i4"), [Fault("piston", 1)], speed=SPEED)
 

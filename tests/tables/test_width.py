@@ -11,6 +11,9 @@ from rich.cells import cell_len
 from rich.console import Console
 
 from crankstar import load
+from crankstar.analyses.orders.document import document as order_document
+from crankstar.analyses.orders.listing import Listing
+from crankstar.analyses.orders.question import Question
 from crankstar.analyses.strokes import RECORD as STROKES
 from crankstar.analysis.document import Column, Document, Table
 from crankstar.derive.errata import errata
@@ -21,7 +24,7 @@ from crankstar.language.faults import EngineError
 from crankstar.remedy import fitting
 from crankstar.studies.best_value import best
 from crankstar.studies.sweep import swept, watched
-from crankstar.tables import analysis, engines, firing_orders, remedies, sweeps, vee_engines
+from crankstar.tables import analysis, engines, remedies, sweeps, vee_engines
 from crankstar.tables.cells import cell
 from crankstar.tables.comparison import comparison
 from crankstar.tables.conversion import in_units
@@ -64,9 +67,8 @@ def documents(name: str) -> Iterator[Document]:
         yield remedies.balancing_sheet(remedies.Job(engine, found.after, found.factor, speed=500.0))
     try:
         yield STROKES.told(engine, STROKES.question.value())
-        yield firing_orders.firing_orders(
-            firing_orders.Listing(engine, orders.most_even_orders(engine)), limit=20
-        )
+        listing = Listing(engine, orders.most_even_orders(engine))
+        yield order_document(engine, listing, Question())
     except (EngineError, OrderError):
         return
 

@@ -337,7 +337,7 @@ def bobweights(engine: Engine, *, factor: float, assumed: bool = False) -> Answe
     half = Assumption("assumed", BALANCE_FACTOR, reason, factor, explained=True)
     return Answer(
         figures=lambda each: {
-            ("bobweight", None): max(bobweight(pin, factor) for pin in loads(each))
+            ("heaviest bobweight", None): max(bobweight(pin, factor) for pin in loads(each))
         },
         unit=lambda _quantity, _engine: unit,
         given=("cylinder.throw_mass",),

@@ -72,7 +72,7 @@ FIGURES = {
     COUPLE_OF: N_("moment of order {order} with {number} cylinders"),
     H_OF: N_("greatest H moment with {number} cylinders"),
     X_OF: N_("greatest X moment with {number} cylinders"),
-    "bobweight": N_("bobweight"),
+    "heaviest bobweight": N_("bobweight"),
     **{f"mode {number}": N_("frequency of mode {number}") for number in range(1, 13)},
 }
 OF_PARTS = (LOAD_OF, COUPLE_OF, H_OF, X_OF, MAIN_OF, PIN_OF, WALL_OF)
