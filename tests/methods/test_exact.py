@@ -533,8 +533,9 @@ def test_the_digits_of_a_decimal_are_all_certain() -> None:
                 )
 
 
-def assert_cut(figures: str, value: Any) -> None:
+def assert_cut(figures: str | None, value: Any) -> None:
     """The figures are those of the number, cut off; rounded only where a cut is undecided."""
+    assert figures is not None  # the first digit is certain
     places = len(figures.partition(".")[2])
     cut, near = int(MP.floor(abs(value) * 10**places)), int(MP.nint(abs(value) * 10**places))
     if abs(abs(value) * 10**places - near) < MP.mpf("1e-5" if places else "0.11"):
