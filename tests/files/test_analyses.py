@@ -29,6 +29,7 @@ from crankstar.python.functions import function
 PACKAGE = Path(registry.__file__).parents[1]
 HOSTS = (
     "cli/analyses.py",
+    "cli/command_lines.py",
     "report/analyses.py",
     "report/document.py",
     "tables/verdict.py",

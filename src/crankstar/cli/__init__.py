@@ -10,6 +10,7 @@
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
 | `speed_ranges` | what `analyze --speeds` prints |
 | `inspect` | list, show, analyze, compare, verdict, strokes |
+| `command_lines` | the command line of an analysis as it is read |
 | `analyses` | the verbs of all analyses that are records |
 | `estimating` | estimate |
 | `deriving` | derive, errata |

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict
 from functools import partial
 from inspect import Parameter as Argument
 from inspect import Signature
 from itertools import count
-from os.path import realpath
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from cyclopts import Parameter
 
-from crankstar.analysis.reader import Asked, asked, being_read, readings
+from crankstar.analysis.reader import Asked, asked
 from crankstar.analysis.record import Analysis, Writes
 from crankstar.analysis.registry import added, analysis
+from crankstar.cli.command_lines import LOOKS, CommandLine, instead, only_printed, read_line, spelt
 from crankstar.cli.options import (
     FLAT,
     Csv,
@@ -25,25 +25,19 @@ from crankstar.cli.options import (
     Looks,
     Output,
     Settings,
-    engine_place,
-    mark_load,
-    mark_speed,
     numbered,
-    once,
     option,
-    read_engine,
-    together,
     write_engine,
 )
-from crankstar.cli.output import complain, progress, working, writable, write_bytes
+from crankstar.cli.output import complain, progress, working, write_bytes
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
-from crankstar.options.forms import ENGINES, PICTURES, TABLES, form_of, suffix_of
-from crankstar.options.refusals import RequestError, refusal, refuse_unused
+from crankstar.options.forms import PICTURES
+from crankstar.options.refusals import RequestError
 from crankstar.options.sources import Loaded
 from crankstar.options.vocabulary import OPTIONS
 
@@ -62,7 +56,6 @@ SHARED = {
     "output": Output,
 }
 """The options of every analysis, behind those of its question; looks where it has a picture."""
-LOOKS = Looks()
 DEFAULTS: dict[str, Any] = {"settings": None, "looks": LOOKS, "output": None}
 
 
@@ -145,17 +138,11 @@ def _shared(record: Analysis) -> dict[str, Any]:
         del shared["looks"]
     else:
         shared["output"] = _path("--output", record.picture.more)
-    if _only_printed(record):
+    if only_printed(record):
         del shared["csv"]
     if record.writes is not None and record.writes.name == "output":
         shared["output"] = _path("--output", record.writes.more)
     return shared
-
-
-def _only_printed(record: Analysis) -> bool:
-    """Whether -o names the engine that it makes, and not its document."""
-    writes = record.writes
-    return writes is not None and writes.name == "output" and writes.instead is None
 
 
 def answer(record: Analysis, options: dict[str, Any]) -> None:
@@ -169,97 +156,76 @@ def answer(record: Analysis, options: dict[str, Any]) -> None:
 def _answer(record: Analysis, options: dict[str, Any]) -> None:
     """The same, with the faults of an engine as they are told without its file."""
     with added().running(record.name):
-        read = _read(record, options)
-    if (writes := record.writes) is not None and _instead(writes, read.question):
-        _write_instead(record, writes, read, options.get("output"))
+        line = read_line(record, options)
+    if (writes := record.writes) is not None and instead(writes, line.question):
+        _write_instead(record, writes, line, options.get("output"))
         return
-    if read.form in PICTURES:
-        _draw(record, read, options)
+    if line.form in PICTURES:
+        _draw(record, line, options)
         return
-    with words_for(read.form):
-        document, result = _document(record, read)
+    with words_for(line.form):
+        document, result = _document(record, line)
     if (
         writes is not None
         and writes.instead is None
         and (path := options.get(writes.name)) is not None
     ):
-        _write(record, writes, read, result, path)
-    tree = read.loaded.tree if record.of_file else None
-    output = None if _only_printed(record) else options.get("output")
-    give(document, output, form=read.form, tree=tree)
+        _write(record, writes, line, result, path)
+    tree = line.loaded.tree if record.of_file else None
+    output = None if only_printed(record) else options.get("output")
+    give(document, output, form=line.form, tree=tree)
 
 
-def _write(record: Analysis, writes: Writes, read: Read, result: Any, path: str) -> None:
+def _write(record: Analysis, writes: Writes, line: CommandLine, result: Any, path: str) -> None:
     """Write the engine that an analysis makes, or several, each in a file with its number."""
-    source = read.loaded.source
+    source = line.loaded.source
     if isinstance(source, Engine):
-        of = (result,) if writes.of_result else (source, read.question)
+        of = (result,) if writes.of_result else (source, line.question)
         with added().running(record.name):
             made = writes.engine.value(*of)
         several: Sequence[Engine] = (made,) if writes.count is None else made
         for each, place in zip(several, numbered(path, len(several)), strict=True):
-            write_engine(each, read.loaded.tree, place, option=_spelt(writes))
+            write_engine(each, line.loaded.tree, place, option=spelt(writes))
 
 
-def _instead(writes: Writes, question: Any) -> str:
-    """The option for which an engine is given in place of the document."""
-    return "" if writes.instead is None else writes.instead.value(question)
-
-
-def _write_instead(record: Analysis, writes: Writes, read: Read, place: str | None) -> None:
+def _write_instead(record: Analysis, writes: Writes, line: CommandLine, place: str | None) -> None:
     """Write the engine that is given in place of the document, or print it."""
     with added().running(record.name), _shown(record, 1) as steps:
-        result = _computed(record, read.loaded.source, read.question, steps.tell)
-        made = writes.engine.value(result, read.question)
-    write_engine(made, read.loaded.tree, place)
+        result = _computed(record, line.loaded.source, line.question, steps.tell)
+        made = writes.engine.value(result, line.question)
+    write_engine(made, line.loaded.tree, place)
 
 
-def _form(record: Analysis, options: dict[str, Any], question: Any) -> str:
-    """The form of what is written. Raises RequestError."""
-    flags = {name: bool(options.get(name)) for name in ("json", "csv")}
-    output = None if _only_printed(record) else options.get("output")
-    for_engine = "" if record.writes is None else _instead(record.writes, question)
-    if for_engine:
-        refuse_unused({f"--{name}": given for name, given in flags.items()}, beside=for_engine)
-        return form_of(output, ENGINES)
-    return form_of(output, _forms(record), **flags)
-
-
-def _spelt(writes: Writes) -> str:
-    """The option of a file as it is named in a refusal."""
-    return "-o" if writes.option == "--output" else writes.option
-
-
-def _draw(record: Analysis, read: Read, options: dict[str, Any]) -> None:
+def _draw(record: Analysis, line: CommandLine, options: dict[str, Any]) -> None:
     """Write the picture of a result."""
     from crankstar.options import charts as chart_request
 
     assert record.picture is not None  # noqa: S101  # only then it has forms of pictures
-    drawing, source = chart_request.charts(), read.loaded.source
+    drawing, source = chart_request.charts(), line.loaded.source
     title = _(record.picture.title, engine=source.name)
-    look = chart_request.paper(read.form, **asdict(options.get("looks", LOOKS)))
+    look = chart_request.paper(line.form, **asdict(options.get("looks", LOOKS)))
     with added().running(record.name), _shown(record, 1) as steps:
-        about = read.loaded if record.of_file else source
-        result = _computed(record, about, read.question, steps.tell)
-        draw = partial(record.picture.draw.value, result, read.question)
+        about = line.loaded if record.of_file else source
+        result = _computed(record, about, line.question, steps.tell)
+        draw = partial(record.picture.draw.value, result, line.question)
         printed = drawing.printed(draw, look, title=title)
-        write_bytes(drawing.saved_print(printed, read.form, title=title), options["output"])
-    for line in printed.chart.notes:
-        complain(line)
+        write_bytes(drawing.saved_print(printed, line.form, title=title), options["output"])
+    for note in printed.chart.notes:
+        complain(note)
 
 
-def _document(record: Analysis, read: Read) -> tuple[Document, Any]:
+def _document(record: Analysis, line: CommandLine) -> tuple[Document, Any]:
     """What is told of the source, over its ranges, with what it rests on; and its result.
 
     The work is shown meanwhile.
     """
     with added().running(record.name):
-        return _documented(record, read)
+        return _documented(record, line)
 
 
-def _documented(record: Analysis, read: Read) -> tuple[Document, Any]:
+def _documented(record: Analysis, line: CommandLine) -> tuple[Document, Any]:
     """The same, with whatever the analysis raises."""
-    source, spread, question = read.loaded.source, read.loaded.spread, read.question
+    source, spread, question = line.loaded.source, line.loaded.spread, line.question
     if isinstance(source, Chain):
         with working(_(record.doing)):
             return record.told(source, question), None
@@ -274,7 +240,7 @@ def _documented(record: Analysis, read: Read) -> tuple[Document, Any]:
             if several > 1:
                 steps.tell(next(number), several)
             own = None if several > 1 else steps.tell
-            about = read.loaded.of(each) if record.of_file else each
+            about = line.loaded.of(each) if record.of_file else each
             results.append(_computed(record, about, question, own))
             proved = record.proved is None or record.proved.value(results[-1])
             if steps.ended() and not proved:
@@ -282,10 +248,10 @@ def _documented(record: Analysis, read: Read) -> tuple[Document, Any]:
             return record.document.value(each, results[-1], question)
 
         def rests() -> Sequence[Assumption]:
-            audience = "readers" if read.form == "txt" else "machines"
+            audience = "readers" if line.form == "txt" else "machines"
             about = record.resting(source, results[0])
             answer = partial(record.answered, about, question, results[0], audience)
-            found = resting_on(read.form, about, answer)
+            found = resting_on(line.form, about, answer)
             return () if found is None else found()
 
         if record.ranges:
@@ -340,133 +306,3 @@ def _shown(record: Analysis, several: int) -> Iterator[Steps]:
             return not ended()
 
         yield Steps(tell, ended)
-
-
-class Read(NamedTuple):
-    """A command line as it was read: the engine or drive line, the question, the form."""
-
-    loaded: Loaded
-    question: Any
-    form: str
-
-
-def _read(record: Analysis, options: dict[str, Any]) -> Read:
-    """All of a command line. Raises MessageError with every error of it."""
-    fields = asked(record.question.value)
-    estimate = bool(options.get("estimate"))
-    settings = options.get("settings")
-    load = once(
-        partial(
-            _loaded,
-            record,
-            options["engine"],
-            settings,
-            estimate=estimate,
-            speed=options.get("speed"),
-        )
-    )
-
-    def source() -> Engine | Chain:
-        return load().source
-
-    reading = readings(record.question.value, _over_speeds(options, fields), source)
-    form, loaded, *values = together(
-        partial(_form, record, options, being_read(record.question.value, reading)),
-        load,
-        *reading.values(),
-        *_refusals(record, options, reading, source),
-    )
-    question = record.question.value(**dict(zip(reading, values, strict=False)))
-    if record.marks_speed and isinstance(loaded.source, Engine):
-        mark_speed(options.get("speed"), loaded.source)
-    if isinstance(loaded.source, Engine) and not getattr(question, "speeds", None):
-        point, at = (getattr(question, name, None) for name in ("point", "speed"))
-        if point or at is not None:
-            mark_load(settings, loaded.source, point=point or "", speed=at)
-    return Read(loaded, question, form)
-
-
-def _refusals(
-    record: Analysis,
-    options: dict[str, Any],
-    reading: Mapping[str, Callable[[], Any]],
-    source: Callable[[], Engine | Chain],
-) -> Iterator[Callable[[], None]]:
-    """What refuses values that do not go together, and a file that cannot be written."""
-    question = being_read(record.question.value, reading)
-    refuse, writes = record.refuse, record.writes
-    if (output := options.get("output")) is not None and not _only_printed(record):
-        yield partial(writable, output)
-    if writes is not None and writes.instead is None and options.get(writes.name) is not None:
-        yield partial(_engine_places, writes, options, question)
-        if writes.refuse is not None:
-            yield partial(writes.refuse.value, question)
-    if record.picture is not None:
-        yield partial(_refuse_looks, options)
-    if refuse is not None:
-        yield lambda: refuse.value(source(), question)
-    yield lambda: _refuse_of_chain(record, options, source())
-
-
-def _refuse_looks(options: dict[str, Any]) -> None:
-    """Refuse how a picture looks, of a table altogether. Raises RequestError."""
-    kind = suffix_of(options.get("output") or "").removeprefix(".")
-    looks = options.get("looks", LOOKS)
-    if kind not in PICTURES or options.get("json") or options.get("csv"):
-        looks.refuse(_("a table"))
-        return
-    from crankstar.options import charts as chart_request
-
-    if chart_request.charts():
-        chart_request.paper(kind, **asdict(looks))
-
-
-def _engine_places(writes: Writes, options: dict[str, Any], question: Any) -> None:
-    """Refuse files of engines that cannot be written, or that the document would replace."""
-    output = None if writes.name == "output" else options.get("output")
-    count = 1 if writes.count is None else writes.count.value(question)
-    for place in numbered(options[writes.name], count):
-        if output is not None and realpath(place) == realpath(output):
-            raise refusal(
-                _spelt(writes),
-                place,
-                "it is read or written besides and would be lost; name another",
-            )
-        engine_place(place, option=_spelt(writes))
-
-
-def _refuse_of_chain(record: Analysis, options: dict[str, Any], source: Engine | Chain) -> None:
-    """Refuse what a drive line without cylinders cannot be asked. Raises RequestError."""
-    if isinstance(source, Chain):
-        fields = asked(record.question.value)
-        others = [one for one in fields if one.name not in record.chains]
-        unused = {one.reader.option: options.get(one.name) for one in others}
-        unused["--estimate"] = options.get("estimate")
-        refuse_unused(unused, beside=_("a drive line without cylinders"))
-
-
-def _forms(record: Analysis) -> tuple[str, ...]:
-    """The forms in which an analysis is written."""
-    return TABLES if record.picture is None else (*TABLES, *PICTURES)
-
-
-def _loaded(
-    record: Analysis, name: str, settings: list[str] | None, *, estimate: bool, speed: str | None
-) -> Loaded:
-    """What is named. Raises MessageError where it lacks what is computed with."""
-    chains, ranged = bool(record.chains), record.ranges
-    found = read_engine(
-        name, settings, estimate=estimate, speed=speed, chains=chains, ranged=ranged
-    )
-    if record.needs is not None and isinstance(found.source, Engine):
-        record.needs.value(found.source)
-    return found
-
-
-def _over_speeds(options: dict[str, Any], fields: Sequence[Asked]) -> dict[str, Any]:
-    """The options; a range that is given as one speed is one of speeds, where those are asked."""
-    speed = options.get("speed")
-    ranged = speed is not None and ".." in speed and options.get("speeds") is None
-    if ranged and any(one.name == "speeds" for one in fields):
-        return {**options, "speed": None, "speeds": speed}
-    return options
