@@ -16,11 +16,11 @@ from pathlib import Path
 from textwrap import indent
 from typing import Any, get_type_hints
 
-from crankstar.analysis.reader import Asked, asked
+from crankstar.analysis.reader import Asked
 from crankstar.analysis.record import Analysis
 from crankstar.analysis.registry import NAMES, analysis
 from crankstar.options.vocabulary import OPTIONS
-from crankstar.python.functions import function
+from crankstar.python.functions import arguments_of, function
 
 STUB = Path(__file__).resolve().parents[1] / "src" / "crankstar" / "python" / "analyses.pyi"
 HEAD = '''"""The functions of the analyses; made by tools/signatures.py."""
@@ -42,17 +42,25 @@ def stub() -> str:
 
 
 def _function(record: Analysis) -> str:
-    fields = asked(record.question.value)
+    fields = arguments_of(record)
     hints = get_type_hints(record.question.value)
-    follow = [f"{one.name}: {_taken(one, hints[one.name])}" for one in fields if _follows(one)]
+    follow = [
+        f"{one.name}: {_taken(one, hints[one.name])}"
+        + ("" if one.default is MISSING else f" = {one.default!r}")
+        for one in fields
+        if _follows(one)
+    ]
     named = [
         f"{one.name}: {_taken(one, hints[one.name])} = {one.default!r}"
         for one in fields
         if not _follows(one)
     ]
-    named += ["changes: Mapping[str, Any] | None = None"]
-    named += ["estimate: bool = False"] if record.estimates else []
-    arguments = ["engine: EngineLike", "/", *follow, "*", *named]
+    first: list[str] = []
+    if record.engine != "none":
+        first = ["engine: EngineLike" + " | None = None" * (record.engine == "optional"), "/"]
+        named += ["changes: Mapping[str, Any] | None = None"]
+        named += ["estimate: bool = False"] if record.estimates else []
+    arguments = [*first, *follow, "*", *named]
     body = indent(f'"""{_doc(record)}\n"""', "    ")
     listed = "".join(f"    {each},\n" for each in arguments)
     return f"def {record.name}(\n{listed}) -> Result:\n{body}"

@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import MISSING, dataclass, fields, replace
 from typing import Any, NamedTuple, get_type_hints
 
+from crankstar.language.messages import MessageError
+
 
 @dataclass(frozen=True)
 class Reader:
@@ -69,7 +71,7 @@ def asked(question: type[Any]) -> tuple[Asked, ...]:
         if field.default is MISSING and not reader.follows:
             raise TypeError(f"{question.__name__}.{field.name} has no default")
         out.append(Asked(field.name, reader, field.default))
-    return tuple(out)
+    return tuple(sorted(out, key=lambda one: not one.reader.follows))
 
 
 def readings(
@@ -108,3 +110,11 @@ def being_read(question: type[Any], reading: Mapping[str, Callable[[], Any]]) ->
             return reading[name]() if name in reading else super().__getattribute__(name)
 
     return object.__new__(BeingRead)
+
+
+def is_given(question: Any, name: str) -> bool:
+    """Whether a field of a question, which may be being read, has a value, right or wrong."""
+    try:
+        return getattr(question, name) is not None
+    except MessageError:
+        return True

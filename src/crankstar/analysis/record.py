@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, get_args
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar, get_args
 
 if TYPE_CHECKING:
     from crankstar.analysis.assumptions import Answer
@@ -145,6 +145,7 @@ class Writes:
 
     instead    (question) -> the option for which the engine is given in place of the document, or
                empty; `engine` is then (result, question) -> Engine
+    chosen     fields of the question that only choose which engine is given
 
     Where the one engine is of the result, the assumptions of the document are those of that engine.
     Where the option is --output, the document itself is printed only, as text or JSON.
@@ -157,6 +158,7 @@ class Writes:
     of_result: bool = False
     count: Later[Callable[[Any], int]] | None = None
     instead: Later[Callable[[Any], str]] | None = None
+    chosen: tuple[str, ...] = ()
 
     @property
     def name(self) -> str:
@@ -165,6 +167,25 @@ class Writes:
         >>> Writes("--save", Later("math:pi")).name
         'save'
         """
+        return self.option.lstrip("-").replace("-", "_")
+
+
+@dataclass(frozen=True)
+class Saves:
+    """Text of a result that an option writes to a file besides: its option and the file's suffix.
+
+    text       (result) -> str
+    refuse     (question): refuses to write it where there is none
+    """
+
+    option: str
+    suffix: str
+    text: Later[Callable[[Any], str]]
+    refuse: Later[Callable[[Any], None]]
+
+    @property
+    def name(self) -> str:
+        """The name of its argument."""
         return self.option.lstrip("-").replace("-", "_")
 
 
@@ -197,7 +218,7 @@ class Analysis:
     refuse     (source, question): refuses what does not go together, with a RequestError
     compute    (source, question) -> result
     document   (source, result, question) -> Document, for readers and machines
-    answer     (engine, question) -> Answer: the figures that its assumptions move
+    answer     (engine, question) -> Answer: the figures that its assumptions move; of an engine
     lacks      (engine, speed) -> whether its file lacks what the analysis is of, at the speed that
                is asked for (rad/s) if any; without it the analysis is told of only where it is
                asked for
@@ -216,7 +237,10 @@ class Analysis:
                result is then the best so far
     grids      (result) -> Grids by the name of its attribute, for what has dimensions
     picture    what is drawn of its result, where -o names a picture
+    saves      text of its result that is written besides
 
+    `engine` tells whether it is of an engine, may be, or never is: without one the source is None,
+    the words of the question come first, and `refuse` has to say what else is to be given;
     `chains` are the fields of the question that a drive line without an engine may be asked too;
     `lists` those that choose what tables list, and change no figure that is plotted;
     `of_file`: compute takes what was loaded, with the tree of its file, in place of the source;
@@ -237,7 +261,7 @@ class Analysis:
     question: Later[type[Any]]
     compute: Later[Callable[[Any, Any], Any]]
     document: Later[Callable[[Any, Any, Any], Document]]
-    answer: Later[Callable[..., Answer]]
+    answer: Later[Callable[..., Answer]] | None = None
     lacks: Callable[[Engine, float | None], bool] | None = None
     needs: Later[Callable[[Engine], object]] | None = None
     refuse: Later[Callable[[Engine | Chain, Any], None]] | None = None
@@ -254,6 +278,8 @@ class Analysis:
     proved: Later[Callable[[Any], bool]] | None = None
     grids: Later[Callable[[Any], Mapping[str, Grid]]] | None = None
     picture: Picture | None = None
+    saves: Saves | None = None
+    engine: Literal["needed", "optional", "none"] = "needed"
     chains: tuple[str, ...] = ()
     lists: tuple[str, ...] = ()
     of_file: bool = False
@@ -273,7 +299,7 @@ class Analysis:
         """Whether reports and verdicts have it of an engine, at a speed (rad/s) or its own."""
         return self.lacks is not None and not self.lacks(engine, speed)
 
-    def told(self, source: Engine | Chain, question: Any, *, file: Any = None) -> Document:
+    def told(self, source: Engine | Chain | None, question: Any, *, file: Any = None) -> Document:
         """The document of a source, with the values of a question; of a `file` that was loaded."""
         about = file if self.of_file else source
         return self.document.value(source, self.compute.value(about, question), question)
@@ -289,4 +315,9 @@ class Analysis:
         more: dict[str, Any] = {"audience": audience} if self.by_audience else {}
         if self.by_result:
             more["result"] = result
+        return self.answering(engine, question, **more)
+
+    def answering(self, engine: Engine, question: Any, **more: Any) -> Answer:
+        """The same, without a result."""
+        assert self.answer is not None  # noqa: S101  # what is of an engine has it
         return self.answer.value(engine, question, **more)

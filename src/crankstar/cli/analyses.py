@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
-from dataclasses import asdict
+from dataclasses import MISSING, asdict
 from functools import partial
 from inspect import Parameter as Argument
 from inspect import Signature
@@ -29,7 +29,7 @@ from crankstar.cli.options import (
     option,
     write_engine,
 )
-from crankstar.cli.output import complain, progress, working, write_bytes
+from crankstar.cli.output import complain, progress, working, write, write_bytes
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
@@ -69,20 +69,19 @@ def __getattr__(name: str) -> Callable[..., None]:
 
 def verb(record: Analysis) -> Callable[..., None]:
     """The function of a command line that asks an analysis, with the options of its question."""
-    fields, writes = asked(record.question.value), record.writes
-    names = ["engine", *(one.name for one in fields if one.reader.follows)]
+    fields = asked(record.question.value)
+    first = _engine(record)
+    names = [
+        one.name for one in (*first, *fields) if isinstance(one, Argument) or one.reader.follows
+    ]
 
-    def run(*words: str, **options: Any) -> None:
-        answer(record, {**dict(zip(names, words, strict=True)), **options})
+    def run(*words: str | None, **options: Any) -> None:
+        answer(record, {**dict(zip(names, words, strict=False)), **options})
 
     arguments = [
-        Argument(
-            "engine",
-            Argument.POSITIONAL_ONLY,
-            annotation=Annotated[str, Parameter(help=record.takes)],
-        ),
+        *first,
         *map(_argument, fields),
-        *([] if writes is None or writes.name == "output" else [_of_file(writes)]),
+        *(_of_file(each) for each in _files(record)),
         *(
             Argument(
                 name, Argument.KEYWORD_ONLY, default=DEFAULTS.get(name, False), annotation=kind
@@ -96,10 +95,26 @@ def verb(record: Analysis) -> Callable[..., None]:
     return run
 
 
+def _engine(record: Analysis) -> list[Argument]:
+    """The word that names the engine, where the analysis is of one."""
+    if record.engine == "none":
+        return []
+    return [_word("engine", record.takes, needed=record.engine == "needed")]
+
+
+def _word(name: str, about: str, *, needed: bool) -> Argument:
+    """A word before the options."""
+    return Argument(
+        name,
+        Argument.POSITIONAL_ONLY,
+        default=Argument.empty if needed else None,
+        annotation=Annotated[str if needed else str | None, Parameter(help=about)],
+    )
+
+
 def _argument(one: Asked) -> Argument:
     if one.reader.follows:
-        word = Annotated[str, Parameter(help=one.reader.more)]
-        return Argument(one.name, Argument.POSITIONAL_ONLY, annotation=word)
+        return _word(one.name, one.reader.more, needed=one.default is MISSING)
     kind = TYPES[OPTIONS[one.reader.option].takes]
     how = option(one.reader.option, one.reader.more)
     return Argument(
@@ -115,13 +130,17 @@ def _shown_default(one: Asked) -> str | None:
     return one.default if isinstance(one.default, str) and one.default else None
 
 
-def _of_file(writes: Writes) -> Argument:
-    return Argument(
-        writes.name,
-        Argument.KEYWORD_ONLY,
-        default=None,
-        annotation=_path(writes.option, writes.more),
-    )
+def _files(record: Analysis) -> Iterator[tuple[str, str, str]]:
+    """The options of files that are written besides: argument, option, what it adds to it."""
+    if (writes := record.writes) is not None and writes.name != "output":
+        yield writes.name, writes.option, writes.more
+    if (saves := record.saves) is not None:
+        yield saves.name, saves.option, ""
+
+
+def _of_file(file: tuple[str, str, str]) -> Argument:
+    name, option_name, more = file
+    return Argument(name, Argument.KEYWORD_ONLY, default=None, annotation=_path(option_name, more))
 
 
 def _path(name: str, more: str) -> Any:
@@ -132,6 +151,8 @@ def _path(name: str, more: str) -> Any:
 def _shared(record: Analysis) -> dict[str, Any]:
     """The options of SHARED that an analysis has."""
     shared = dict(SHARED)
+    if record.engine == "none":
+        del shared["settings"]
     if not record.estimates:
         del shared["estimate"]
     if record.picture is None:
@@ -161,57 +182,65 @@ def _answer(record: Analysis, options: dict[str, Any]) -> None:
         _write_instead(record, writes, line, options.get("output"))
         return
     if line.form in PICTURES:
-        _draw(record, line, options)
+        _save(record, _draw(record, line, options), options)
         return
     with words_for(line.form):
         document, result = _document(record, line)
+    _save(record, result, options)
     if (
         writes is not None
         and writes.instead is None
         and (path := options.get(writes.name)) is not None
     ):
         _write(record, writes, line, result, path)
-    tree = line.loaded.tree if record.of_file else None
+    tree = line.tree if record.of_file else None
     output = None if only_printed(record) else options.get("output")
     give(document, output, form=line.form, tree=tree)
 
 
 def _write(record: Analysis, writes: Writes, line: CommandLine, result: Any, path: str) -> None:
     """Write the engine that an analysis makes, or several, each in a file with its number."""
-    source = line.loaded.source
+    source = line.source
     if isinstance(source, Engine):
         of = (result,) if writes.of_result else (source, line.question)
         with added().running(record.name):
             made = writes.engine.value(*of)
         several: Sequence[Engine] = (made,) if writes.count is None else made
         for each, place in zip(several, numbered(path, len(several)), strict=True):
-            write_engine(each, line.loaded.tree, place, option=spelt(writes))
+            write_engine(each, line.tree, place, option=spelt(writes))
 
 
 def _write_instead(record: Analysis, writes: Writes, line: CommandLine, place: str | None) -> None:
     """Write the engine that is given in place of the document, or print it."""
     with added().running(record.name), _shown(record, 1) as steps:
-        result = _computed(record, line.loaded.source, line.question, steps.tell)
+        result = _computed(record, line.about(record), line.question, steps.tell)
         made = writes.engine.value(result, line.question)
-    write_engine(made, line.loaded.tree, place)
+    write_engine(made, line.tree, place)
 
 
-def _draw(record: Analysis, line: CommandLine, options: dict[str, Any]) -> None:
-    """Write the picture of a result."""
+def _save(record: Analysis, result: Any, options: dict[str, Any]) -> None:
+    """Write the text of a result that is asked for besides."""
+    saves = record.saves
+    if saves is not None and (place := options.get(saves.name)) is not None:
+        write(saves.text.value(result), place, option=saves.option)
+
+
+def _draw(record: Analysis, line: CommandLine, options: dict[str, Any]) -> Any:
+    """Write the picture of a result, which is returned."""
     from crankstar.options import charts as chart_request
 
     assert record.picture is not None  # noqa: S101  # only then it has forms of pictures
-    drawing, source = chart_request.charts(), line.loaded.source
-    title = _(record.picture.title, engine=source.name)
+    drawing = chart_request.charts()
+    title = _(record.picture.title, engine="" if line.source is None else line.source.name)
     look = chart_request.paper(line.form, **asdict(options.get("looks", LOOKS)))
     with added().running(record.name), _shown(record, 1) as steps:
-        about = line.loaded if record.of_file else source
-        result = _computed(record, about, line.question, steps.tell)
+        result = _computed(record, line.about(record), line.question, steps.tell)
         draw = partial(record.picture.draw.value, result, line.question)
         printed = drawing.printed(draw, look, title=title)
         write_bytes(drawing.saved_print(printed, line.form, title=title), options["output"])
     for note in printed.chart.notes:
         complain(note)
+    return result
 
 
 def _document(record: Analysis, line: CommandLine) -> tuple[Document, Any]:
@@ -225,10 +254,12 @@ def _document(record: Analysis, line: CommandLine) -> tuple[Document, Any]:
 
 def _documented(record: Analysis, line: CommandLine) -> tuple[Document, Any]:
     """The same, with whatever the analysis raises."""
-    source, spread, question = line.loaded.source, line.loaded.spread, line.question
-    if isinstance(source, Chain):
+    source, question = line.source, line.question
+    if line.loaded is None or not isinstance(source, Engine):
         with working(_(record.doing)):
-            return record.told(source, question), None
+            result = record.compute.value(source, question)
+            return record.document.value(source, result, question), result
+    file, spread = line.loaded, line.loaded.spread
     from crankstar.tables.ranges import ranged, resting
 
     several = 1 if spread is None else len(spread.engines)
@@ -240,7 +271,7 @@ def _documented(record: Analysis, line: CommandLine) -> tuple[Document, Any]:
             if several > 1:
                 steps.tell(next(number), several)
             own = None if several > 1 else steps.tell
-            about = line.loaded.of(each) if record.of_file else each
+            about = file.of(each) if record.of_file else each
             results.append(_computed(record, about, question, own))
             proved = record.proved is None or record.proved.value(results[-1])
             if steps.ended() and not proved:
@@ -263,7 +294,7 @@ def _documented(record: Analysis, line: CommandLine) -> tuple[Document, Any]:
 
 def _computed(
     record: Analysis,
-    source: Loaded | Engine | Chain,
+    source: Loaded | Engine | Chain | None,
     question: Any,
     tell: Callable[[int, int], bool] | None,
 ) -> Any:

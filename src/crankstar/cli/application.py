@@ -48,14 +48,11 @@ VERBS = {
     "balance": "balancing:balance",
     "check": "files:check",
     "compare": "inspect:compare",
-    "correct": "correcting:correct",
     "derive": "deriving:derive",
     "draw": "drawing:draw",
-    "drill": "workshop:drill",
     "errata": "deriving:errata",
     "estimate": "estimating:estimate",
     "export": "exporting:export",
-    "grade": "workshop:grade",
     "list": "inspect:list_engines",
     "new": "files:new",
     "page": "showing:page",
@@ -68,7 +65,6 @@ VERBS = {
     "site": "siting:site",
     "sound": "sounding:sound",
     "sweep": "sweeping:sweep",
-    "vees": "firing:vees",
     "verdict": "inspect:verdict",
 }
 """The module of this room and the function of each verb; only the one that is asked is loaded."""

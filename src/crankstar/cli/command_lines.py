@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 from functools import partial
 from os.path import realpath
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from crankstar.analysis.reader import Asked, asked, being_read, readings
-from crankstar.analysis.record import Analysis, Writes
+from crankstar.analysis.record import Analysis, Saves, Writes
 from crankstar.cli.options import (
     Looks,
     engine_place,
@@ -33,31 +33,36 @@ LOOKS = Looks()
 
 
 class CommandLine(NamedTuple):
-    """A command line as it was read: the engine or drive line, the question, the form."""
+    """A command line as it was read: the engine or drive line if any, the question, the form."""
 
-    loaded: Loaded
+    loaded: Loaded | None
     question: Any
     form: str
+
+    @property
+    def source(self) -> Engine | Chain | None:
+        """The engine or drive line."""
+        return None if self.loaded is None else self.loaded.source
+
+    @property
+    def tree(self) -> Mapping[str, Any] | None:
+        """That of its file."""
+        return None if self.loaded is None else self.loaded.tree
+
+    def about(self, record: Analysis) -> Loaded | Engine | Chain | None:
+        """What an analysis computes of."""
+        return self.loaded if record.of_file else self.source
 
 
 def read_line(record: Analysis, options: dict[str, Any]) -> CommandLine:
     """All of a command line. Raises MessageError with every error of it."""
     fields = asked(record.question.value)
-    estimate = bool(options.get("estimate"))
     settings = options.get("settings")
-    load = once(
-        partial(
-            _loaded,
-            record,
-            options["engine"],
-            settings,
-            estimate=estimate,
-            speed=options.get("speed"),
-        )
-    )
+    load = once(partial(_loaded, record, options))
 
-    def source() -> Engine | Chain:
-        return load().source
+    def source() -> Engine | Chain | None:
+        found = load()
+        return None if found is None else found.source
 
     reading = readings(record.question.value, _over_speeds(options, fields), source)
     form, loaded, *values = together(
@@ -67,34 +72,41 @@ def read_line(record: Analysis, options: dict[str, Any]) -> CommandLine:
         *_refusals(record, options, reading, source),
     )
     question = record.question.value(**dict(zip(reading, values, strict=False)))
-    if record.marks_speed and isinstance(loaded.source, Engine):
-        mark_speed(options.get("speed"), loaded.source)
-    if isinstance(loaded.source, Engine) and not getattr(question, "speeds", None):
+    line = CommandLine(loaded, question, form)
+    if record.marks_speed and isinstance(line.source, Engine):
+        mark_speed(options.get("speed"), line.source)
+    if isinstance(line.source, Engine) and not getattr(question, "speeds", None):
         point, at = (getattr(question, name, None) for name in ("point", "speed"))
         if point or at is not None:
-            mark_load(settings, loaded.source, point=point or "", speed=at)
-    return CommandLine(loaded, question, form)
+            mark_load(settings, line.source, point=point or "", speed=at)
+    return line
 
 
 def _refusals(
     record: Analysis,
     options: dict[str, Any],
     reading: Mapping[str, Callable[[], Any]],
-    source: Callable[[], Engine | Chain],
+    source: Callable[[], Engine | Chain | None],
 ) -> Iterator[Callable[[], None]]:
     """What refuses values that do not go together, and a file that cannot be written."""
     question = being_read(record.question.value, reading)
     refuse, writes = record.refuse, record.writes
+    if options.get("engine") is None:
+        of_files = {"--set": options.get("settings"), "--estimate": options.get("estimate")}
+        yield partial(refuse_unused, of_files, without="ENGINE")
     if (output := options.get("output")) is not None and not only_printed(record):
         yield partial(writable, output)
     if writes is not None and writes.instead is None and options.get(writes.name) is not None:
         yield partial(_engine_places, writes, options, question)
         if writes.refuse is not None:
             yield partial(writes.refuse.value, question)
+    if record.saves is not None and options.get(record.saves.name) is not None:
+        yield partial(record.saves.refuse.value, question)
+        yield partial(_saved_place, record.saves, options)
     if record.picture is not None:
         yield partial(_refuse_looks, options)
     if refuse is not None:
-        yield lambda: refuse.value(source(), question)
+        yield lambda: refuse.value(cast("Any", source()), question)
     yield lambda: _refuse_of_chain(record, options, source())
 
 
@@ -111,21 +123,35 @@ def _refuse_looks(options: dict[str, Any]) -> None:
         chart_request.paper(kind, **asdict(looks))
 
 
+def _saved_place(saves: Saves, options: dict[str, Any]) -> None:
+    """Refuse a file of text that cannot be written, or that the document would replace."""
+    place, output = options[saves.name], options.get("output")
+    if suffix_of(place) != saves.suffix:
+        raise refusal(saves.option, place, "the name must end in .{suffix}", suffix=saves.suffix)
+    _refuse_same(saves.option, place, output)
+    writable(place, option=saves.option)
+
+
+def _refuse_same(option: str, place: str, output: str | None) -> None:
+    """Refuse one file for two things. Raises RequestError."""
+    if output is not None and realpath(place) == realpath(output):
+        raise refusal(
+            option, place, "it is read or written besides and would be lost; name another"
+        )
+
+
 def _engine_places(writes: Writes, options: dict[str, Any], question: Any) -> None:
     """Refuse files of engines that cannot be written, or that the document would replace."""
     output = None if writes.name == "output" else options.get("output")
     count = 1 if writes.count is None else writes.count.value(question)
     for place in numbered(options[writes.name], count):
-        if output is not None and realpath(place) == realpath(output):
-            raise refusal(
-                spelt(writes),
-                place,
-                "it is read or written besides and would be lost; name another",
-            )
+        _refuse_same(spelt(writes), place, output)
         engine_place(place, option=spelt(writes))
 
 
-def _refuse_of_chain(record: Analysis, options: dict[str, Any], source: Engine | Chain) -> None:
+def _refuse_of_chain(
+    record: Analysis, options: dict[str, Any], source: Engine | Chain | None
+) -> None:
     """Refuse what a drive line without cylinders cannot be asked. Raises RequestError."""
     if isinstance(source, Chain):
         fields = asked(record.question.value)
@@ -140,13 +166,15 @@ def _forms(record: Analysis) -> tuple[str, ...]:
     return TABLES if record.picture is None else (*TABLES, *PICTURES)
 
 
-def _loaded(
-    record: Analysis, name: str, settings: list[str] | None, *, estimate: bool, speed: str | None
-) -> Loaded:
-    """What is named. Raises MessageError where it lacks what is computed with."""
+def _loaded(record: Analysis, options: dict[str, Any]) -> Loaded | None:
+    """What is named, if anything. Raises MessageError where it lacks what is computed with."""
+    name, settings = options.get("engine"), options.get("settings")
+    estimate = bool(options.get("estimate"))
+    if name is None:
+        return None
     chains, ranged = bool(record.chains), record.ranges
     found = read_engine(
-        name, settings, estimate=estimate, speed=speed, chains=chains, ranged=ranged
+        name, settings, estimate=estimate, speed=options.get("speed"), chains=chains, ranged=ranged
     )
     if record.needs is not None and isinstance(found.source, Engine):
         record.needs.value(found.source)

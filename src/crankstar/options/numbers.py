@@ -90,25 +90,25 @@ def speeds(given: Any) -> tuple[float, ...]:
 
 def pressure(argument: str, given: Any) -> float:
     """A pressure above nought, Pa, or text with its unit. Raises ValueError, TypeError."""
-    return _positive(argument, given, PRESSURE, "10 bar")
+    return positive(argument, given, PRESSURE, "10 bar")
 
 
 def inertia(argument: str, given: Any) -> float:
     """A moment of inertia above nought, kg m^2, or text. Raises ValueError, TypeError."""
-    return _positive(argument, given, INERTIA, "0.2 kg*m^2")
+    return positive(argument, given, INERTIA, "0.2 kg*m^2")
 
 
 def mass(argument: str, given: Any) -> float:
     """A mass above nought, kg, or text with its unit. Raises ValueError, TypeError."""
-    return _positive(argument, given, MASS, "5 g")
+    return positive(argument, given, MASS, "5 g")
 
 
 def power(argument: str, given: Any) -> float:
     """A power above nought, W, or text. Raises ValueError, TypeError."""
-    return _positive(argument, given, POWER, "12 MW")
+    return positive(argument, given, POWER, "12 MW")
 
 
-def _positive(argument: str, given: Any, quantity: Quantity, example: str) -> float:
+def positive(argument: str, given: Any, quantity: Quantity, example: str) -> float:
     """A value above nought in SI, or text with its unit."""
     if isinstance(given, str):
         from crankstar.files import units

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any, Literal
 
 from crankstar.analysis.reader import Reader
-from crankstar.engine.quantities import PRESSURE
+from crankstar.engine.quantities import PRESSURE, Quantity
 from crankstar.options import numbers, points, values
 from crankstar.options.gas import (
     degree_of_irregularity,
@@ -48,6 +48,13 @@ def pressure(option: str) -> Reader:
     )
 
 
+def size(option: str, quantity: Quantity, more: str = "") -> Reader:
+    """A value above zero that text has with its unit, in SI units."""
+    name = option.lstrip("-").replace("-", "_")
+    number = partial(numbers.positive, name, quantity=quantity, example=quantity.example)
+    return Reader(option, partial(values.size, option, quantity=quantity), more, number=number)
+
+
 def _orders_or_all(text: str) -> list[float] | Literal["all"] | None:
     return "all" if text.strip() == "all" else gas_orders(text)
 
@@ -76,6 +83,14 @@ def horizontal_share(text: str) -> float:
     return share
 
 
+def _top(number: int) -> int:
+    if number < 1:
+        raise refusal("--top", number, "give a number from 1 up")
+    return number
+
+
+TOP = Reader("--top", _top, "Default: 20.")
+"""How many rows of a list readers see."""
 POINT = Reader("--point", str)
 """An operating point by its name."""
 SPEED = Reader("--speed", values.speed, number=numbers.speed)

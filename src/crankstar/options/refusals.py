@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
+from typing import TypeVar
 
 from crankstar.language.messages import MessageError, _, _n
 from crankstar.language.quoting import one_line
+
+T = TypeVar("T")
 
 
 class RequestError(MessageError):
@@ -74,3 +77,18 @@ def choice(option: str, text: str, choices: Collection[str]) -> str:
     if text not in choices:
         raise refusal(option, text, "choose from {choices}", choices=", ".join(choices))
     return text
+
+
+def of_row(option: str, number: int, rows: Sequence[T]) -> T:
+    """The row of a list that is asked for by its number. Raises RequestError."""
+    if not rows:
+        raise refusal(option, number, "the list is empty")
+    if not 1 <= number <= len(rows):
+        why = _n(
+            "give 1; there is only one",
+            "give a number from 1 to {count}",
+            len(rows),
+            count=len(rows),
+        )
+        raise refusal(option, number, why)
+    return rows[number - 1]

@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from fractions import Fraction
 from math import degrees as rad2deg
 from typing import Any, Literal, cast, get_args
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.quantities import ANGLE, SPEED, Quantity
+from crankstar.engine.quantities import ANGLE, LEAST, SPEED, Quantity
 from crankstar.files import keys_of, units
 from crankstar.files.changes import path_and_value, with_traces
 from crankstar.language.faults import ValueFaultError
@@ -170,6 +171,13 @@ def within(option: str, number: int | None, *, least: int = 1, most: int) -> int
     return number
 
 
+def whole(name: str, text: str) -> int:
+    """A whole number of a word that follows the command. Raises RequestError."""
+    if not re.fullmatch(r"[-+]?\d{1,9}", text.strip()):
+        raise refusal(name, text, "give a whole number")
+    return int(text)
+
+
 def orders(text: str | None, present: list[float]) -> list[float] | None:
     """Crank orders, whole, decimal or fractions; all is those present, each also as printed."""
     if text is None:
@@ -305,3 +313,16 @@ def not_positive(option: str, text: str, quantity: Quantity) -> RequestError:
     return refusal(
         option, text, 'it must be greater than 0, such as "{example}"', example=quantity.example
     )
+
+
+def size(option: str, text: str, *, quantity: Quantity) -> float:
+    """A value above 0 with its unit. Raises RequestError."""
+    if units.is_bare(text):
+        raise refusal(
+            option, text, 'write it with a unit, such as "{example}"', example=quantity.example
+        )
+    with reading(option):
+        value = units.si(text, replace(quantity, least=max(quantity.least, LEAST)))
+    if not value > 0:
+        raise not_positive(option, text, quantity)
+    return value

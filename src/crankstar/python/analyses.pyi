@@ -351,7 +351,6 @@ def orders(
     mode_shape: str | None = None,
     point: str = "",
     top: int = 20,
-    row: int | None = None,
     changes: Mapping[str, Any] | None = None,
 ) -> Result:
     """List the firing orders that a crank can fire, with exhaust intervals and neighbours.
@@ -373,7 +372,6 @@ def orders(
         point: Operating point of the engine file, by its name, such as idle. Default: by speed,
             interpolated between two; without a speed the load of [gas], else the first point.
         top: Number of rows to print; --csv and --json have all. Default: 20.
-        row: Write this row as an engine file.
         changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
     """
 
@@ -501,4 +499,25 @@ def torsion(
         weaker: Cylinder with less of its combustion, as in 3=20%; repeatable.
         changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
         estimate: fill in what the file leaves out.
+    """
+
+def vees(
+    cylinders: int | str,
+    *,
+    bank: Iterable[float] | str | None = None,
+    greatest_split: float | str | None = None,
+    cycle: Literal["two-stroke", "four-stroke"] | str = "four-stroke",
+    top: int = 20,
+) -> Result:
+    """List V engines that fire evenly: bank angle, pin split, throws and balance.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        cylinders: Number of cylinders, even, up to 16.
+        bank: Bank angles, such as "60 deg, 90 deg" (default: the multiples of the firing
+            interval up to 180 deg).
+        greatest_split: Greatest pin split, such as "30 deg"; 0 forbids it (default: none).
+            Without --bank, also tries the usual bank angles that it makes possible.
+        cycle: Working cycle: four-stroke or two-stroke.
+        top: Number of rows to print; --csv and --json have all. Default: 20.
     """

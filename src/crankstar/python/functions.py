@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import MISSING
 from functools import cache, partial
 from inspect import Parameter, Signature
 from numbers import Integral, Real
 from pathlib import Path
-from typing import Any, TypeVar, get_type_hints
+from typing import Any, cast, get_type_hints
 
 from crankstar.analysis.reader import Asked, asked
 from crankstar.analysis.record import Analysis
@@ -17,11 +18,11 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import given as quoted
+from crankstar.options.refusals import refuse_unused
 from crankstar.options.sources import EngineLike, Loaded, loaded
 from crankstar.options.vocabulary import OPTIONS, meaning
-from crankstar.python.results import Result
+from crankstar.python.results import Result, in_python
 
-T = TypeVar("T")
 EXAMPLE = '{"cylinder.stroke": "90 mm"}'
 """Of values by key path."""
 
@@ -37,20 +38,23 @@ def function(name: str) -> Callable[..., Result]:
         record = analysis(name)
     except KeyError:  # a hyphen of a command is no sign of a name
         record = analysis(name.replace("_", "-"))
-    fields = asked(record.question.value)
+    fields = arguments_of(record)
+    first = [one.name for one in fields if one.reader.follows]
+    first = first if record.engine == "none" else ["engine", *first]
 
-    follow = [one.name for one in fields if one.reader.follows]
-
-    def ask(engine: EngineLike, /, *words: Any, **arguments: Any) -> Result:
-        if len(words) > len(follow):
+    def ask(*words: Any, **arguments: Any) -> Result:
+        if len(words) > len(first):
             raise TypeError(
                 _(
                     "{function} takes {names} by position; give the others by name",
                     function=record.name,
-                    names=", ".join(["engine", *follow]),
+                    names=", ".join(first),
                 )
             )
-        return answered(record, engine, {**dict(zip(follow, words, strict=False)), **arguments})
+        given = dict(zip(first, words, strict=False))
+        if record.engine == "needed" and not words:
+            raise TypeError(_("{function} needs {name}", function=record.name, name="engine"))
+        return answered(record, given.pop("engine", None), {**given, **arguments})
 
     hints = get_type_hints(record.question.value)
     keywords = [
@@ -58,32 +62,52 @@ def function(name: str) -> Callable[..., Result]:
             Parameter(
                 one.name,
                 Parameter.POSITIONAL_OR_KEYWORD if one.reader.follows else Parameter.KEYWORD_ONLY,
-                default=Parameter.empty if one.reader.follows else one.default,
+                default=Parameter.empty if one.default is MISSING else one.default,
                 annotation=hints[one.name],
             )
             for one in fields
         ),
-        Parameter(
-            "changes", Parameter.KEYWORD_ONLY, default=None, annotation=Mapping[str, Any] | None
-        ),
         *(
-            [Parameter("estimate", Parameter.KEYWORD_ONLY, default=False, annotation=bool)]
-            if record.estimates
-            else []
+            Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=kind)
+            for name, (default, kind) in _of_files(record).items()
         ),
     ]
-    first = Parameter("engine", Parameter.POSITIONAL_ONLY, annotation=EngineLike)
     ask.__name__ = ask.__qualname__ = name
     ask.__module__ = "crankstar"
     ask.__doc__ = _docstring(record, fields)
-    ask.__signature__ = Signature([first, *keywords], return_annotation=Result)
+    ask.__signature__ = Signature([*_engine(record), *keywords], return_annotation=Result)
     return ask
+
+
+def arguments_of(record: Analysis) -> tuple[Asked, ...]:
+    """What a function is asked: the fields of a question, but for those that choose an engine."""
+    chosen = () if record.writes is None else record.writes.chosen
+    return tuple(one for one in asked(record.question.value) if one.name not in chosen)
+
+
+def _engine(record: Analysis) -> list[Parameter]:
+    """The argument of the engine, where the analysis is of one."""
+    kind = Parameter.POSITIONAL_ONLY
+    if record.engine == "optional":
+        return [Parameter("engine", kind, default=None, annotation=EngineLike | None)]
+    named = record.engine == "needed"
+    return [Parameter("engine", kind, annotation=EngineLike)] if named else []
+
+
+def _of_files(record: Analysis) -> dict[str, tuple[Any, Any]]:
+    """Arguments about the file of an engine, each with its default and type."""
+    if record.engine == "none":
+        return {}
+    own: dict[str, tuple[Any, Any]] = {"changes": (None, Mapping[str, Any] | None)}
+    return own | ({"estimate": (False, bool)} if record.estimates else {})
 
 
 def _docstring(record: Analysis, fields: Iterable[Asked]) -> str:
     """What the function computes, and what each argument is."""
     skip = "  # doctest: +SKIP" if ".toml" in record.example else ""
     lines = [f"    {one.name}: {meaning_of(one)}" for one in fields]
+    of_files = _of_files(record)
+    changes = f"    changes: values of the engine file by key path, such as {EXAMPLE}."
     return "\n".join(
         [
             record.about,
@@ -91,8 +115,12 @@ def _docstring(record: Analysis, fields: Iterable[Asked]) -> str:
             "Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.",
             "",
             *lines,
-            f"    changes: values of the engine file by key path, such as {EXAMPLE}.",
-            *(["    estimate: fill in what the file leaves out."] if record.estimates else []),
+            *([changes] if "changes" in of_files else []),
+            *(
+                ["    estimate: fill in what the file leaves out."]
+                if "estimate" in of_files
+                else []
+            ),
             "",
             ">>> import crankstar",
             f">>> table = crankstar.{record.name}({_example(record, fields)}).to_frame(){skip}",
@@ -113,7 +141,7 @@ def _example(record: Analysis, fields: Iterable[Asked]) -> str:
     while words:
         word = words.pop(0)
         if word not in names:
-            out.append(f'"{word}"')
+            out.append(word if word.isdecimal() else f'"{word}"')
         elif OPTIONS[word].takes == "nothing":
             out.append(f"{names[word]}=True")
         else:
@@ -121,18 +149,18 @@ def _example(record: Analysis, fields: Iterable[Asked]) -> str:
     return ", ".join(out)
 
 
-def answered(record: Analysis, engine: EngineLike, arguments: Mapping[str, Any]) -> Result:
+def answered(record: Analysis, engine: EngineLike | None, arguments: Mapping[str, Any]) -> Result:
     """The result of an analysis. Raises TypeError, ValueError, MessageError of the analysis."""
-    fields = asked(record.question.value)
-    own = {"changes", *(["estimate"] if record.estimates else [])}
+    fields = arguments_of(record)
+    own = _of_files(record)
     for name in arguments:
         if name not in own and name not in [one.name for one in fields]:
             raise TypeError(_takes(record, name))
     for one in fields:
-        if one.reader.follows and arguments.get(one.name) is None:
+        if one.default is MISSING and arguments.get(one.name) is None:
             raise TypeError(_("{function} needs {name}", function=record.name, name=one.name))
     loaded_engine = _source(record, engine, arguments)
-    source = loaded_engine.source
+    source = None if loaded_engine is None else loaded_engine.source
     reading = {one.name: _reading(one, arguments, source) for one in fields}
     values: dict[str, Any] = {}
     for one in fields:
@@ -142,25 +170,27 @@ def answered(record: Analysis, engine: EngineLike, arguments: Mapping[str, Any])
     if record.needs is not None and isinstance(source, Engine):
         record.needs.value(source)
     if record.refuse is not None:
-        _in_python(record, partial(record.refuse.value, source, question))
+        in_python(record, partial(record.refuse.value, cast("Any", source), question))
     about = loaded_engine if record.of_file else source
-    result = _in_python(record, partial(record.compute.value, about, question))
+    result = in_python(record, partial(record.compute.value, about, question))
     return Result(record, source, question, result, loaded_engine)
 
 
 def _takes(record: Analysis, name: str) -> str:
     """What is said of an argument that there is not."""
-    fields = [one.name for one in asked(record.question.value)]
-    own = ["changes", *(["estimate"] if record.estimates else [])]
+    fields = [one.name for one in arguments_of(record)]
+    first = [] if record.engine == "none" else ["engine"]
     return _(
         "{function} takes no argument {name}; it takes {names}",
         function=record.name,
         name=name,
-        names=", ".join(["engine", *fields, *own]),
+        names=", ".join([*first, *fields, *_of_files(record)]),
     )
 
 
-def _source(record: Analysis, engine: EngineLike, arguments: Mapping[str, Any]) -> Loaded:
+def _source(
+    record: Analysis, engine: EngineLike | None, arguments: Mapping[str, Any]
+) -> Loaded | None:
     changes, estimate = arguments.get("changes"), arguments.get("estimate", False)
     if changes is not None and not isinstance(changes, Mapping):
         raise TypeError(
@@ -178,8 +208,15 @@ def _source(record: Analysis, engine: EngineLike, arguments: Mapping[str, Any]) 
                 given=quoted(estimate),
             )
         )
+    if engine is None and record.engine != "needed":
+        refuse_unused({"changes": changes, "estimate": estimate}, without="engine")
+        return None
     source = loaded(
-        engine, changes, estimate=estimate, speed=arguments.get("speed"), asking=record.name
+        cast("EngineLike", engine),
+        changes,
+        estimate=estimate,
+        speed=arguments.get("speed"),
+        asking=record.name,
     )
     if isinstance(source.source, Chain) and not record.chains:
         raise TypeError(
@@ -192,7 +229,7 @@ def _source(record: Analysis, engine: EngineLike, arguments: Mapping[str, Any]) 
 
 
 def _reading(
-    one: Asked, arguments: Mapping[str, Any], source: Engine | Chain
+    one: Asked, arguments: Mapping[str, Any], source: Engine | Chain | None
 ) -> Callable[[Mapping[str, Any]], Any]:
     """What reads one argument, from the values of the fields that it depends on."""
     value, reader = arguments.get(one.name), one.reader
@@ -242,16 +279,3 @@ def _typed(one: Asked, value: Any) -> Any:
     raise TypeError(
         _("{argument} takes a number or text, not {given}", argument=one.name, given=quoted(value))
     )
-
-
-def _in_python(record: Analysis, done: Callable[[], T]) -> T:
-    """What is done, its refusals with the names of arguments instead of those of options."""
-    try:
-        return done()
-    except MessageError as error:
-        text = str(error)
-        for one in asked(record.question.value):
-            text = text.replace(one.reader.option, one.name)
-        if text == str(error):
-            raise
-        raise ValueError(text) from None

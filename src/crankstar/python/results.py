@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeGuard, cast
+from typing import TYPE_CHECKING, Any, TypeGuard, TypeVar, cast
 
 import numpy as np
 
 from crankstar.analysis.document import Document, Table
 from crankstar.analysis.reader import asked
-from crankstar.analysis.record import Analysis, Chart, Grid
+from crankstar.analysis.record import Analysis, Chart, Grid, Writes
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
-from crankstar.language.messages import _
+from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import seen
+from crankstar.options.refusals import of_row
 from crankstar.python.resting import RestsOn, told
 
 if TYPE_CHECKING:
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 
     from crankstar.charts.grammar import Chart as Figure
     from crankstar.options.sources import Loaded
+
+T = TypeVar("T")
 
 
 class Part:
@@ -108,7 +111,7 @@ class Result:
 
     Its attributes are those of the record of its physics (`value`), and its tables and arrays by
     their names, each with `to_frame()` and `to_xarray()`; `source` is the engine or drive line,
-    `question` what was asked, `document` all of it in words and tables.
+    None without one, `question` what was asked, `document` all of it in words and tables.
 
     >>> import crankstar
     >>> result = crankstar.torsion("cadillac-ld8")
@@ -117,10 +120,10 @@ class Result:
     """
 
     analysis: Analysis
-    source: Engine | Chain
+    source: Engine | Chain | None
     question: Any
     value: Any
-    loaded: Loaded = field(repr=False)
+    loaded: Loaded | None = field(repr=False)
 
     @cached_property
     def document(self) -> Document:
@@ -128,7 +131,7 @@ class Result:
         return self._document(resting=True)
 
     def _document(self, *, resting: bool) -> Document:
-        if isinstance(self.source, Chain):
+        if self.loaded is None or not isinstance(self.source, Engine):
             return self._of_source
         from crankstar.tables import ranges
 
@@ -143,13 +146,13 @@ class Result:
 
     def _told(self, source: Engine) -> Document:
         own = source is self.source
-        file = self.loaded.of(source)
+        file = None if self.loaded is None else self.loaded.of(source)
         return self._of_source if own else self.analysis.told(source, self.question, file=file)
 
     @cached_property
     def rests_on(self) -> RestsOn:
         """What its numbers rest on: each assumption, and how far it moves them."""
-        if isinstance(self.source, Chain):
+        if not isinstance(self.source, Engine):
             return RestsOn()
         from crankstar.studies.answers import rests_on
 
@@ -189,6 +192,44 @@ class Result:
                 _("{name} has no array; to_frame() gives its tables", name=self.analysis.name)
             )
         return self._part(array or next(iter(self.grids))).to_xarray()
+
+    def to_engine(self, **chosen: Any) -> Engine:
+        """The engine that it comes to, as the command writes it: that of a row, one made better.
+
+        `chosen` say which where there are several: `row` of a list, or `number` of those built.
+        Raises ValueError where there is none, TypeError for what says nothing about it.
+
+        >>> import crankstar
+        >>> crankstar.vees(6, bank="60 deg").to_engine(row=1).name
+        'V6, 60 deg, pins split by 60 deg'
+        """
+        writes = self.analysis.writes
+        if writes is None:
+            raise ValueError(_("{name} makes no engine", name=self.analysis.name))
+        names = (*writes.chosen, *(["number"] if writes.count is not None else []))
+        for name in chosen:
+            if name not in names:
+                raise TypeError(
+                    _(
+                        "{function} takes no argument {name}; it takes {names}",
+                        function="to_engine",
+                        name=name,
+                        names=", ".join(names) or "-",
+                    )
+                )
+        number = chosen.pop("number", 1)
+        return in_python(self.analysis, lambda: self._engine(writes, number, chosen))
+
+    def _engine(self, writes: Writes, number: int, chosen: Mapping[str, Any]) -> Engine:
+        question = replace(self.question, **chosen)
+        if writes.refuse is not None:
+            writes.refuse.value(question)
+        if writes.instead is not None:
+            return writes.engine.value(self.value, question)
+        made = writes.engine.value(
+            *((self.value,) if writes.of_result else (self.source, question))
+        )
+        return made if writes.count is None else of_row("number", number, made)
 
     def plot(self, figure: str = "", **options: Any) -> Figure:
         """A figure of it, the first unless it is named; `options` as `crankstar plot` takes them.
@@ -275,7 +316,8 @@ class Result:
 
     def __repr__(self) -> str:
         tables = ", ".join(dict.fromkeys([*self.tables, *self.grids]))
-        return f"<{self.analysis.name} of {self.source.name}: {tables}>"
+        of = "" if self.source is None else f" of {self.source.name}"
+        return f"<{self.analysis.name}{of}: {tables}>"
 
     def _repr_html_(self) -> str:
         from crankstar.tables.html import document_html
@@ -295,3 +337,16 @@ def _is_list(value: Any) -> TypeGuard[Sequence[float]]:
     if not isinstance(value, list | tuple) or not value:
         return False
     return all(isinstance(each, int | float) for each in cast("Sequence[object]", value))
+
+
+def in_python(record: Analysis, done: Callable[[], T]) -> T:
+    """What is done, its refusals with the names of arguments instead of those of options."""
+    try:
+        return done()
+    except MessageError as error:
+        text = str(error)
+        for one in asked(record.question.value):
+            text = text.replace(one.reader.option, one.name)
+        if text == str(error):
+            raise
+        raise ValueError(text) from None

@@ -227,7 +227,7 @@ def _driven(engine: Engine, speed: float | None) -> list[Answer]:
             continue
         with added().among_others(record.name), suppress(MessageError):
             if record.tells(engine, speed):
-                out.append(record.answer.value(engine, record.question.value(speed=speed)))
+                out.append(record.answering(engine, record.question.value(speed=speed)))
     return out
 
 

@@ -177,7 +177,7 @@ def _answer(
         )
         asked = question(speeds=(speed,)) if ranged else question(speed=speed)
         natural = record.natural if kind.endswith(NATURAL) else None
-        whole = record.answer.value(engine, asked) if natural is None else natural.value()
+        whole = record.answering(engine, asked) if natural is None else natural.value()
     else:
         whole = amplitudes(engine, speed=speed, gas=kind == "inertia")
     watched = [name for curve in curves for name in FIGURES[curve.what.partition(".")[0]]]

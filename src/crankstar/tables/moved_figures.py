@@ -54,6 +54,7 @@ FIGURES = {
     "acceleration at the point": N_("maximum acceleration of the point"),
     "weighted acceleration": N_("maximum weighted acceleration of the point"),
     "transmissibility": N_("maximum transmissibility"),
+    "permissible unbalance": N_("permissible residual unbalance"),
     "unbalance left": N_("unbalance left"),
     "least sum of firing orders": N_("least sum of the firing orders"),
     "least bearing load": N_("least load on a main bearing of the firing orders"),

@@ -15,7 +15,6 @@ from crankstar.language.messages import N_
 from crankstar.options import numbers, readers
 from crankstar.options import values as request
 from crankstar.options.refusals import refusal
-from crankstar.options.workshop import size
 
 if TYPE_CHECKING:
     from crankstar.analyses.match.batch import Batch
@@ -46,7 +45,7 @@ def _widths(text: str) -> Sequence[float]:
         raise refusal(
             "--classes", text, 'give up to {most} widths, as in "1 g, 5 g"', most=MOST_CLASSES
         )
-    return [size("--classes", part, MASS) for part in parts]
+    return [request.size("--classes", part, quantity=MASS) for part in parts]
 
 
 def _widths_given(given: Any) -> Sequence[float]:

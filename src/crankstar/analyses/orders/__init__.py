@@ -32,6 +32,7 @@ RECORD = Analysis(
         Later("crankstar.analyses.orders.answer:fired"),
         more=".txt, .csv, .json, .xlsx or .parquet; with --row .toml, .json or .xlsx.",
         instead=Later("crankstar.analyses.orders.question:writes"),
+        chosen=("row",),
     ),
     lists=("top",),
     by_result=True,

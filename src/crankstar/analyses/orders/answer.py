@@ -12,9 +12,9 @@ from crankstar.analysis.tried_values import Figures
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.firing.numbering import with_order
-from crankstar.language.messages import _, _n
+from crankstar.language.messages import _
 from crankstar.mechanics.gas import cycle
-from crankstar.options.refusals import refusal
+from crankstar.options.refusals import of_row
 from crankstar.studies.chart_answers import firing
 from crankstar.studies.judged_orders import UNITS, Judge, judgement
 
@@ -59,18 +59,7 @@ def answer(engine: Engine, question: Question, *, result: Listing) -> Answer:
 
 def fired(result: Listing, question: Question) -> Engine:
     """The engine with the order of a row. Raises RequestError."""
-    rows, row = result.orders, question.row or 0
-    if not rows:
-        raise refusal("--row", row, "the list is empty")
-    if not 1 <= row <= len(rows):
-        why = _n(
-            "give 1; there is only one",
-            "give a number from 1 to {count}",
-            len(rows),
-            count=len(rows),
-        )
-        raise refusal("--row", row, why)
-    firing = rows[row - 1].firing
+    firing = of_row("--row", question.row or 0, result.orders).firing
     words = _("fires {order}", order="-".join(map(str, firing.order)))
     name = f"{result.engine.name}, {words}"
     return with_values(with_order(result.engine, firing), name=name)

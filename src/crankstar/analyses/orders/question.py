@@ -51,12 +51,6 @@ def _orders_given(given: Any, engine: Engine) -> Sequence[float]:
     return _orders(",".join(f"{order:.12g}" for order in numbers.orders(given)), engine) or ()
 
 
-def _top(number: int) -> int:
-    if number < 1:
-        raise refusal("--top", number, "give a number from 1 up")
-    return number
-
-
 @dataclass(frozen=True)
 class Question:
     """Which firing orders: any, those at intervals (degrees) or the even ones; sorted by what.
@@ -92,7 +86,7 @@ class Question:
     ] = None
     mode_shape: Annotated[str | None, Reader("--mode-shape", str)] = None
     point: Annotated[str, readers.POINT] = ""
-    top: Annotated[int, Reader("--top", _top, "Default: 20.")] = 20
+    top: Annotated[int, readers.TOP] = 20
     row: Annotated[int | None, Reader("--row", int)] = None
 
     def crank_orders(self, engine: Engine) -> Sequence[float]:

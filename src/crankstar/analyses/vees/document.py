@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from crankstar.analysis.document import Column, Document, Remarks, Table, Value
+from crankstar.analyses.vees.question import Question
+from crankstar.analysis.document import Column, Document, Remarks, Table, Value, for_each
 from crankstar.firing.vees import ORDERS, Vee, interval_deg
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
@@ -14,19 +16,20 @@ SPLIT_EXAMPLES = (60.0, 90.0, 72.0)
 """Bank angles (degrees) of which two that need split pins are given as examples."""
 
 
-def vee_engines(
-    solutions: Sequence[Vee], *, limit: int | None = None, only_multiples: bool = False
-) -> Document:
+def document(_source: None, result: Sequence[Vee], question: Question) -> Document:
     """The solutions, best first: bank angle, pin split, throws, and their balance.
 
-    `only_multiples`: no bank angles were tried but multiples of the firing interval.
+    Of readers the first ones, of machines all.
     """
+    solutions, limit = result, question.top
+    only_multiples = question.bank is None and question.greatest_split is None
     if not solutions:
         return Document("", (Remarks((_("No V engine of this kind fires evenly."),)),))
     vee = solutions[0]
     step = interval_deg(cylinders=vee.cylinders, cycle=vee.cycle)
-    rows = [_row(place, vee) for place, vee in enumerate(solutions[:limit], 1)]
-    table = Table("", _columns(), tuple(rows), key="solutions")
+    rows = tuple(_row(place, vee) for place, vee in enumerate(solutions, 1))
+    whole = Table("", _columns(), rows, key="solutions")
+    first = replace(whole, rows=rows[:limit])
     title = _(
         "V{cylinders}, {cycle}, firing every {interval} deg",
         cylinders=vee.cylinders,
@@ -34,7 +37,8 @@ def vee_engines(
         interval=number(step),
     )
     facts = {"cylinders": vee.cylinders, "cycle": vee.cycle}
-    return Document(title, (table, Remarks(tuple(_notes(solutions, limit, only_multiples)))), facts)
+    notes = Remarks(tuple(_notes(solutions, limit, only_multiples)))
+    return Document(title, (*for_each(first, whole), notes), facts)
 
 
 def _columns() -> tuple[Column, ...]:
@@ -77,7 +81,7 @@ def _row(place: int, vee: Vee) -> tuple[Value, ...]:
     return (*cells, vee.counterweights_suffice, float(vee.left))
 
 
-def _notes(solutions: Sequence[Vee], limit: int | None, only_multiples: bool) -> list[str]:
+def _notes(solutions: Sequence[Vee], limit: int, only_multiples: bool) -> list[str]:
     cranks, stars = sum(vee.count for vee in solutions), sum(len(vee.stars) for vee in solutions)
     out = [
         _n(
@@ -91,7 +95,7 @@ def _notes(solutions: Sequence[Vee], limit: int | None, only_multiples: bool) ->
             count=len(solutions),
         )
     ]
-    if limit is not None and limit < len(solutions):
+    if limit < len(solutions):
         out.append(
             _(
                 "{shown} of {count} are shown; --top shows more, --csv all.",

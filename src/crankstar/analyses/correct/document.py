@@ -4,42 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import degrees
-from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.correct.question import Question
+from crankstar.analyses.correct.solving import Corrections
+from crankstar.analyses.correct.two_planes import HOLDS, LEAST_EFFECT, static_and_couple
 from crankstar.analysis.document import Column, Document, Remarks, Table, Value, remarks
 from crankstar.language.messages import _, passage
 from crankstar.language.numbers import number
-from crankstar.remedy.two_planes import HOLDS, LEAST_EFFECT, Split, static_and_couple
-from crankstar.spectra import Complex, Real
+from crankstar.options.holes import drill_of
+from crankstar.remedy.drilling import holes
+from crankstar.spectra import Complex
+from crankstar.tables.drilling import Correction, drilling_document
 
 MM2 = 1e9
 """g mm^2 in kg m^2."""
 
 
-class Corrections(NamedTuple):
-    """The unbalance in the correction planes, what is added there, and what led to it.
-
-    `measured` and `at` are those of a balancing machine; `left` is what a check run shows,
-    `left_share` its vibration beside that before, `effects` how much the trial weights changed it.
-    `known`: the influence coefficients come from other runs.
-    """
-
-    unbalance: Complex
-    added: tuple[tuple[Split, ...], ...]
-    radius: float | None
-    measured: Complex | None = None
-    at: Sequence[float] = ()
-    left: Complex | None = None
-    effects: Real | None = None
-    influence: Complex | None = None
-    left_share: float | None = None
-    known: bool = False
-
-
-def corrections_document(found: Corrections, drilled: Document | None = None) -> Document:
+def document(_source: None, result: Corrections, question: Question) -> Document:
     """All of it; instead of weights to add the tables of what to drill."""
+    found, drilled = result, _drilled(result, question)
     parts: list[Table | Remarks] = []
     if found.measured is not None:
         parts.append(_measured(found.measured, found.at))
@@ -80,6 +65,18 @@ def corrections_document(found: Corrections, drilled: Document | None = None) ->
         (*parts, *remarks(*lines, kind="note"), *remarks(*doubts, kind="doubt")),
         {"format": 1, **facts},
     )
+
+
+def _drilled(found: Corrections, question: Question) -> Document | None:
+    """What to drill, where a hole is described."""
+    if not question.drills:
+        return None
+    drill = drill_of(question)
+    made = [
+        Correction(str(at), None, float(abs(each)), float(np.angle(each)), holes(abs(each), drill))
+        for at, each in enumerate(found.unbalance, 1)
+    ]
+    return drilling_document("", made, drill)
 
 
 def _held(found: Corrections, share: float) -> str:

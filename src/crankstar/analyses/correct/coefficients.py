@@ -15,13 +15,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.analyses.correct.trial_runs import BEARINGS, Shown, shown_in, vibration
+from crankstar.analyses.correct.two_planes import told_apart
 from crankstar.engine.quantities import UNBALANCE
 from crankstar.files.columns import Columns
 from crankstar.files.lists import Listed, Row
 from crankstar.language.messages import _
 from crankstar.options.refusals import refusal
-from crankstar.options.trial_runs import BEARINGS, Shown, shown_in, vibration
-from crankstar.remedy.two_planes import told_apart
 from crankstar.spectra import Complex
 
 UNBALANCE_WRITTEN = 1e-3
@@ -37,10 +37,14 @@ HEADS = {
 
 
 class Coefficients(NamedTuple):
-    """H [bearing, plane] in the vibration of each bearing, as `shown` [bearing], per kg m."""
+    """H [bearing, plane] in the vibration of each bearing, as `shown` [bearing], per kg m.
+
+    `name` is that of their list.
+    """
 
     matrix: Complex
     shown: tuple[Shown, Shown]
+    name: str = ""
 
 
 def coefficients_text(own: Coefficients) -> str:
@@ -84,7 +88,7 @@ def coefficients_of(listed: Listed) -> Coefficients:
     if missing and not columns.mistakes:
         columns.refuse_list(_("there is no line of plane {plane}", plane=", ".join(missing)))
     columns.check()
-    return Coefficients(told_apart(np.array([found["1"], found["2"]]).T), shown)
+    return Coefficients(told_apart(np.array([found["1"], found["2"]]).T), shown, listed.name)
 
 
 def _unbalance(columns: Columns, row: Row) -> float:
@@ -95,9 +99,7 @@ def _unbalance(columns: Columns, row: Row) -> float:
     return size
 
 
-def in_units_of(
-    own: Coefficients, shown: tuple[Shown, Shown], *, option: str, given: str
-) -> Complex:
+def in_units_of(own: Coefficients, shown: tuple[Shown, Shown], *, option: str) -> Complex:
     """H [bearing, plane] in the units of other lists.
 
     Raises RequestError where vibration of another kind was measured there.
@@ -107,7 +109,7 @@ def in_units_of(
         if here.rate != there.rate:
             raise refusal(
                 option,
-                given,
+                own.name,
                 '{name} is in "{here}" there and in "{there}" in the runs; measure the same '
                 "quantity",
                 name=name,
