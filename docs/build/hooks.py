@@ -11,6 +11,7 @@ import os
 import re
 import shlex
 from contextlib import redirect_stderr
+from dataclasses import MISSING
 from fractions import Fraction
 from functools import lru_cache
 from html import escape
@@ -308,18 +309,18 @@ def commands(_: str) -> str:
 @lru_cache
 def functions(_: str) -> str:
     """The Python function of every analysis, its arguments as its question has them."""
-    from crankstar.analysis.reader import asked
     from crankstar.analysis.registry import NAMES, analysis
-    from crankstar.python.functions import meaning_of
+    from crankstar.python.functions import arguments_of, meaning_of
 
     parts: list[str] = []
     for name in NAMES:
         record = analysis(name)
-        fields = asked(record.question.value)
+        fields = arguments_of(record)
         words = [
-            one.name if one.reader.follows else f"{one.name}={one.default!r}" for one in fields
+            one.name if one.default is MISSING else f"{one.name}={one.default!r}" for one in fields
         ]
-        call = ", ".join(["engine", *words])
+        first = {"needed": ["engine"], "optional": ["engine=None"], "none": []}[record.engine]
+        call = ", ".join([*first, *words])
         lines = [f"### crankstar.{name}", "", f"`{name}({call})`", "", record.about, ""]
         lines += ["| argument | meaning |", "|---|---|"]
         for one in fields:

@@ -106,17 +106,21 @@ def test_parts_that_a_file_does_not_weigh_are_named(run: Run) -> None:
             assert f"cylinder.parts.{name}: no " in printed
 
 
-def test_an_estimated_speed_gives_grades_with_ranges(run: Run, tmp_path: Path) -> None:
+def test_an_estimated_speed_says_how_far_it_moves_a_grade(run: Run, tmp_path: Path) -> None:
     """U = G m / omega, so that its ends are those of the speed the other way round."""
     place = tmp_path / "kr250.toml"
     assert run("estimate", "kr250-production", "-o", str(place)).code == 0
     low, high = tree_of(place.read_text(encoding="utf-8"))["provenance"]["speed"]["range"]
     printed = run("grade", str(place), "--mass", "5 kg", "--grade", "6.3").out
     row = next(line for line in printed.splitlines() if line.strip().startswith("6.3"))
-    value, least, most = map(float, re.findall(r"([\d.]+) \(([\d.]+) to ([\d.]+)\)", row)[0])
-    assert "estimated" in printed
-    assert least <= value / high * 1.01
-    assert most >= value / low * 0.99
+    value = float(row.split()[1])
+    told = " ".join(printed.partition("Permissible")[0].split())
+    assert "speed: estimated" in told
+    least, most, now = map(
+        float, re.findall(r"is ([\d.]+) to ([\d.]+) g mm, not ([\d.]+)", told)[0]
+    )
+    assert (least, most, now) == pytest.approx((value / high, value / low, value), rel=3e-3)
+    assert "cylinder" not in told  # nothing else moves it
 
 
 @pytest.mark.release

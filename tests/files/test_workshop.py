@@ -14,13 +14,13 @@ from tests.commands import Run, csv_rows
 from tests.files.test_parts import PARTS, tree
 
 import crankstar
+from crankstar.analyses.grade.grades import GRADES, grade_of, permissible, shares
 from crankstar.engine.copies import with_values
 from crankstar.engine.records import Weight
 from crankstar.files import engine_of as load_tree
 from crankstar.files import tree_text
 from crankstar.files.catalog import load
 from crankstar.mechanics.balance import balance, total
-from crankstar.remedy.grades import GRADES, grade_of, permissible, shares
 from crankstar.spectra import selected
 
 HOLE = ("--diameter", "12.7 mm", "--at-radius", "80 mm")

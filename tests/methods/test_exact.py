@@ -556,6 +556,7 @@ def assert_cut(figures: str | None, value: Any) -> None:
 @example(-9999999999999999999999, 22, 7, 40)
 @example(10**20, 20, 12, 40)
 @example(9007199254740993 * 1000 + 500, 3, 7, 40)  # more than a double holds
+@example(999999992143320000000, 0, 1, 24)  # no cut of a whole number is certain
 def test_the_figures_of_any_ball_are_those_of_all_numbers_in_it(
     above: int, power: int, digits: int, sure: int
 ) -> None:

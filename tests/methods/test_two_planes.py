@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from crankstar.remedy import RemedyError
-from crankstar.remedy.two_planes import (
+from crankstar.analyses.correct.two_planes import (
     effects,
     in_planes,
     influence,
@@ -14,6 +13,7 @@ from crankstar.remedy.two_planes import (
     split,
     static_and_couple,
 )
+from crankstar.remedy import RemedyError
 from crankstar.spectra import Complex, Real
 
 

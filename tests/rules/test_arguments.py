@@ -41,7 +41,7 @@ MORE: dict[str, dict[str, Any]] = {
 """What the functions need besides an engine."""
 GAS = ("cycle", "driven", "flywheel_for", "side_thrust")
 ANALYSES = ("bearings", "genset", "marine", "mounts", "orders", "torque", "torsion")
-ASKING = ("diagnose", "fault", "guide", "isolate", "match")
+ASKING = ("diagnose", "drill", "fault", "grade", "guide", "isolate", "match")
 """Analyses that are asked for more than an engine, or search long."""
 OWN = {"load", "names", "tolerance", "widget", *ANALYSES, *ASKING}
 """They load engines themselves, or ask for more of one than others have."""

@@ -15,16 +15,17 @@ from crankstar.analyses.orders.document import document as order_document
 from crankstar.analyses.orders.listing import Listing
 from crankstar.analyses.orders.question import Question
 from crankstar.analyses.strokes import RECORD as STROKES
+from crankstar.analyses.vees import RECORD as VEES
 from crankstar.analysis.document import Column, Document, Table
 from crankstar.derive.errata import errata
 from crankstar.files import catalog
-from crankstar.firing import orders, vees
+from crankstar.firing import orders
 from crankstar.firing.timetable import OrderError
 from crankstar.language.faults import EngineError
 from crankstar.remedy import fitting
 from crankstar.studies.best_value import best
 from crankstar.studies.sweep import swept, watched
-from crankstar.tables import analysis, engines, remedies, sweeps, vee_engines
+from crankstar.tables import analysis, engines, remedies, sweeps
 from crankstar.tables.cells import cell
 from crankstar.tables.comparison import comparison
 from crankstar.tables.conversion import in_units
@@ -92,7 +93,7 @@ def test_tables_of_an_engine_fit_80_columns(name: str) -> None:
 def test_tables_without_an_engine_fit_80_columns() -> None:
     assert_fits(engines.catalog(catalog.summaries()))
     assert_fits(errata_document(errata(None)))
-    assert_fits(vee_engines.vee_engines(vees.vees(cylinders=6), limit=20))
+    assert_fits(VEES.told(None, VEES.question.value(cylinders=6)))
     sweep = swept("v2-90", over="balance_factor", values=[0, 0.5, 1])
     curves = [watched(sweep, what) for what in ("force", "couple", "roll", "axis_moment", "torque")]
     bests = [best(sweep, curve) for curve in curves]

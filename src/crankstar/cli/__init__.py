@@ -14,15 +14,12 @@
 | `analyses` | the verbs of all analyses that are records |
 | `estimating` | estimate |
 | `deriving` | derive, errata |
-| `firing` | vees |
 | `search_options` | the options of search |
 | `checkpoints` | the file in which a search is kept, and what of it is damaged |
 | `search_job` | a search run, reported and kept in a file |
 | `sequencing` | search, where star and firing order are searched together |
 | `searching` | search |
 | `balancing` | balance |
-| `workshop` | drill, grade |
-| `correcting` | correct |
 | `picturing` | plot |
 | `drawing` | draw, animate |
 | `sounding` | sound |

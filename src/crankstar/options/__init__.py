@@ -16,9 +16,8 @@
 | `ranges` | the speeds of --speeds |
 | `gas` | a degree of irregularity, mean effective pressures |
 | `remedies` | weights, what they minimise, balance shafts |
-| `workshop` | a drill, a measured unbalance, a grade, as a balancing shop types them |
-| `trial_runs` | runs with trial weights, from a list |
-| `coefficients` | influence coefficients of a machine, to a list and back |
+| `unbalances` | unbalances as a balancing machine shows them |
+| `holes` | a hole that is drilled, or the slug in it |
 | `numbers` | numbers of the public functions as people give them: speeds, orders, places |
 | `cycles` | whether a cycle is one, of the engine beside it |
 | `arguments` | the arguments of the public functions as people give them |

@@ -58,6 +58,55 @@ def bobweight(
         estimate: fill in what the file leaves out.
     """
 
+def correct(
+    runs: Any = None,
+    *,
+    diameter: float | str | None = None,
+    at_radius: float | str | None = None,
+    greatest_depth: float | str | None = None,
+    tip: float | str | None = None,
+    density: float | str | None = None,
+    slug: float | str | None = None,
+    axial: bool = False,
+    unbalance: Path | str | None = None,
+    measuring_planes: Iterable[float] | str | None = None,
+    correction_planes: Iterable[float] | str | None = None,
+    coefficients: Path | str | None = None,
+    positions: Iterable[float] | str | None = None,
+) -> Result:
+    """Say what to add or to drill in two planes of a rotor.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        runs: CSV file (or .xlsx) with an initial run, and one with a trial weight in each
+            plane.
+        diameter: Diameter of the drill or of the slug, such as "12.7 mm" or "0.5 in".
+        at_radius: Radius at which it is drilled, such as "80 mm": of the rim, or of the axis of
+            an axial hole.
+        greatest_depth: Greatest depth of a hole or length of a slug, such as "25 mm" (default:
+            half the radius; with --axial it must be given); where one is not enough there are
+            several.
+        tip: Angle of the tip of the drill, such as "118 deg" (the default); 180 deg is flat, as
+            the default for slugs.
+        density: Density of the crankshaft, such as "7.2 g/cm^3" for cast iron (default: steel,
+            7.85).
+        slug: Fit slugs of heavy metal opposite the heavy spot instead of drilling there: their
+            density, such as "17 g/cm^3", or tungsten.
+        axial: Holes parallel to the crank axis instead of towards it.
+        unbalance: Unbalance that the balancing machine shows, or a mass at a radius, plane by
+            plane, with the direction of the heavy spot, such as "850 g*mm at 20 deg, 38 g at 4
+            in at 200 deg". Two, in the measuring planes, with directions.
+        measuring_planes: Places along the rotor at which its unbalance was measured, such as "0
+            mm, 400 mm".
+        correction_planes: Places along the rotor at which it is corrected, such as "60 mm, 340
+            mm".
+        coefficients: CSV file with the influence coefficients of the machine, as
+            --save-coefficients writes it; then an initial run is enough.
+        positions: Where weights can be added: so many places at equal steps from 0 deg, such as
+            12, or their angles, such as "0, 45, 90 deg"; a correction is split between the two
+            beside it.
+    """
+
 def diagnose(
     engine: EngineLike,
     /,
@@ -81,6 +130,51 @@ def diagnose(
         point: Operating point of the engine file, by its name, such as idle. Default: by speed,
             interpolated between two; without a speed the load of [gas], else the first point.
         changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+    """
+
+def drill(
+    engine: EngineLike | None = None,
+    /,
+    *,
+    diameter: float | str | None = None,
+    at_radius: float | str | None = None,
+    greatest_depth: float | str | None = None,
+    tip: float | str | None = None,
+    density: float | str | None = None,
+    slug: float | str | None = None,
+    axial: bool = False,
+    unbalance: Path | str | None = None,
+    factor: float | str | None = None,
+    weights: Path | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
+) -> Result:
+    """Say what to drill, or which slugs to fit: for a measured unbalance, or for an engine's.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        diameter: Diameter of the drill or of the slug, such as "12.7 mm" or "0.5 in".
+        at_radius: Radius at which it is drilled, such as "80 mm": of the rim, or of the axis of
+            an axial hole.
+        greatest_depth: Greatest depth of a hole or length of a slug, such as "25 mm" (default:
+            half the radius; with --axial it must be given); where one is not enough there are
+            several.
+        tip: Angle of the tip of the drill, such as "118 deg" (the default); 180 deg is flat, as
+            the default for slugs.
+        density: Density of the crankshaft, such as "7.2 g/cm^3" for cast iron (default: steel,
+            7.85).
+        slug: Fit slugs of heavy metal opposite the heavy spot instead of drilling there: their
+            density, such as "17 g/cm^3", or tungsten.
+        axial: Holes parallel to the crank axis instead of towards it.
+        unbalance: Unbalance that the balancing machine shows, or a mass at a radius, plane by
+            plane, with the direction of the heavy spot, such as "850 g*mm at 20 deg, 38 g at 4
+            in at 200 deg". A mass alone is at the radius of --at-radius.
+        factor: Share of the reciprocating mass on each pin that is balanced, such as 0.5 or 52%
+            (default: the file's, else 0.5).
+        weights: Places of the counterweights: pins, webs, ends (the end webs), or positions
+            along the shaft, such as "-200 mm, 200 mm". Default: ends.
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+        estimate: fill in what the file leaves out.
     """
 
 def fault(
@@ -150,6 +244,36 @@ def genset(
             interpolated between two; without a speed the load of [gas], else the first point.
         speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
             the file).
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+        estimate: fill in what the file leaves out.
+    """
+
+def grade(
+    engine: EngineLike | None = None,
+    /,
+    *,
+    mass: float | str | None = None,
+    speed: float | str | None = None,
+    grade: float | str | None = None,
+    bearing_distances: tuple[float, float] | str | None = None,
+    unbalance: Path | str = (),
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
+) -> Result:
+    """Print the unbalance that may remain by ISO 21940-11, or the grade that a measured one meets.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        mass: Mass of the rotor as it is balanced, such as "28 kg".
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        grade: Balance quality grade G in mm/s by ISO 21940-11, such as 6.3 or G6.3. Default:
+            the usual ones.
+        bearing_distances: Distances of the front and the rear bearing from the centre of mass
+            of the rotor, such as "210 mm, 260 mm" (default: equal).
+        unbalance: Unbalance that the balancing machine shows, or a mass at a radius, plane by
+            plane, with the direction of the heavy spot, such as "850 g*mm at 20 deg, 38 g at 4
+            in at 200 deg". Which grade does it meet?
         changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
         estimate: fill in what the file leaves out.
     """

@@ -7,8 +7,6 @@
 | `counterweights` | weights from a balance factor: at the throws, on webs, in given planes |
 | `rolling` | the roll of the block, and what a turning force adds to it from its place |
 | `drilling` | holes to drill, slugs of heavy metal to fit, heavy spots of a crankshaft |
-| `two_planes` | corrections in two planes from two others, or from trial runs |
-| `grades` | the unbalance that may remain, by the grades of ISO 21940-11 |
 | `programme` | the second-order cone programme behind the best weights, and its lower bound |
 | `aims` | force, couple, pitch, yaw, roll, bearing load to minimise; as numbers and as cones |
 | `aim_names` | aims in words, and their units |

@@ -12,7 +12,7 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from crankstar.analysis.assumptions import TOLD, Answer, Assumption
+from crankstar.analysis.assumptions import TOLD, UNMOVED, Answer, Assumption
 from crankstar.analysis.registry import analysis, measures, names
 from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.engine import Engine
@@ -149,7 +149,7 @@ def more_beyond(
     except MessageError:  # it has no result there
         return "", ()
     least = {path: max(SOME * effect, TOLD) for path, effect in known.items()}
-    more = [each for each in there if each.effect > least.get(each.path, TOLD)]
+    more = [each for each in there if each.effect > least.get(each.path, TOLD) + UNMOVED]
     return other.at, tuple(more)
 
 

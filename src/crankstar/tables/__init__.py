@@ -18,8 +18,7 @@
 | `estimates` | what `estimate` fills in |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |
 | `scales` | the units in which an engine is written |
-| `workshop` | what to drill or to fit, which unbalance may remain |
-| `two_planes` | corrections in two planes |
+| `drilling` | what to drill or which slugs to fit |
 | `conditions` | speed, units and point of reference of an analysis |
 | `bobweights` | the bobweight of each pin, and how far it is from that of one half |
 | `paths` | names of vectors and of their paths |
@@ -30,7 +29,6 @@
 | `mount_places` | the mounts of an engine file, as they are given |
 | `engines` | an engine's parts, the sources of its values, the catalog |
 | `judgements` | what firing orders are judged by, in words |
-| `vee_engines` | V engines that fire evenly |
 | `search_stars` | the stars of a search |
 | `sequence_verdicts` | where an order stands beside a front over stars and firing orders |
 | `search_sequences` | the front over crank stars and firing orders |

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import inf
 from typing import Any
 
-from crankstar.analysis.assumptions import SIGNIFICANT, TOLD, Assumption, Moved
+from crankstar.analysis.assumptions import SIGNIFICANT, TOLD, UNMOVED, Assumption, Moved
 from crankstar.analysis.document import Remarks
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number
@@ -103,7 +103,8 @@ def _told(
     doubtful = [each for each in found if each.status == "doubtful" and each.moved is None]
     parts = _together(found, "not modelled")
     large = [each for each in found if each not in doubtful]
-    large = [each for each in large if each.effect >= TOLD or _lifts(each) or _is_doubt(each)]
+    least = TOLD - UNMOVED  # a trial of a per cent mostly moves a per cent
+    large = [each for each in large if each.effect >= least or _lifts(each) or _is_doubt(each)]
     most = [each for each in large if not each.named and not _is_doubt(each)][:count]
     told = [each for each in large if each.named or _is_doubt(each) or each in most]
     lines = [*parts, *((_line(each), [each]) for each in doubtful)]

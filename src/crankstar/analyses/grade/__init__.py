@@ -33,5 +33,6 @@ RECORD = Analysis(
     document=Later("crankstar.analyses.grade.document:document"),
     engine="optional",
     estimates=True,
+    unranged=True,
     by_result=True,
 )

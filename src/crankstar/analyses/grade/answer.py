@@ -19,7 +19,7 @@ def compute(engine: Engine | None, question: Question) -> Rotor:
     return Rotor(question.mass or 0.0, speed or 0.0, shares(front=front, rear=rear))
 
 
-def answer(_engine: Engine, question: Question, *, result: Rotor) -> Answer:
+def answer(engine: Engine, question: Question, *, result: Rotor) -> Answer:
     """The permissible unbalance, which only the speed of an engine moves."""
     grade = USUAL if question.grade is None else question.grade
 
@@ -27,5 +27,5 @@ def answer(_engine: Engine, question: Question, *, result: Rotor) -> Answer:
         speed = question.speed or each.speed or result.speed
         return {("permissible unbalance", None): permissible(grade, mass=result.mass, speed=speed)}
 
-    given = () if question.speed is None else ("speed",)
+    given = [path for path in engine.provenance if path != "speed" or question.speed is not None]
     return Answer(figures=figures, unit=lambda _quantity, _engine: "kg*m", uses=(), given=given)

@@ -99,6 +99,8 @@ def negative(formula: Formula) -> bool:
 
 NARROW = 1e-6
 """Share of the last figure within which a number is known that may be rounded to it."""
+NEAR_UNIT = 0.1
+"""The same of a whole number, none of whose figures were certain if it were cut."""
 
 
 def figures(decimal: Decimal) -> str | None:
@@ -120,7 +122,8 @@ def figures(decimal: Decimal) -> str | None:
     for places in range(most, -1, -1):
         scaled = abs(ball) * 10**places
         # Cut; or rounded where it is known to be so near to a round number that a cut is undecided.
-        for start in (scaled, *([scaled + arb(0.5)] if scaled.rad() < NARROW else [])):
+        near = NARROW if places else NEAR_UNIT
+        for start in (scaled, *([scaled + arb(0.5)] if scaled.rad() < near else [])):
             low, high = start.lower().floor(), start.upper().floor()
             if low == high:
                 shown = _pointed(int(low.unique_fmpz()), places)
