@@ -104,6 +104,8 @@ def _taken(one: Asked, hint: Any) -> str:
         return "Any"
     elif "excitation.Reference" in kind:
         return "Reference | float | str | None"
+    elif "Measured" in kind:  # what a balancing machine shows
+        kind = "str | None" if "None" in kind else "str"
     elif "crankstar." in kind:  # a record of its own, which is given as text or in a file
         kind = "Path | None" if "None" in kind else "Path"
     elif one.name == "orders":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -12,6 +12,7 @@ from scipy.linalg import eigh
 import crankstar
 from crankstar.analysis.assumptions import Assumption
 from crankstar.dynamics.torsion_chain import torsion_chain
+from crankstar.engine.engine import Engine
 from crankstar.files import engine_of, tree_of
 from crankstar.studies.answers import rests_on, summary
 
@@ -86,7 +87,7 @@ def test_the_inertia_of_a_drive_that_no_disc_has_is_said_with_what_it_changes() 
     stiffness = np.zeros((6, 6))
     for place in range(5):
         stiffness[place : place + 2, place : place + 2] += 3.2e6 * np.array([[1, -1], [-1, 1]])
-    for engine, last in ((result.source, 0.0), (changed, rest)):
+    for engine, last in ((cast("Engine", result.source), 0.0), (changed, rest)):
         masses = np.diag([throw] * 5 + [throw + last])
         by_hand = np.sqrt(np.abs(eigh(stiffness, masses, eigvals_only=True)[1])) / (2 * np.pi)
         assert crankstar.torsion(engine).modes[0].frequency == pytest.approx(by_hand, rel=1e-6)

@@ -26,7 +26,7 @@ def document(engine: Engine | None, result: Rotor, question: Question) -> Docume
     """The permissible residual unbalance by grade, and its force; before it what was measured."""
     title = _("Balance quality of a rotor") if engine is None else engine.name
     rotor, grade = result, question.grade
-    measured = [spot.unbalance for spot in question.unbalance]
+    measured = [spot.unbalance for spot in question.unbalance or ()]
     grades = USUAL if grade is None else (grade,)
     facts = {"mass_kg": rotor.mass, "speed_rpm": rpm_of(rotor.speed), "shares": list(rotor.planes)}
     parts = [_permissible(rotor, grades)]

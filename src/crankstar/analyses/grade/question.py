@@ -66,9 +66,9 @@ class Question:
         tuple[float, float] | None, Reader("--bearing-distances", _distances)
     ] = None
     unbalance: Annotated[
-        Sequence[Measured],
+        Sequence[Measured] | None,
         Reader("--unbalance", partial(measured, most=2), "Which grade does it meet?"),
-    ] = ()
+    ] = None
 
 
 def refuse(engine: Engine | None, question: Question) -> None:
