@@ -134,13 +134,12 @@ def test_every_mistake_in_the_runs_is_told_at_once(refused: Refused, tmp_path: P
     wrong = RUNS.replace("initial, , ", "initial, 300, ").replace("4.1, 75", "fast, x")
     (tmp_path / "runs.csv").write_text(wrong.replace("0.3, 20", "-0.3, 20, 8"), encoding="utf-8")
     head, *told = refused("correct", "runs.csv").splitlines()
-    assert head == "crankstar: runs.csv: 5 mistakes"
+    assert head == "crankstar: runs.csv: 4 mistakes"
     assert [line.split(",")[0].split(":")[0].strip() for line in told] == [
         "line 2",
         "line 3",
         "line 3",
-        "line 5",
-        "line 5",
+        "line 5",  # whose cells may stand under other headings
     ]
 
 
@@ -283,7 +282,7 @@ def test_a_check_run_says_whether_the_coefficients_hold(
     (tmp_path / "next.csv").write_text(NEXT + check, encoding="utf-8")
     line = ("correct", "next.csv", "--coefficients", "known.csv")
     said = " ".join(run(*line).out.split())
-    assert f"The check run has {100 * left:g} % of the vibration before." in said
+    assert f"The check run has {100 * left:g} % of the vibration before, each bearing" in said
     assert told in said
     answer = json.loads(run(*line, "--json").out)
     assert answer["left_share"] == pytest.approx(left)

@@ -135,3 +135,20 @@ def test_coefficients_are_saved_beside_the_answer(run: Run, tmp_path: Path) -> N
                    "--save-coefficients", "y.csv")  # fmt: skip
     assert "--save-coefficients has no effect with --unbalance" in told
     assert "--measuring-planes" in told
+
+
+def test_a_picture_of_weights_shows_no_hole(run: Run, tmp_path: Path) -> None:
+    line = ("correct", "--unbalance", "850 g*mm at 20 deg, 400 g*mm at 200 deg",
+            "--measuring-planes", "0 mm, 400 mm", "--correction-planes", "60 mm, 340 mm",
+            "-o", str(tmp_path / "c.svg"), "--at-radius", "80 mm")  # fmt: skip
+    assert "--diameter has no effect with a picture" in refused(run, *line, "--diameter", "12 mm")
+    assert run(*line).code == 0
+    assert "mass in g at a radius of 80" in (tmp_path / "c.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("verb", [("vees", "6"), ("orders", "i4")])
+def test_rows_that_are_shown_have_no_effect_beside_the_one_that_is_written(
+    run: Run, verb: tuple[str, str]
+) -> None:
+    told = refused(run, *verb, "--row", "1", "--top", "3")
+    assert "--top has no effect with --row" in told

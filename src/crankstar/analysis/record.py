@@ -196,11 +196,13 @@ class Picture:
     draw       (result, question) -> Chart
     title      of {engine}, a sentence of the catalog of messages
     more       what -o says of it
+    unshown    fields of the question that it does not show
     """
 
     draw: Later[Callable[[Any, Any], Any]]
     title: str
     more: str
+    unshown: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -105,6 +105,10 @@ def _refusals(
         yield partial(_saved_place, record.saves, options)
     if record.picture is not None:
         yield partial(_refuse_looks, options)
+        if suffix_of(options.get("output")) in PICTURES:
+            fields = {one.name: one.reader.option for one in asked(record.question.value)}
+            unshown = {fields[name]: options.get(name) for name in record.picture.unshown}
+            yield partial(refuse_unused, unshown, beside=_("a picture"))
     if refuse is not None:
         yield lambda: refuse.value(cast("Any", source()), question)
     yield lambda: _refuse_of_chain(record, options, source())

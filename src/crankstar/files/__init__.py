@@ -16,7 +16,6 @@
 | `lists` | a list of values with headings: CSV or spreadsheet |
 | `columns` | the columns of a list read as values, every mistake told at once |
 | `vibrations` | amplitudes of vibration in a list |
-| `source` | a file to its text and its tree of keys |
 | `parts` | the weighed parts of a cylinder added up to its masses |
 | `references` | what bare numbers count in, before and after a change |
 | `changes` | values of a tree set by key path |
@@ -24,6 +23,7 @@
 | `typical_tolerances` | tolerances of pistons and rods as published |
 | `chains` | a drive line without cylinders from a file of its own |
 | `read` | a tree of keys to an Engine, with every fault at once |
+| `source` | a file to its text, its tree of keys and its Engine |
 | `box` | the ranges of estimated values, and engines at their ends |
 | `filling` | values filled in, each with its source and range |
 | `estimate` | masses and lengths that a file leaves out |

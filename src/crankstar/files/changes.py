@@ -16,9 +16,8 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS
 from crankstar.engine.records import Shaft
 from crankstar.files.errors import EngineFileError, refused
-from crankstar.files.mistakes import SpreadsheetTree, Tree, copied
+from crankstar.files.mistakes import GREATEST_DEPTH, SpreadsheetTree, Tree, copied
 from crankstar.files.references import with_references
-from crankstar.files.source import GREATEST_DEPTH
 from crankstar.files.traces import with_trace
 from crankstar.language.faults import Fault, where
 from crankstar.language.quoting import one_line, seen

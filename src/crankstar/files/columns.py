@@ -46,6 +46,7 @@ class Columns:
         self.listed = listed
         self.mistakes: list[Mistake] = [*listed.mistakes]
         self._told: set[int] = set()
+        self._spoilt = {each.line for each in listed.mistakes} - {listed.line}
         self._places = self._found(known)
         missing = [f'"{_usual(known)[name]}"' for name in needed if name not in self._places]
         if missing:
@@ -80,10 +81,13 @@ class Columns:
 
         A column that is not there has been told of, or is none that is needed.
         """
-        if name not in self:
-            return
-        told = _("{where}: {why}", where=self.place(row, name), why=why)
-        self.mistakes.append(Mistake(row.line, told))
+        if name in self:
+            self._note(row, _("{where}: {why}", where=self.place(row, name), why=why))
+
+    def _note(self, row: Row, told: str) -> None:
+        """Note a mistake of a cell, unless its whole line is one: its cells may have moved."""
+        if row.line not in self._spoilt:
+            self.mistakes.append(Mistake(row.line, told))
 
     def refuse_head(self, name: str, why: str) -> None:
         """Note a mistake of a heading, once."""
@@ -115,7 +119,7 @@ class Columns:
         text = self.text(row, name)
         if NUMBER.fullmatch(text):
             return float(text)
-        if self._is_date(row, name, text):
+        if self._is_empty(row, name, text) or self._is_date(row, name, text):
             return nan
         self.refuse(row, name, _("{text} is no number", text=seen(text)))
         return nan
@@ -125,7 +129,7 @@ class Columns:
         if name not in self:
             return nan
         text, unit = self.text(row, name), self.unit(name) or usual
-        if self._is_date(row, name, text):
+        if self._is_empty(row, name, text) or self._is_date(row, name, text):
             return nan
         bare = NUMBER.fullmatch(text) is not None
         if bare and not unit:
@@ -142,15 +146,20 @@ class Columns:
         try:
             return _within_a_turn(f"{text} {unit}" if bare else text, quantity)
         except ValueFaultError as error:
-            self.mistakes.append(Mistake(row.line, error.at(self.place(row, name))))
+            self._note(row, error.at(self.place(row, name)))
             return nan
+
+    def _is_empty(self, row: Row, name: str, text: str) -> bool:
+        """Whether nothing stands where a number is wanted; it is noted then."""
+        if not text:
+            self.refuse(row, name, _("the cell is empty"))
+        return not text
 
     def _is_date(self, row: Row, name: str, text: str) -> bool:
         """Whether a date stands where a number is wanted; it is noted then."""
         if DATE.fullmatch(text) is None:
             return False
-        told = sentence("cell.date", {}, place=self.place(row, name))
-        self.mistakes.append(Mistake(row.line, told))
+        self._note(row, sentence("cell.date", {}, place=self.place(row, name)))
         return True
 
     def _measures(self, name: str, unit: str, quantity: Quantity) -> bool:

@@ -102,9 +102,15 @@ def read_list(place: str) -> Listed:
     if not place.strip():
         raise ListError("the name of a list is empty; name a CSV file or a spreadsheet")
     try:
+        if Path(place).exists() and not Path(place).is_file() and not Path(place).is_dir():
+            raise ListError(
+                "{file} is no regular file; name a CSV file or a spreadsheet", file=one_line(place)
+            )
         with Path(place).open("rb") as opened:
             note(opened)
             raw = opened.read(GREATEST_LIST + 1)
+    except ListError:
+        raise
     except IsADirectoryError:
         raise ListError(
             "{file} is a directory; name a list in it, CSV or a spreadsheet", file=one_line(place)
@@ -168,7 +174,9 @@ def list_given(given: Any, *, name: str) -> Listed:
     """
     if isinstance(given, Path):
         return read_list(str(given))
-    rows = given.to_dict("records") if hasattr(given, "to_dict") else given
+    rows: Any = given
+    if hasattr(given, "to_dict"):
+        rows = given.to_dict("records") if hasattr(given, "columns") else None  # not a Series
     listed = isinstance(rows, Iterable) and not isinstance(rows, bytes | Mapping)
     lines: list[Any] = [*rows] if listed else [None]
     if not all(isinstance(line, Mapping) for line in lines):
@@ -182,11 +190,16 @@ def list_given(given: Any, *, name: str) -> Listed:
         )
     heads = [*dict.fromkeys(head for line in lines for head in line)]
     table = [heads, *([line.get(head) for head in heads] for line in lines)]
-    return _listed(
-        [Row(n, tuple(_text(None if cell != cell else cell) for cell in cells))  # nan
-         for n, cells in enumerate(table, 1)],
-        name,
-    )  # fmt: skip
+    return _listed([Row(n, tuple(map(_cell, cells))) for n, cells in enumerate(table, 1)], name)
+
+
+def _cell(given: Any) -> str:
+    """The text of a cell; empty for what is missing: None, nan, NA of pandas."""
+    try:
+        missing = given is None or bool(given != given)
+    except (TypeError, ValueError):  # NA is neither, as is an array
+        missing = type(given).__name__ in ("NAType", "NaTType")
+    return _text(None if missing else given)
 
 
 def _of_spreadsheet(raw: bytes, name: str) -> tuple[str, list[Row]]:
@@ -314,7 +327,8 @@ def _listed(rows: Sequence[Row], name: str) -> Listed:
         Mistake(
             row.line,
             _(
-                "line {line}: it has {count} cells under {heads} headings",
+                "line {line}: it has {count} cells under {heads} headings; if a comma is a decimal "
+                "sign there, write a point, or part the columns by semicolons",
                 line=row.line,
                 count=len(row.cells),
                 heads=len(heads),

@@ -16,6 +16,8 @@ from crankstar.files.forms import by_key, example, field_at, is_explicit, quanti
 from crankstar.language.faults import EngineError, Fault, ValueFaultError
 from crankstar.language.quoting import seen
 
+GREATEST_DEPTH = 16
+"""Of tables within tables in a file."""
 Tree = dict[str, Any]
 Path = tuple[str | int, ...]
 

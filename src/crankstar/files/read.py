@@ -12,7 +12,6 @@ from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from functools import partial
 from itertools import chain
-from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
 from pydantic import ValidationError
@@ -44,7 +43,6 @@ from crankstar.files.references import (
     unknown_scales,
     written_units,
 )
-from crankstar.files.source import read_tree
 from crankstar.files.tolerances import tolerance_faults, without_tolerances
 from crankstar.language.faults import EngineError, Fault, where
 from crankstar.language.quoting import seen
@@ -55,19 +53,6 @@ class _Draft(NamedTuple):
 
     engine: Engine | None
     faults: list[Fault]
-
-
-def read(
-    path: str | Path, *, name: str | None = None, changes: Mapping[str, Any] | None = None
-) -> Engine:
-    """The engine of a file; "-" is standard input; mistakes name the file `name`.
-
-    Raises EngineFileError.
-
-    `changes` sets values by key path before anything is checked: `{"layout.bore_pitch": "100 mm"}`.
-    """
-    name, tree = read_tree(path, name=name)
-    return engine_of(tree, name=name, changes=changes)
 
 
 def engine_of(

@@ -12,21 +12,37 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from crankstar.engine.engine import Engine
 from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.kinds import kind_of
-from crankstar.files.mistakes import Tree
+from crankstar.files.mistakes import GREATEST_DEPTH, Tree
+from crankstar.files.read import engine_of
 from crankstar.files.read_files import STANDARD_INPUT, note
-from crankstar.files.traces import with_trace
+from crankstar.files.traces import TRACE, with_trace
 from crankstar.files.workbook import PROTECTED, ZIP, workbook_tree
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line, seen
 
 GREATEST_FILE = 1_000_000
 """Bytes: a hundred times the longest real engine file."""
-GREATEST_DEPTH = 16
 _DOTTED = re.compile(r"""(?<![\w"'-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){100}""")
 """A key of TOML with so many dots that tomllib, quadratic in them, would not come to an end."""
+STILL = {"angle": [f"{angle} deg" for angle in range(-360, 361, 20)], "pressure": [["1 bar"] * 37]}
+"""A trace in place of one that cannot be read, so that the other mistakes of a file are found."""
 _STANDARD_INPUTS = ("-", STANDARD_INPUT)
+
+
+def read(
+    path: str | Path, *, name: str | None = None, changes: Mapping[str, Any] | None = None
+) -> Engine:
+    """The engine of a file; "-" is standard input; mistakes name the file `name`.
+
+    Raises EngineFileError.
+
+    `changes` sets values by key path before anything is checked: `{"layout.bore_pitch": "100 mm"}`.
+    """
+    name, tree = read_tree(path, name=name)
+    return engine_of(tree, name=name, changes=changes)
 
 
 def read_tree(path: str | Path, *, name: str | None = None) -> tuple[str, Tree]:
@@ -40,7 +56,20 @@ def read_tree(path: str | Path, *, name: str | None = None) -> tuple[str, Tree]:
         return name, workbook_tree(raw, name)
     tree = tree_of(_text(raw, name), name=name)
     folder = Path() if str(path) in _STANDARD_INPUTS else Path(path).parent
-    return name, with_trace(tree, folder, name)
+    return name, _with_trace(tree, folder, name)
+
+
+def _with_trace(tree: Tree, folder: Path, name: str) -> Tree:
+    """The tree with the trace that it names. Raises EngineFileError with every mistake of both."""
+    try:
+        return with_trace(tree, folder, name)
+    except EngineFileError as error:
+        try:
+            engine_of({**tree, "gas": {**tree["gas"], "trace": STILL}}, name=name)
+        except EngineFileError as other:
+            more = [fault for fault in other.faults if fault.path[:2] != TRACE]
+            raise EngineFileError(name, [*error.faults, *more]) from None
+        raise
 
 
 def tree_of_keys(keys: Mapping[str, Any]) -> tuple[str, Tree]:
@@ -52,7 +81,7 @@ def tree_of_keys(keys: Mapping[str, Any]) -> tuple[str, Tree]:
     ('twin', {'name': 'twin'})
     """
     name = str(keys.get("name", _("the engine")))
-    return name, with_trace(dict(keys), Path(), name)
+    return name, _with_trace(dict(keys), Path(), name)
 
 
 def _shown_name(path: str | Path) -> str:

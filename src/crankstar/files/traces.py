@@ -99,20 +99,35 @@ def trace_of(text: str, *, name: str, file: str) -> Tree:
     file_name = one_line(file, longest=80)
     if width < 2:
         raise _refused(name, "no-columns", file=file_name)
-    for number, row in zip(list(lines)[bool(heads) :], rows, strict=True):
-        wrong = next((cell for cell in row if _number(cell) is None), None)
-        if wrong is not None or len(row) != width:
-            raise _refused(
-                name, "row", file=file_name, line=number, cells=one_line(", ".join(row), longest=60)
-            )
+    faults = [
+        Fault(TRACE, "trace.row", values)
+        for number, row in zip(list(lines)[bool(heads) :], rows, strict=True)
+        if len(row) != width or any(_number(cell) is None for cell in row)
+        for values in [
+            {"file": file_name, "line": number, "cells": one_line(", ".join(row), longest=60)}
+        ]
+    ]
     heads += [""] * (width - len(heads))
-    turn = _unit(heads[0], ANGLE, "deg", name=name, file=file)
-    units = [_unit(head, PRESSURE, "bar", name=name, file=file) for head in heads[1:width]]
+    units: list[str] = []
+    for head in heads[:width]:
+        quantity, usual = (PRESSURE, "bar") if units else (ANGLE, "deg")
+        try:
+            units.append(_unit(head, quantity, usual, name=name, file=file))
+        except EngineFileError as error:
+            units.append(usual)
+            faults += error.faults
+    if faults:
+        raise EngineFileError(name, faults)
     for column, head in enumerate(heads[1:width], 1):
         lowest = min(float(row[column]) for row in rows)
         if lowest <= 0:
             shown = one_line(head, longest=60) or str(column)
-            raise _refused(name, "gauge", file=file_name, head=shown, value=lowest)
+            faults.append(
+                Fault(TRACE, "trace.gauge", {"file": file_name, "head": shown, "value": lowest})
+            )
+    if faults:
+        raise EngineFileError(name, faults)
+    turn, *units = units
     return {
         "angle": [f"{row[0]} {turn}" for row in rows],
         "pressure": [

@@ -9,9 +9,9 @@ from typing import Any
 from crankstar.language.messages import _
 
 CONTROL = re.compile(
-    r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ud800-\udfff\ufeff\ufff9-\ufffb\U000e0000-\U000e007f]"
+    r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ud800-\uf8ff\ufeff\ufff9-\ufffb\U000e0000-\U000e007f\U000f0000-\U0010ffff]"
 )
-"""Characters not allowed in an engine file: controls, changes of direction, invisible ones."""
+"""Characters not allowed in an engine file: controls, changes of direction, invisible, private."""
 
 
 def one_line(text: str, *, longest: int = 200) -> str:

@@ -83,6 +83,10 @@ def horizontal_share(text: str) -> float:
     return share
 
 
+USUAL_TOP = 20
+"""Rows of a list that readers see where none are asked for."""
+
+
 def _top(number: int) -> int:
     if number < 1:
         raise refusal("--top", number, "give a number from 1 up")
@@ -90,7 +94,7 @@ def _top(number: int) -> int:
 
 
 TOP = Reader("--top", _top, "Default: 20.")
-"""How many rows of a list readers see."""
+"""How many rows of a list readers see; None is USUAL_TOP."""
 POINT = Reader("--point", str)
 """An operating point by its name."""
 SPEED = Reader("--speed", values.speed, number=numbers.speed)

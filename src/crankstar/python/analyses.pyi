@@ -474,7 +474,7 @@ def orders(
     orders: Iterable[float] | str | None = None,
     mode_shape: str | None = None,
     point: str = "",
-    top: int = 20,
+    top: int | None = None,
     changes: Mapping[str, Any] | None = None,
 ) -> Result:
     """List the firing orders that a crank can fire, with exhaust intervals and neighbours.
@@ -631,7 +631,7 @@ def vees(
     bank: Iterable[float] | str | None = None,
     greatest_split: float | str | None = None,
     cycle: Literal["two-stroke", "four-stroke"] | str = "four-stroke",
-    top: int = 20,
+    top: int | None = None,
 ) -> Result:
     """List V engines that fire evenly: bank angle, pin split, throws and balance.
 

@@ -192,7 +192,8 @@ def _source(
     record: Analysis, engine: EngineLike | None, arguments: Mapping[str, Any]
 ) -> Loaded | None:
     changes, estimate = arguments.get("changes"), arguments.get("estimate", False)
-    if changes is not None and not isinstance(changes, Mapping):
+    by_path = isinstance(changes, Mapping) and all(isinstance(key, str) for key in changes)
+    if changes is not None and not by_path:
         raise TypeError(
             _(
                 "changes takes a dict of values by key path, such as {example}, not {given}",
@@ -238,6 +239,9 @@ def _reading(
     def read(beside: Mapping[str, Any]) -> Any:
         if value is None:
             return one.default
+        takes = "text" if reader.follows else OPTIONS[reader.option].takes
+        if isinstance(value, Mapping) and takes != "several texts":
+            raise TypeError(_("{argument} takes no dict", argument=one.name))
         try:
             if not isinstance(value, str) and reader.number is not None:
                 return reader.number(value, *engine)

@@ -167,7 +167,7 @@ def _lifts(each: Assumption) -> bool:
 
 
 def _paths(found: Sequence[Assumption]) -> str:
-    return ", ".join(map(_named, found))
+    return ", ".join(dict.fromkeys(map(_named, found)))
 
 
 OTHERS = {

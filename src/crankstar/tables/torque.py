@@ -207,7 +207,8 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
         (_("peak pressure"), "peak_pressure", cycle.peak, "Pa"),
         (_("mean gas torque"), "mean_torque", mean, "N*m"),
     ]
-    if cycle.air_fuel_ratio is not None:
+    burning = found.mean.size > len({*cycle.off})
+    if cycle.air_fuel_ratio is not None and burning:
         warm = number(cycle.values["intake_temperature"])
         name = _("air-fuel ratio (charge of {temperature} K)", temperature=warm)
         rows.insert(2, (name, "air_fuel_ratio", cycle.air_fuel_ratio, ""))

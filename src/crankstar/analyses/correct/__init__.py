@@ -34,6 +34,7 @@ RECORD = Analysis(
         Later("crankstar.analyses.correct.charts:vectors"),
         N_("Correction in two planes"),
         N_("A picture (.svg) has the vectors."),
+        unshown=("diameter", "greatest_depth", "tip", "density", "slug", "axial"),
     ),
     saves=Saves(
         "--save-coefficients",

@@ -82,7 +82,9 @@ def _drilled(found: Corrections, question: Question) -> Document | None:
 def _held(found: Corrections, share: float) -> str:
     """Whether what a check run has left shows that the coefficients hold."""
     left = _(
-        "The check run has {share} % of the vibration before.", share=number(100 * share, digits=3)
+        "The check run has {share} % of the vibration before, each bearing weighed by its "
+        "influence coefficients.",
+        share=number(100 * share, digits=3),
     )
     if share <= HOLDS:
         return passage(

@@ -12,6 +12,7 @@ from crankstar.firing.orders import place_of
 from crankstar.firing.succession import Follower
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
+from crankstar.options.readers import USUAL_TOP
 from crankstar.tables.headings import heading
 from crankstar.tables.judgements import JUDGEMENTS, judge_column, mode_sentence
 
@@ -43,7 +44,8 @@ def document(engine: Engine, result: Listing, question: Question) -> Document:
     listing = result
     own = place_of(listing.engine, listing.orders)
     every = range(len(listing.orders))
-    shown = [place for place in every if place < question.top or place == own]
+    top = question.top or USUAL_TOP
+    shown = [place for place in every if place < top or place == own]
     first, whole = (
         Table("", _columns(listing), tuple(_row(listing, at, own) for at in places), key="orders")
         for places in (shown, every)

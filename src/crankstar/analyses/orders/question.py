@@ -86,7 +86,7 @@ class Question:
     ] = None
     mode_shape: Annotated[str | None, Reader("--mode-shape", str)] = None
     point: Annotated[str, readers.POINT] = ""
-    top: Annotated[int, readers.TOP] = 20
+    top: Annotated[int | None, readers.TOP] = None
     row: Annotated[int | None, Reader("--row", int)] = None
 
     def crank_orders(self, engine: Engine) -> Sequence[float]:
@@ -98,6 +98,8 @@ def refuse(engine: Engine, question: Question) -> None:
     """Refuse what has no effect, and a point of an engine without gas. Raises RequestError."""
     from crankstar.mechanics.gas import computable
 
+    if question.row is not None:
+        refuse_unused({"--top": question.top}, beside="--row")
     own = {"--intervals": question.intervals, "--tolerance": question.tolerance}
     if question.any_:
         refuse_unused(own, beside="--any")

@@ -10,6 +10,7 @@ from crankstar.analysis.document import Column, Document, Remarks, Table, Value,
 from crankstar.firing.vees import ORDERS, Vee, interval_deg
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
+from crankstar.options.readers import USUAL_TOP
 
 FORCE, COUPLE = "m*r*w^2*A_k", "m*r*w^2*A_k*a"
 SPLIT_EXAMPLES = (60.0, 90.0, 72.0)
@@ -21,7 +22,7 @@ def document(_source: None, result: Sequence[Vee], question: Question) -> Docume
 
     Of readers the first ones, of machines all.
     """
-    solutions, limit = result, question.top
+    solutions, limit = result, question.top or USUAL_TOP
     only_multiples = question.bank is None and question.greatest_split is None
     if not solutions:
         return Document("", (Remarks((_("No V engine of this kind fires evenly."),)),))

@@ -46,16 +46,18 @@ class Question:
     ] = None
     greatest_split: Annotated[float | None, Reader("--greatest-split", _split)] = None
     cycle: Annotated[Cycle, Reader("--cycle", _cycle)] = "four-stroke"
-    top: Annotated[int, readers.TOP] = 20
+    top: Annotated[int | None, readers.TOP] = None
     row: Annotated[int | None, Reader("--row", int)] = None
     star: Annotated[int, Reader("--star", int)] = USUAL_STAR
 
 
 def refuse(_engine: None, question: Question) -> None:
-    """Refuse a star of no row. Raises RequestError."""
+    """Refuse a star of no row, and rows beside one. Raises RequestError."""
     if question.row is None:
         star = None if question.star == USUAL_STAR else question.star
         refuse_unused({"--star": star}, without="--row")
+    else:
+        refuse_unused({"--top": question.top}, beside="--row")
 
 
 def writes(question: Question) -> str:
