@@ -312,6 +312,18 @@ def test_errors_that_the_list_gives_weigh_the_readings() -> None:
     assert rows.shape == second.shape
 
 
+def test_errors_that_the_list_gives_are_those_of_a_size_without_noise() -> None:
+    """Each real row has the variance e^2, so that the size has 1/sum |a/e|^2."""
+    readings = lines(np.zeros(len(SHAPES), complex))
+    one, clean = (expected(four(), readings, [Fault("piston", 3, size)]) for size in (0.01, 0.02))
+    error = 0.05 * float(np.abs(clean).max())
+    told = [each._replace(error=error) for each in lines(clean)]
+    healthy = expected(four(), readings)
+    first = diagnosed(four(), told).suspects[0]
+    assert one_of([*first.faults], "piston", 3)
+    assert first.error == pytest.approx(error / np.linalg.norm((one - healthy) / 0.01), rel=1e-6)
+
+
 def test_a_free_block_moves_by_force_over_mass() -> None:
     """Without mounts: the centre moves by F/(m w^2) against the force, momentum is kept."""
     free = four(mounts=[])

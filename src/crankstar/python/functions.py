@@ -239,8 +239,8 @@ def _reading(
     def read(beside: Mapping[str, Any]) -> Any:
         if value is None:
             return one.default
-        takes = "text" if reader.follows else OPTIONS[reader.option].takes
-        if isinstance(value, Mapping) and takes != "several texts":
+        several = reader.follows or OPTIONS[reader.option].takes == "several texts"
+        if isinstance(value, Mapping) and not several:
             raise TypeError(_("{argument} takes no dict", argument=one.name))
         try:
             if not isinstance(value, str) and reader.number is not None:

@@ -13,7 +13,8 @@ with these complex rows give
     standard error of s = |d - s a| / (sqrt(2 n - 1) |a|)  for n rows,
 
 or, where it is greater, the error sqrt(sum a_i^2 r_i^2 2n/(2n - 1)) / |a|^2 over the 2n real rows
-with their residuals r, which does not rest on the e. s is kept within what there can be
+with their residuals r, which does not rest on the e. Where the list gives the errors it is at least
+1/|a|, what these make of it however small the residuals are. s is kept within what there can be
 (`single_faults.limits`): shares from 0 to 1, masses of either sign that leave something of the
 part. A fault is a cause where it explains most, or where its size is CERTAIN times its error and no
 two faults explain much more: of noisy readings the best fault may explain little and be sure. Rows
@@ -194,7 +195,7 @@ def diagnosed(
     healthy = expected(engine, readings, point=point)
     start = _matching(readings, before) if before else healthy
     difference = measured - start
-    errors = _errors(readings, before, measured, start)
+    errors, given = _errors(readings, before, measured, start)
     faults = catalogue(engine)
     columns = np.array(
         [expected(engine, readings, [fault], point=point) - healthy for fault in faults]
@@ -203,7 +204,7 @@ def diagnosed(
     whole = max(float(np.linalg.norm(measured)), float(np.linalg.norm(start)))
     share = size / whole if whole else 0.0
     suspects = [
-        _suspect(engine, difference, [fault], [column], errors)
+        _suspect(engine, difference, [fault], [column], errors, least=1.0 if given else 0.0)
         for fault, column in zip(faults, columns, strict=True)
         if np.linalg.norm(column) > 0
     ]
@@ -222,19 +223,18 @@ def diagnosed(
 
 def _errors(
     readings: Sequence[Reading], before: Sequence[Reading], measured: Complex, start: Complex
-) -> Real:
-    """What the difference of each reading is uncertain by, up to a common factor.
+) -> tuple[Real, bool]:
+    """What the difference of each reading is uncertain by, and whether the lists give it.
 
-    That is the error that the lists give, or else the size of the reading and of what it is
-    compared with.
+    Else it is, up to a common factor, the size of the reading and of what it is compared with.
     """
     if all(each.error > 0 for each in (*readings, *before)):
         own = np.array([each.error for each in readings])
         earlier = np.abs(_matching(readings, before, of="error")) if before else 0.0
-        return np.hypot(own, earlier)
+        return np.hypot(own, earlier), True
     sizes = np.hypot(np.abs(measured), np.abs(start))
     floor = FLOOR * float(sizes.max(initial=0.0))
-    return np.hypot(sizes, floor) if floor else np.ones(len(readings))
+    return np.hypot(sizes, floor) if floor else np.ones(len(readings)), False
 
 
 def _matching(
@@ -272,34 +272,42 @@ def _suspect(
     faults: Sequence[Fault],
     columns: Sequence[Complex],
     errors: Real,
+    *,
+    least: float = 0.0,
 ) -> Suspect:
-    """Faults of the sizes with which they explain most, within what there can be."""
+    """Faults of the sizes with which they explain most, within what there can be.
+
+    `least` is the error of a row over `errors`, at least.
+    """
     rows = np.array(columns).T
     weighed, wanted = rows / errors[:, None], difference / errors
     real = np.concatenate([np.real(weighed), np.imag(weighed)])
     aim = np.concatenate([np.real(wanted), np.imag(wanted)])
     sizes = np.linalg.lstsq(real, aim, rcond=None)[0]
-    least, most = np.array([limits(engine, fault) for fault in faults]).T
-    if (np.clip(sizes, least, most) != sizes).any() and len(faults) > 1:
-        sizes = lsq_linear(real, aim, bounds=(least, most)).x
-    sizes = np.clip(sizes, least, most)
+    lowest, most = np.array([limits(engine, fault) for fault in faults]).T
+    if (np.clip(sizes, lowest, most) != sizes).any() and len(faults) > 1:
+        sizes = lsq_linear(real, aim, bounds=(lowest, most)).x
+    sizes = np.clip(sizes, lowest, most)
     left = aim - real @ sizes
     whole = float(aim @ aim)
     share = 1 - float(left @ left) / whole if whole else 0.0
     sized = tuple(
         fault._replace(size=float(size)) for fault, size in zip(faults, sizes, strict=True)
     )
-    return Suspect(sized, share, rows @ sizes, _size_error(real, left))
+    return Suspect(sized, share, rows @ sizes, _size_error(real, left, least))
 
 
-def _size_error(real: Real, left: Real) -> float:
-    """The standard error of the size of a single fault, by its real rows and what it leaves."""
+def _size_error(real: Real, left: Real, least: float) -> float:
+    """The standard error of the size of a single fault, by its real rows and what it leaves.
+
+    No smaller than that of rows whose error is `least`.
+    """
     count, faults = real.shape
     freedom = max(count - faults, 1)
     square = float(np.vdot(real, real)) or 1.0
     usual = float(left @ left) / freedom / square
     own = float(((real[:, 0] * left) ** 2).sum()) * count / freedom / square**2
-    return max(usual, own) ** 0.5
+    return max(usual, own, least**2 / square) ** 0.5
 
 
 def _pair(
