@@ -103,7 +103,7 @@ def test_gas_without_a_bore_is_that_of_usual_bores(run: Run, tmp_path: Path) -> 
     assert most["high"] == pytest.approx(alone, rel=1e-6)
     said = " ".join(run("analyze", str(place)).out.split())
     low, high = (f"{row[end]:.3g}" for end in ("low", "high"))
-    assert f"With a bore of {low} mm to {high} mm the rolling moment of order 2.5 is " in said
+    assert f"With a bore of {low} mm to {high} mm (type diesel) the rolling moment of " in said
     assert "not in these numbers" in said
 
 

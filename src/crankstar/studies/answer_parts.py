@@ -166,6 +166,10 @@ NO_BORE = N_("its size needs cylinder.bore")
 """Why nothing is said of the gas of an engine whose file has none."""
 
 
+NO_FIRING = N_("its torque needs firing_order")
+"""The same of one without a firing order."""
+
+
 def usual_gas(engine: Engine, *, speed: float | None) -> tuple[Cycle | None, str]:
     """The usual cycle of an engine whose file has no gas, or why there is none.
 
@@ -178,7 +182,7 @@ def usual_gas(engine: Engine, *, speed: float | None) -> tuple[Cycle | None, str
     if any(cylinder.bore is None for cylinder in engine.cylinders):
         return None, NO_BORE
     if not computable(engine):
-        return None, ""
+        return None, "" if engine.firing_order else NO_FIRING
     try:
         return cycle(engine, speed=speed), ""
     except GasError:

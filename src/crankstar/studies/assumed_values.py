@@ -67,6 +67,11 @@ TIMING = frozenset({"valves", "firing"})
 """Answers that are about timing alone: no part that moves matters to them."""
 POINT = re.compile(r"gas\.point(?:\[(\d+)\])?\.(\w+)")
 """A key of an operating point: of all, or of one counted from one."""
+WHEEL_ENDS = (1.0, 10.0)
+"""Ends of the inertia of a flywheel and what turns with it, as multiples of that of the throws.
+
+Our judgement: from a racing clutch to the wheel of a slow engine.
+"""
 LOSS_ENDS = (0.5, 2.0)
 """Ends of the loss factor of shafts, as multiples: crankshafts in service lose 1 to 4 % a cycle."""
 DAMPING_ENDS = (1e4, 8e4)
@@ -199,6 +204,13 @@ def _torsion(engine: Engine) -> Iterator[Assumption]:
             None, "N*m*s/rad", low, high, vary=with_torsion_value("damping"),
         )  # fmt: skip
     yield from _undriven(engine)
+    if own is not None and not own.discs and (engine.drive is None or not engine.drive.inertia):
+        low, high = (float(end * chain.inertia.sum()) for end in WHEEL_ENDS)
+        yield Assumption(
+            "missing", "torsion.disc",
+            N_("no flywheel and nothing driven in the file, counted as none"),
+            None, "kg*m^2", low, high, vary=with_rear_disc,
+        )  # fmt: skip
     dimensions = None if own is None else own.dimensions
     if dimensions is not None and "torsion.stiffness" in chain.estimated:
         modulus = dimensions.shear_modulus or STEEL

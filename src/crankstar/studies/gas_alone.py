@@ -107,9 +107,16 @@ def lacking_gas(
     if ends is None:
         return None
     return Assumption(
-        "left out", "gas", why, unit=unit, low=ends[0], high=ends[1], values=(("lacks", lacks),),
+        "left out", "gas", why, unit=unit, low=ends[0], high=ends[1],
+        values=(("lacks", lacks), ("kind", kind_of(engine))),
         explained=True, sentence=sentence, vary=vary, figures=figures,
     )  # fmt: skip
+
+
+def kind_of(engine: Engine) -> str:
+    """The type of engine, as `crankstar estimate` names it; empty without a size."""
+    look = look_of(engine, engine.gas)
+    return "" if look is None else inferred(look)[0]
 
 
 def usual_bores(engine: Engine) -> tuple[float, float] | None:

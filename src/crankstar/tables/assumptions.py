@@ -274,27 +274,30 @@ def _with_lacking(each: Assumption, own: Moved, words: Mapping[str, str]) -> str
     """What is left out for want of a bore or a speed, with what usual ones would change."""
     words = {**words, "low": value_text(each, each.low), "high": value_text(each, each.high)}
     of_bore = dict(each.values)["lacks"] == "cylinder.bore"
+    words["kind"] = str(dict(each.values)["kind"])
     if not own.now:  # what is not computed is not zero
         return (
             _(
-                "{path}: {reason}. With a bore of {low} to {high} the {figure} is {sizes}, not in "
-                "these numbers.",
+                "{path}: {reason}. With a bore of {low} to {high} (type {kind}) the {figure} is "
+                "{sizes}, not in these numbers.",
                 **words,
             )
             if of_bore
             else _(
-                "{path}: {reason}. With a speed of {low} to {high} the {figure} is {sizes}, not in "
-                "these numbers.",
+                "{path}: {reason}. With a speed of {low} to {high} (type {kind}) the {figure} is "
+                "{sizes}, not in these numbers.",
                 **words,
             )
         )
     if of_bore:
         return _(
-            "{path}: {reason}. With a bore of {low} to {high} the {figure} is {sizes}, not {now}.",
+            "{path}: {reason}. With a bore of {low} to {high} (type {kind}) the {figure} is "
+            "{sizes}, not {now}.",
             **words,
         )
     return _(
-        "{path}: {reason}. With a speed of {low} to {high} the {figure} is {sizes}, not {now}.",
+        "{path}: {reason}. With a speed of {low} to {high} (type {kind}) the {figure} is {sizes}, "
+        "not {now}.",
         **words,
     )
 

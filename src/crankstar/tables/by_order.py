@@ -97,16 +97,18 @@ def star_sums(
     divided = _divided(
         spectra.selected(normalised, left), np.array([factor or 1.0 for factor in factors], complex)
     )
+    harmonics = [_real_harmonic(factor) for factor in factors]
+    signed = all(harmonic is not None for harmonic in harmonics)
     heads = (
         Column(_("order"), label=True),
-        Column("Aₖ", digits=5),
+        Column("Aₖ", digits=5) if signed else Column("Aₖ", kind="wave"),
         *(Column(_(part), unit, kind="wave") for part in PARTS["force"]),
         Column(_("greatest"), unit),
     )
     rows: list[tuple[Value, ...]] = []
-    for row, (order, factor) in enumerate(zip(left, factors, strict=True)):
+    for row, (order, factor, own) in enumerate(zip(left, factors, harmonics, strict=True)):
         greatest = _greatest(divided, row)
-        rows.append((order, _harmonic(factor), *_waves(divided, row), greatest))
+        rows.append((order, own if signed else factor, *_waves(divided, row), greatest))
     return Table(_(STARS[quantity]) if rows else "", heads, tuple(rows))
 
 
@@ -192,9 +194,10 @@ def _divided(spectrum: Spectrum, factors: np.ndarray) -> Spectrum:
     )
 
 
-def _harmonic(factor: complex) -> Value:
+def _real_harmonic(factor: complex) -> Value:
+    """A harmonic without phase, with its sign; None of one that has a phase."""
     if factor == 0:
         return "-"
     real = abs(factor.imag) <= NEGLIGIBLE * abs(factor)
     # it rises or falls with the length of the rod throughout
-    return bounded(factor.real if real else abs(factor), [[factor]])
+    return bounded(factor.real, [[factor]]) if real else None

@@ -12,6 +12,7 @@ from crankstar.language.messages import N_, _
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.bounds import length, size
+from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import EQUAL, Sums, summed
 from crankstar.remedy import Need, bobweight, loads, needs
 from crankstar.remedy.fitting import quiet_cranks
@@ -131,10 +132,13 @@ class Left(NamedTuple):
     weighted: bool
 
 
-def left_by_counterweights(engine: Engine, *, speed: float | None = None) -> Left | None:
+def left_by_counterweights(
+    engine: Engine, *, speed: float | None = None, reference: Reference | None = None
+) -> Left | None:
     """What remains with the counterweights that remove what turns with the crankshafts.
 
-    In newtons at `speed` (rad/s). None where they do not better the engine as it is.
+    In newtons at `speed` (rad/s), couples about the `reference` point or the middle of the
+    cylinders. None where they do not better the engine as it is.
     """
     cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
     if not any(need.ratio in cranks for need in needs(engine, highest=1)):
@@ -143,7 +147,8 @@ def left_by_counterweights(engine: Engine, *, speed: float | None = None) -> Lef
     if not _better(summed(balance(engine)), summed(balance(fitted))):
         return None
     weighted = any(shaft.weights for shaft in fitted.shafts if shaft.throws)
-    return Left(_left(balance(fitted, speed=speed)), factor, weighted)
+    after = balance(fitted, speed=speed, reference=reference)
+    return Left(_left(after), factor, weighted)
 
 
 def proposal(engine: Engine, *, speed: float | None = None) -> str:

@@ -146,6 +146,8 @@ def value_text(each: Assumption, value: float | str | None) -> str:
         return _("{share} % of the distance between two", share=number(value))
     if each.path.endswith(("rod_length", "rod_ratio")):
         return f"l/r = {number(rounded(value))}"
+    if each.unit == "m" and "mass" in each.path:
+        return _("{count} reciprocating masses", count=number(rounded(value)))
     if each.unit == "GPa":  # a modulus, no pressure: in GPa everywhere
         return f"{number(rounded(value))} GPa"
     return size_text(value, each.unit)

@@ -100,7 +100,7 @@ def _bare_sentence(engine: Engine, result: Balance) -> str:
     """What usual counterweights would leave, where the file gives none."""
     if any(shaft.weights for shaft in engine.shafts if shaft.throws):
         return ""
-    left = left_by_counterweights(engine, speed=result.speed)
+    left = left_by_counterweights(engine, speed=result.speed, reference=result.reference)
     if left is None:
         return ""
     if left.factor is None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import degrees
 from typing import Any
 
@@ -74,6 +75,7 @@ def document(source: Engine | Chain, found: TorsionAnalysis, asked: Question) ->
     if heat is not None and (heat.heat.any() or heat.absolute_heat.any()):
         parts.append(heat_table(heat))
     parts += for_each(*[barred_table(found)] * 2)
+    parts += remarks(*_unbarred(found))
     fatigue, why = fatigue_of(source, found) if isinstance(source, Engine) else (None, "")
     if fatigue is not None and isinstance(source, Engine):
         parts += fatigue_tables(source, found, fatigue)
@@ -145,6 +147,17 @@ def _critical_tables(found: TorsionAnalysis) -> tuple[Table, ...]:
         Table(title, columns, tuple(rows[each] for each in told), notes, key="criticals"),
         Table(title, columns, tuple(rows.values()), key="criticals"),
     )
+
+
+def _unbarred(found: TorsionAnalysis) -> Iterator[str]:
+    """That no speed is barred, where there is a limit and something to hold it against."""
+    if found.limit is None or found.response is None or found.barred:
+        return
+    if any(each.modulus for each in found.chain.sections):
+        yield _(
+            "No speed is barred: the shear stress of no shaft is over the limit of {limit} MPa.",
+            limit=number(found.limit / 1e6),
+        )
 
 
 def _notes(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:

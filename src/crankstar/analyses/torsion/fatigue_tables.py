@@ -137,8 +137,9 @@ def _notes(engine: Engine, found: TorsionAnalysis, own: Fatigue) -> list[str]:
     """What the stresses are, and what they rest on."""
     lines = [
         _(
-            "Bending by gas and inertia at {rpm} rpm; torsion by vibration: {torque} N m to either "
-            "side in {shaft} at {worst} rpm, the most between {low} and {high} rpm.",
+            "Bending by gas and inertia at {rpm} rpm; torsion by vibration: half the range from "
+            "minimum to maximum, {torque} N m in {shaft} at {worst} rpm, the greatest between "
+            "{low} and {high} rpm.",
             rpm=number(round(own.speed * RPM)),
             torque=number(float(f"{own.torsional.torque:.4g}")),
             shaft=found.chain.section_name(own.torsional.section),
