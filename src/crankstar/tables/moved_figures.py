@@ -147,7 +147,7 @@ def value_text(each: Assumption, value: float | str | None) -> str:
     if each.path.endswith(("rod_length", "rod_ratio")):
         return f"l/r = {number(rounded(value))}"
     if each.unit == "m" and "mass" in each.path:
-        return _("{count} reciprocating masses", count=number(rounded(value)))
+        return _("{factor} times m", factor=number(rounded(value)))
     if each.unit == "GPa":  # a modulus, no pressure: in GPa everywhere
         return f"{number(rounded(value))} GPa"
     return size_text(value, each.unit)
