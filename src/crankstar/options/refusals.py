@@ -144,14 +144,30 @@ def beside(reading: Callable[[], T], other: Callable[[], object]) -> T:
 
 def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:
     """What each of them reads. Raises MistakesError with the message of each that fails, once."""
+    try:
+        return each(*readings)
+    except MistakesError:
+        raise
+    except MessageError as error:
+        raise MistakesError([str(error)]) from None
+
+
+def each(*readings: Callable[[], Any]) -> tuple[Any, ...]:
+    """The same, but one that fails alone raises its own error."""
     values: list[Any] = []
-    messages: dict[str, None] = {}
+    errors: list[MessageError] = []
     for reading in readings:
         try:
             values.append(reading())
         except MessageError as error:
-            several = error.messages if isinstance(error, MistakesError) else [str(error)]
-            messages |= dict.fromkeys(several)
-    if messages:
+            errors.append(error)
+    messages: dict[str, None] = {}
+    for error in errors:
+        messages |= dict.fromkeys(
+            error.messages if isinstance(error, MistakesError) else [str(error)]
+        )
+    if len(messages) == 1:
+        raise errors[0]
+    if errors:
         raise MistakesError(messages)
     return tuple(values)
