@@ -77,7 +77,7 @@ def search(
         looks.refuse(_("an engine") if form.row is not None else _("a table"))
         return None
 
-    pace, tree, about = None, None, options.whole_number(cylinders)
+    pace, tree, number = None, None, options.whole_number(cylinders)
     given = {"--set": settings, "--speed": speed, "--estimate": estimate}
     load = partial(read_engine, cylinders, settings, estimate=estimate, speed=speed, ranged=False)
     kind, paper, row, workers, deviations, _work, found, turning = together(
@@ -87,12 +87,13 @@ def search(
         partial(request.within, "--workers", work.workers, most=GREATEST_WORKERS),
         lambda: None if form.uneven is None else options.deviations(form.uneven),
         partial(work.check, form.output),
-        load if about is None else partial(request.refuse_unused, given, without=_("an engine")),
+        load if number is None else partial(request.refuse_unused, given, without=_("an engine")),
         partial(request.speed, speed),
     )
-    if found is not None:
+    about: int | Engine = number or 0
+    if number is None:
         about, tree = found.engine, found.tree
-        pace = turning or about.speed
+        pace = turning or found.engine.speed
     wanted = options.search_of(about, words, speed=pace)
     chart = form.chart or ("front" if kind in PICTURES else None)
     options.check_use(wanted.question, chart=chart, deviations=deviations)
