@@ -15,6 +15,7 @@ from crankstar.cli.options import (
     Speed,
     command_text,
     mark_speed,
+    once,
     option,
     read_engine,
     together,
@@ -24,7 +25,6 @@ from crankstar.cli.output import complain, display, working
 from crankstar.cli.tabulating import resting_on
 from crankstar.engine.copies import with_values
 from crankstar.language.messages import _
-from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
 
 
@@ -44,15 +44,13 @@ def balance(
     from crankstar.derive import documents
     from crankstar.language.kept import values_kept
     from crankstar.mechanics.remains import OPTIMISED
-    from crankstar.options.balancing import balanced, new_name
+    from crankstar.options.balancing import balanced, new_name, readings
     from crankstar.remedy import needs
     from crankstar.tables import remedies
     from crankstar.tables.ranges import ranged, resting
 
-    found, _turning = together(
-        partial(read_engine, engine, settings, estimate=estimate, speed=speed),
-        partial(request.speed, speed),
-    )
+    load = once(partial(read_engine, engine, settings, estimate=estimate, speed=speed))
+    found, *_read = together(load, *readings(options, lambda: load().engine, speed=speed))
     loaded, spread, own = found.engine, found.spread, found.balance_factor
     mark_speed(speed, loaded)
     with working(_("balancing ...")):

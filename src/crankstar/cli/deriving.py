@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
@@ -13,7 +13,10 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
+    engine_read,
+    once,
     option,
+    or_none,
     read_engine,
     together,
 )
@@ -61,18 +64,7 @@ def derive(
     """Derive the exact closed form of each order, step by step, from one cylinder to the sum."""
     from crankstar.derive import documents, notations
 
-    if asked is not None:
-        request.choice("--format", asked, [*DERIVATIONS.values()])
-    form = format_of(output, DERIVATIONS, asked=asked)
-    found, turning = together(
-        partial(read_engine, engine, settings, ranged=False), partial(request.speed, speed)
-    )
-    loaded = found.engine
-    point = points.reference(reference, loaded)
-    if power is not None and not 1 <= power <= 24:
-        raise refusal("--power", power, "give a power of λ from 1 to 24")
-    names, kinds = request.listed(quantity), request.quantities(quantity)
-    silent = request.cylinders_off(off)
+    names = request.listed(quantity)
     given = {
         "--orders": orders,
         "--quantity": quantity,
@@ -81,35 +73,56 @@ def derive(
         "--reference": reference,
     }
     given |= {"--signs": signs, "--symbolic": symbolic, "--quantity": quantity, "--off": off}
-    _refuse_unused(given, names)
-    wanted: list[tuple[Fraction, request.Derived]] = [
-        (number, kind)
-        for number in request.derived_orders("1,2" if orders is None else orders)
-        for kind in kinds
-    ]
-    letters = notations.chosen(
-        ("sinitsyn" if signs else "crankstar") if notation is None else notation
+    usual = "sinitsyn" if signs else "crankstar"
+    load = once(partial(read_engine, engine, settings, ranged=False))
+    read_kinds = once(partial(request.quantities, quantity))
+    form, found, turning, point, kinds, silent, numbers, letters, *_checked = together(
+        partial(_format, output, asked),
+        load,
+        partial(request.speed, speed),
+        lambda: points.reference(reference, engine_read(load)),
+        read_kinds,
+        partial(request.cylinders_off, off),
+        partial(request.derived_orders, "1,2" if orders is None else orders),
+        partial(notations.chosen, usual if notation is None else notation),
+        partial(_check_power, power),
+        *(_unused(given, names) if or_none(read_kinds) is not None else ()),
     )
-
+    loaded = found.engine
+    wanted: list[tuple[Fraction, request.Derived]] = [
+        (number, kind) for number in numbers for kind in kinds
+    ]
     whole = orders is None and quantity is None and symbolic is None and not signs
     own = _Asked(wanted, names, orders, signs, symbolic, point, silent, whole)
     with working(_("Deriving ...")) as tell:
         derived = partial(_chapters, loaded, own, tell)
         chapters = derived(turning, power)
-        usual = notations.chosen("sinitsyn" if signs else "crankstar")
+        without = notations.chosen(usual)
         _say_unused(
             documents.FORMATS["markdown"],
             (chapters, letters),
             {
                 "--speed": None if speed is None else lambda: (derived(None, power), letters),
                 "--power": None if power is None else lambda: (derived(turning, None), letters),
-                "--notation": None if notation is None else lambda: (chapters, usual),
+                "--notation": None if notation is None else lambda: (chapters, without),
             },
         )
     if form == "text":
         display(documents.rendered(chapters, letters), output)
     else:
         write(documents.FORMATS[form](chapters, letters), output)
+
+
+def _format(output: str | None, asked: str | None) -> str:
+    """The format of the derivation. Raises RequestError."""
+    if asked is not None:
+        request.choice("--format", asked, [*DERIVATIONS.values()])
+    return format_of(output, DERIVATIONS, asked=asked)
+
+
+def _check_power(power: int | None) -> None:
+    if power is not None and not 1 <= power <= 24:
+        raise refusal("--power", power, "give a power of λ from 1 to 24")
 
 
 class _Asked(NamedTuple):
@@ -173,38 +186,37 @@ def _say_unused(
             complain(_("{option} changes nothing in this derivation.", option=name))
 
 
-def _refuse_unused(given: Mapping[str, Any], names: Sequence[str]) -> None:
-    """Raise RequestError for an option that has no effect on what is derived."""
+def _unused(given: Mapping[str, Any], names: Sequence[str]) -> Iterator[Callable[[], None]]:
+    """What refuses options that have no effect on what is derived."""
     signs, symbolic = given["--signs"], given["--symbolic"]
     of_order = ("--orders", "--quantity", "--power", "--speed", "--reference")
 
-    def beside(what: str, *left_out: str) -> None:
-        request.refuse_unused({name: given[name] for name in left_out}, beside=what)
+    def beside(what: str, *left_out: str) -> Callable[[], None]:
+        unused = {name: given[name] for name in left_out}
+        return partial(request.refuse_unused, unused, beside=what)
 
     if "gas" not in names or signs or symbolic is not None:
-        request.refuse_unused({"--off": given["--off"]}, without="--quantity gas")
+        silent = {"--off": given["--off"]}
+        yield partial(request.refuse_unused, silent, without="--quantity gas")
     if signs:
-        beside("--signs", "--orders", "--quantity", "--power", "--speed", "--symbolic")
+        yield beside("--signs", "--orders", "--quantity", "--power", "--speed", "--symbolic")
     elif symbolic is not None:
-        _of_orders("--symbolic", symbolic, names)
-        beside("--symbolic", *of_order[2:])
+        if names and not BY_ORDER & {*names}:  # none is derived order by order
+            yield beside(f"--quantity {','.join(names)}", "--symbolic")
+        yield beside("--symbolic", *of_order[2:])
     elif names and not BY_ORDER & {*names}:
         also = "--power" if "motion" not in names else ""
-        beside(f"--quantity {','.join(names)}", *filter(None, (also, "--speed", "--reference")))
+        yield beside(
+            f"--quantity {','.join(names)}", *filter(None, (also, "--speed", "--reference"))
+        )
     elif names and "couple" not in names:
-        beside(f"--quantity {','.join(names)}", "--reference")
+        yield beside(f"--quantity {','.join(names)}", "--reference")
     if names == ["motion"]:
-        beside("--quantity motion", "--orders")
+        yield beside("--quantity motion", "--orders")
 
 
 BY_ORDER = {"force", "couple", "torque"}
 """Quantities that are derived order by order, in newtons where there is a speed."""
-
-
-def _of_orders(option: str, value: str, names: Sequence[str]) -> None:
-    """Refuse an option beside quantities of which none is derived order by order."""
-    if names and not BY_ORDER & {*names}:
-        request.refuse_unused({option: value}, beside=f"--quantity {','.join(names)}")
 
 
 def errata(
@@ -215,8 +227,11 @@ def errata(
     from crankstar.derive.errata import errata as errata_of
     from crankstar.tables.errata import errata_document
 
-    try:
-        wanted = errata_of(source)
-    except ErrataError as error:
-        raise refusal("--source", source, str(error)) from None
-    give(errata_document(wanted), output, form=form_of(output, ("txt", "xlsx")))
+    def read_source() -> Any:
+        try:
+            return errata_of(source)
+        except ErrataError as error:
+            raise refusal("--source", source, str(error)) from None
+
+    wanted, form = together(read_source, partial(form_of, output, ("txt", "xlsx")))
+    give(errata_document(wanted), output, form=form)

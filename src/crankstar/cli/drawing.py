@@ -11,7 +11,10 @@ from crankstar.cli.options import (
     EngineName,
     Estimating,
     Settings,
+    engine_read,
+    once,
     option,
+    or_none,
     read_engine,
     together,
 )
@@ -22,6 +25,7 @@ from crankstar.options.forms import form_of, refuse_terminal, require, usual_pla
 if TYPE_CHECKING:
     from crankstar.engine.engine import Engine
     from crankstar.pictures.drawings import Picture
+    from crankstar.pictures.films import Pace
 
 
 @dataclass(frozen=True)
@@ -52,15 +56,16 @@ def draw(
     from crankstar.pictures.films import STILLS
 
     usual = usual_place(engine, kind="svg")
-    refuse_terminal(output, STILLS)
-    writable(usual if output is None else output)
-    kind = "svg" if output is None else form_of(output, STILLS)
-    if kind != "svg":
-        require("chart")
-    loaded, picture, angle = together(
+    place = usual if output is None else output
+    read_kind = once(partial(form_of, place, STILLS))
+    loaded, picture, angle, kind, *_checked = together(
         partial(read_engine, engine, settings, estimate=estimate),
         partial(request.picture, **asdict(sight)),
         partial(request.angle, theta),
+        read_kind,
+        partial(refuse_terminal, output, STILLS),
+        partial(writable, place),
+        lambda: read_kind() == "svg" or require("chart"),
     )
     with working(_("Drawing")):
         from crankstar.pictures.drawings import drawing
@@ -91,17 +96,25 @@ def animate(
     from crankstar.stars.interrupts import ended_once
 
     usual = usual_place(engine, kind="gif")
-    refuse_terminal(output, FILMS)
-    writable(usual if output is None else output)
-    kind = form_of(usual if output is None else output, FILMS)
-    require("chart")
-    require("film")
-    loaded, picture = together(
-        partial(read_engine, engine, settings, estimate=estimate),
+    place = usual if output is None else output
+    load = once(partial(read_engine, engine, settings, estimate=estimate))
+    read_kind = once(partial(form_of, place, FILMS))
+
+    def read_pace() -> Pace:
+        own = engine_read(load)
+        turns = 1 if own is None else turns_of(own)
+        kind = or_none(read_kind) or ""
+        return request.pace(kind, seconds=seconds, rate=frames_per_second, turns=turns)
+
+    loaded, picture, pace, kind, *_checked = together(
+        load,
         partial(request.picture, **asdict(sight)),
-    )
-    pace = request.pace(
-        kind, seconds=seconds, rate=frames_per_second, turns=turns_of(loaded.engine)
+        read_pace,
+        read_kind,
+        partial(refuse_terminal, output, FILMS),
+        partial(writable, place),
+        partial(require, "chart"),
+        partial(require, "film"),
     )
     with ended_once(), progress(_("Drawing")) as tell:
         content = film(

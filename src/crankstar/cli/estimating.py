@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated, Any, get_args
 
-from crankstar.cli.options import Csv, EngineName, Json, Settings, option, write_tree
+from crankstar.cli.options import (
+    Csv,
+    EngineName,
+    Json,
+    Settings,
+    engine_suffix,
+    once,
+    option,
+    together,
+    write_tree,
+)
 from crankstar.cli.tabulating import give
 from crankstar.engine.quantities import VOLUME
 from crankstar.engine.weighed import EngineType
@@ -43,13 +54,22 @@ def estimate(
     from crankstar.files.estimate import estimated
     from crankstar.tables.estimates import estimate_document
 
-    form = form_of(None, TABLES, json=json, csv=csv)
-    if kind is not None:
-        request.choice("--type", kind, get_args(EngineType))
-    wanted: Any = kind
-    volume = _volume(displacement)
-    name, tree = tree_of(engine)
-    tree = changed(tree, request.settings(settings), name=name)
+    there = once(partial(tree_of, engine))
+    changes = once(partial(request.settings, settings))
+
+    def read_tree() -> dict[str, Any]:
+        name, tree = there()
+        return changed(tree, changes(), name=name)
+
+    form, wanted, volume, (name, _own), _changes, tree, _suffix = together(
+        partial(form_of, None, TABLES, json=json, csv=csv),
+        lambda: kind and request.choice("--type", kind, get_args(EngineType)),
+        partial(_volume, displacement),
+        there,
+        changes,
+        read_tree,
+        partial(engine_suffix, output),
+    )
     result = estimated(tree, name=name, kind=wanted, displacement=volume)
     if output is not None:
         write_tree(result.tree, output)

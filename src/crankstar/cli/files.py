@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from crankstar.cli.options import Output, option, read_engine
+from crankstar.cli.options import Output, option, read_engine, together
 from crankstar.cli.output import complain, display, is_file, write, write_bytes
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
@@ -167,12 +168,19 @@ def new(
     from crankstar.engine.layouts import LAYOUTS
     from crankstar.files.starters import STARTERS
 
-    if layout not in STARTERS and layout in LAYOUTS:
-        raise refusal("layout", layout, "a package adds this layout, which has no template")
-    choice("layout", layout, STARTERS)
-    if output is not None and not overwrite and is_file(output):
-        raise refusal("-o", output, "it already exists; --overwrite replaces it")
-    if form_of(output, ("toml", "xlsx")) == "toml":
+    def read_layout() -> str:
+        if layout not in STARTERS and layout in LAYOUTS:
+            raise refusal("layout", layout, "a package adds this layout, which has no template")
+        return choice("layout", layout, STARTERS)
+
+    def refuse_old() -> None:
+        if output is not None and not overwrite and is_file(output):
+            raise refusal("-o", output, "it already exists; --overwrite replaces it")
+
+    _layout, form, _old = together(
+        read_layout, partial(form_of, output, ("toml", "xlsx")), refuse_old
+    )
+    if form == "toml":
         write(STARTERS[layout], output)
         return
     from crankstar.files.sheets import sheets_of

@@ -21,8 +21,12 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     Theta,
+    beside,
     command_text,
+    engine_read,
+    engine_suffix,
     mark_speed,
+    once,
     option,
     read_engine,
     sheet_tree,
@@ -32,6 +36,8 @@ from crankstar.cli.options import (
 from crankstar.cli.output import complain, display, working
 from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give, resting_on, words_for
+from crankstar.engine.records import GREATEST_CYLINDERS
+from crankstar.files.catalog import tree_of
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import points
@@ -42,6 +48,7 @@ from crankstar.options.values import RequestError
 if TYPE_CHECKING:
     from crankstar.analysis.document import Document
     from crankstar.engine.engine import Engine
+    from crankstar.options.sources import Loaded
 
 
 def list_engines(
@@ -54,8 +61,11 @@ def list_engines(
     from crankstar.tables.engines import catalog
 
     rows = summaries()
-    if layout is not None:
-        request.choice("--layout", layout, sorted({row.layout for row in rows}))
+    layouts = sorted({row.layout for row in rows})
+    together(
+        partial(request.within, "--cylinders", cylinders, most=GREATEST_CYLINDERS),
+        lambda: layout is None or request.choice("--layout", layout, layouts),
+    )
     matching = [
         row for row in rows if cylinders in (None, row.cylinders) and layout in (None, row.layout)
     ]
@@ -78,11 +88,14 @@ def show(
     from crankstar.tables.engines import description
     from crankstar.tables.ranges import ranged
 
-    loaded = read_engine(engine, settings)
+    loaded, form = together(
+        partial(read_engine, engine, settings),
+        partial(engine_suffix, output) if explicit else partial(form_of, output, TABLES),
+    )
     if explicit:
         write_tree(carried(part_by_part(loaded.engine), loaded.tree), output)
     else:
-        tree, form = sheet_tree(engine, settings, loaded), form_of(output, TABLES)
+        tree = sheet_tree(engine, settings, loaded)
         with words_for(form):
             shown = ranged(description, loaded.spread, loaded.engine)
         give(shown, output, form=form, tree=tree)
@@ -113,30 +126,41 @@ def analyze(
     from crankstar.tables.balance_orders import answer
     from crankstar.tables.ranges import ranged
 
-    form = form_of(output, TABLES, json=json, csv=csv)
-    rows: tuple[Any, ...] = ()
-    if form not in ("txt", "xlsx"):
-        own = by if form == "json" else None
-        unused = {"--theta": theta, "--vectors": vectors, "--by": own}
-        request.refuse_unused(unused, beside=f"--{form}")
+    read_form = once(partial(form_of, output, TABLES, json=json, csv=csv))
     if speeds is not None:
         single = {"--speed": speed, "--theta": theta, "--vectors": vectors, "--by": by}
-        request.refuse_unused(single, beside="--speeds")
-        over_speeds(engine, speeds, orders, reference, settings, form, output, estimate=estimate)
+        over_speeds(
+            engine, speeds, orders, reference, settings, read_form, output, single,
+            estimate=estimate,
+        )  # fmt: skip
         return
-    found, turning = together(
-        partial(read_engine, engine, settings, estimate=estimate, speed=speed),
+    load = once(partial(read_engine, engine, settings, estimate=estimate, speed=speed))
+
+    def refuse_unused() -> None:
+        if (form := read_form()) not in ("txt", "xlsx"):
+            own = by if form == "json" else None
+            unused = {"--theta": theta, "--vectors": vectors, "--by": own}
+            request.refuse_unused(unused, beside=f"--{form}")
+
+    form, _used, found, turning, point, angles, grouping, *_checked = together(
+        read_form,
+        refuse_unused,
+        load,
         partial(request.speed, speed),
+        lambda: points.reference(reference, engine_read(load)),
+        partial(request.angles, theta),
+        partial(request.grouping, by),
+        partial(request.orders, orders, []),
+        lambda: request.refuse_foreign(orders, [load().engine], gas=False),
     )
+    rows: tuple[Any, ...] = ()
     loaded, spread = found.engine, found.spread
     mark_speed(speed, loaded)
-    point = points.reference(reference, loaded)
-    request.refuse_foreign(orders, [loaded], gas=False)
     answered = partial(of_amplitudes, loaded, speed=turning, both=True)
     if form != "txt":
         first = balance(loaded, reference=point)
         picked = request.orders(orders, first.force.orders.tolist())
-        shares = request.grouping(by) if form != "json" else None
+        shares = grouping if form != "json" else None
 
         def numbers(each: Engine) -> Document:
             at = each.speed if turning is None else turning
@@ -153,7 +177,6 @@ def analyze(
         rows = tuple(document.tables)
     shown = tables.analysis(loaded, speed=turning, reference=point)
     wanted = request.orders(orders, shown.normalised.force.orders.tolist()) or ()
-    angles, grouping = request.angles(theta), request.grouping(by)
 
     def sheet(each: Engine) -> Document:
         point = points.reference(reference, each)
@@ -192,28 +215,33 @@ def compare(
     from crankstar.tables.compared_speeds import speed_head
     from crankstar.tables.ranges import ranged_side_by_side
 
-    form = form_of(output, TABLES, json=json, csv=csv)
     names = (first, second, *others)
-    turning, changes = together(
-        partial(request.speed, speed), partial(request.settings_of_each, settings, len(names))
+    changes = once(partial(request.settings_of_each, settings, len(names)))
+
+    def read(number: int) -> Loaded:
+        own = beside(changes, partial(tree_of, names[number]))[number]
+        return read_engine(names[number], own, estimate=estimate, speed=speed)
+
+    loads = [once(partial(read, number)) for number in range(len(names))]
+    form, asked, _orders, *loaded = together(
+        partial(form_of, output, TABLES, json=json, csv=csv),
+        partial(request.speed, speed),
+        partial(request.orders, orders, []),
+        *loads,
+        *(lambda load=load: points.reference(reference, engine_read(load)) for load in loads),
+        lambda: request.refuse_foreign(orders, [load().engine for load in loads], gas=False),
     )
-    loaded = together(
-        *(
-            partial(read_engine, name, own, estimate=estimate, speed=speed)
-            for name, own in zip(names, changes, strict=True)
-        )
-    )
+    loaded = loaded[: len(names)]
     engines = [each.engine for each in loaded]
     mark_speed(speed, *engines)
-    asked, turning = turning, speed_beside(engines, turning)
-    request.refuse_foreign(orders, engines, gas=False)
+    turning = speed_beside(engines, asked)
     whole = analysis(engines[0], speed=turning)
     wanted = request.orders(orders, whole.normalised.force.orders.tolist()) or ()
     own = tables.told_apart(
         [engine.name for engine in engines],
         [named(name) for name in names],
         [one_line(name) for name in names],
-        [", ".join(texts) for texts in changes],
+        [", ".join(texts) for texts in changes()],
     )
     made = tables.comparison if form in ("txt", "xlsx") else tables.answer
 
@@ -259,15 +287,15 @@ def verdict(
     from crankstar.tables.ranges import resting, with_doubt
     from crankstar.tables.verdict_ranges import ranged_facts
 
-    found, turning = together(
+    found, turning, form = together(
         partial(read_engine, engine, settings, estimate=estimate, speed=speed),
         partial(request.speed, speed),
+        partial(form_of, output, ("txt", "xlsx")),
     )
     loaded = found.engine
     mark_speed(speed, loaded)
     facts = ranged_facts(partial(tables.verdict, speed=turning), found.spread, loaded)
     facts = with_built(facts, found.tree, loaded, speed=turning)
-    form = form_of(output, ("txt", "xlsx"))
     rests = resting_on(form, loaded, partial(summary, loaded, speed=turning))
     document = with_doubt(resting(tables.verdict_document(loaded, facts), rests), loaded)
     if recommended(loaded) is not None:

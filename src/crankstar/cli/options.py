@@ -8,8 +8,9 @@ from __future__ import annotations
 import shlex
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import partial
 from pathlib import Path
-from typing import Annotated, Any, TypeVar, cast
+from typing import Annotated, Any
 
 from cyclopts import Parameter, Token
 
@@ -17,12 +18,16 @@ from crankstar.cli.output import complain
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS
 from crankstar.files import engine_of, keys_of
-from crankstar.language.messages import MessageError, _
+from crankstar.files.catalog import tree_of
+from crankstar.language.messages import _
 from crankstar.language.quoting import one_line, seen
 from crankstar.mechanics.operating_points import operating_state
 from crankstar.options import values as request
+from crankstar.options.refusals import beside as beside
+from crankstar.options.refusals import once as once  # with the options that they read
+from crankstar.options.refusals import or_none as or_none
+from crankstar.options.refusals import together as together
 from crankstar.options.sources import Loaded, loaded
-from crankstar.options.values import RequestError
 from crankstar.options.vocabulary import OPTIONS, meaning
 
 
@@ -83,45 +88,6 @@ class Looks:
         request.refuse_unused(given, beside=beside)
 
 
-T = TypeVar("T")
-
-
-def once(reading: Callable[[], T]) -> Callable[[], T]:
-    """A reading that is done once, however many others need it; its refusal is kept too.
-
-    So what depends on the engine is read `together` with the engine itself.
-    """
-    kept: list[tuple[T, None] | tuple[None, MessageError]] = []
-
-    def read() -> T:
-        if not kept:
-            try:
-                kept.append((reading(), None))
-            except MessageError as error:
-                kept.append((None, error))
-        value, refused = kept[0]
-        if refused is not None:
-            raise refused
-        return cast("T", value)
-
-    return read
-
-
-def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:
-    """What each of them reads. Raises RequestError with the message of every one that fails."""
-    values: list[Any] = []
-    messages: dict[str, None] = {}
-    for reading in readings:
-        try:
-            values.append(reading())
-        except MessageError as error:
-            messages[str(error)] = None
-    if messages:
-        text = "\n".join(messages)
-        raise RequestError(text)
-    return tuple(values)
-
-
 def read_engine(
     name: str,
     settings: Sequence[str] | None = None,
@@ -135,13 +101,19 @@ def read_engine(
 
     But for the speed where a `speed` is asked for.
 
-    With `chains` also a drive line; `ranged`: with its ranges.
+    With `chains` also a drive line; `ranged`: with its ranges. A name that is none is told beside a
+    setting that cannot be read.
     """
-    changes = request.settings(settings)
+    changes = beside(partial(request.settings, settings), partial(tree_of, name))
     found = loaded(name, changes, estimate=estimate, speed=speed, chains=chains, ranged=ranged)
     if estimate and not found.filled and isinstance(found.source, Engine):
         complain(_("--estimate changes nothing here: all that could be estimated is given."))
     return found
+
+
+def engine_read(load: Callable[[], Loaded]) -> Engine | None:
+    """The engine that is read, for what depends on it; None where it is refused, as is told."""
+    return or_none(lambda: load().engine)
 
 
 def mark_speed(speed: str | float | None, *engines: Engine) -> None:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict
 from functools import partial
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import Parameter
 
@@ -17,12 +18,15 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     mark_speed,
+    once,
     option,
+    or_none,
     read_engine,
     together,
 )
 from crankstar.cli.output import complain, working, write_result
 from crankstar.engine.engine import Engine
+from crankstar.engine.torsion import Chain
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
@@ -98,41 +102,43 @@ def plot(
     drawing = chart_request.charts()
     if engine in drawing.CHARTS and chart not in drawing.CHARTS:
         engine, chart = chart, engine  # the two the other way round
-    figure = drawing.CHARTS[request.choice("chart", chart, drawing.CHARTS)]
-    suffix = chart_request.suffix(output, drawing.SUFFIXES)
-    paper = chart_request.paper(suffix, **asdict(looks))
-    _turning, *each = together(
-        partial(request.speed, speed),
-        partial(
-            read_engine, engine, settings, estimate=estimate, speed=speed, chains=figure.of_chains
-        ),
+    words: dict[str, Any] = {
+        "orders": orders,
+        "quantity": quantity,
+        "model": model,
+        "theta": theta,
+        "speed": speed,
+        "speeds": speeds,
+        "reference": reference,
+        "gas": gas,
+        "point": point,
+        "off": off,
+        "at": at,
+        "alone": not beside,
+    }
+    known = drawing.CHARTS.get(chart)
+    chains = known is None or known.of_chains
+    read_suffix = once(partial(chart_request.suffix, output, drawing.SUFFIXES))
+    load = once(
+        partial(read_engine, engine, settings, estimate=estimate, speed=speed, chains=chains)
+    )
+
+    def source() -> Engine | Chain | None:
+        return or_none(lambda: load().source)
+
+    name, suffix, paper, options, _beside, *each = together(
+        partial(request.choice, "chart", chart, drawing.CHARTS),
+        read_suffix,
+        lambda: chart_request.paper(or_none(read_suffix) or "", **asdict(looks)),
+        lambda: chart_request.options(known, source(), **words),
+        partial(_refuse_beside, known, beside),
+        load,
         *(partial(read_engine, name, estimate=estimate, speed=speed) for name in beside or ()),
     )
+    figure = drawing.CHARTS[name]
     loaded, *others = [one.source for one in each]
     if isinstance(loaded, Engine):
         mark_speed(speed, loaded, *others)
-    if others and not figure.compares:
-        raise RequestError(
-            "--beside: {chart} shows one engine; charts of several are {charts}",
-            chart=chart,
-            charts=", ".join(name for name, known in drawing.CHARTS.items() if known.compares),
-        )
-    options = chart_request.options(
-        figure,
-        loaded,
-        orders=orders,
-        quantity=quantity,
-        model=model,
-        theta=theta,
-        speed=speed,
-        speeds=speeds,
-        reference=reference,
-        gas=gas,
-        point=point,
-        off=off,
-        at=at,
-        alone=not others,
-    )
     if "off" in figure.options and ("gas" not in figure.options or "gas" in options):
         from crankstar.mechanics.gas import check_gas
 
@@ -152,3 +158,14 @@ def plot(
     write_result(content, output, usual_place(engine, chart, kind=suffix))
     for line in made.chart.notes:
         complain(line)
+
+
+def _refuse_beside(figure: Any, beside: Sequence[str] | None) -> None:
+    """Refuse other engines in a chart of one. Raises RequestError."""
+    if beside and figure is not None and not figure.compares:
+        charts = chart_request.charts().CHARTS
+        raise RequestError(
+            "--beside: {chart} shows one engine; charts of several are {charts}",
+            chart=figure.name,
+            charts=", ".join(name for name, known in charts.items() if known.compares),
+        )

@@ -12,7 +12,9 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     command_text,
+    once,
     option,
+    or_none,
     read_engine,
     together,
 )
@@ -53,18 +55,22 @@ def write_report(
 ) -> None:
     """Write a report: data, verdict, views, strokes, orders, diagrams, remedies, derivations."""
     chart_request.charts()
-    kind = form_of(output, KINDS)
     from crankstar import report
 
-    refuse_terminal(output, KINDS)
-    usual = usual_place(engine, "report", kind=kind)
-    writable(usual if output is None else output)
-    second = request.single("--beside", beside)
-    loaded, beside_it, turning = together(
-        partial(read_engine, engine, settings, estimate=estimate, speed=speed),
-        lambda: None if second is None else read_engine(second, estimate=estimate, speed=speed),
+    read_kind = once(partial(form_of, output, KINDS))
+    usual = usual_place(engine, "report", kind=or_none(read_kind) or KINDS[0])
+    names = (beside or [])[:1]
+    kind, second, turning, _terminal, _place, _orders, loaded, *others = together(
+        read_kind,
+        partial(request.single, "--beside", beside),
         partial(request.speed, speed),
+        partial(refuse_terminal, output, KINDS),
+        partial(writable, usual if output is None else output),
+        partial(request.orders, orders, []),
+        partial(read_engine, engine, settings, estimate=estimate, speed=speed),
+        *(partial(read_engine, name, estimate=estimate, speed=speed) for name in names),
     )
+    beside_it = others[0] if others else None
     options = {
         "--speed": speed and [speed],
         "--orders": orders and [orders],

@@ -15,6 +15,7 @@ from crankstar.cli.options import (
     Looks,
     Settings,
     Speed,
+    once,
     read_engine,
     together,
     write_engine,
@@ -68,26 +69,31 @@ def search(
         about_engine = {"settings": settings, "speed": speed, "estimate": estimate}
         asked = {"work": work, "looks": looks, "form": form}
         return sequencing.searched(cylinders, words, more, **about_engine, **asked)
-    kind, paper = _kind(form), None
-    if kind in PICTURES:
-        paper = chart_request.paper(kind, **asdict(looks))
-    else:
+    read_kind = once(partial(_kind, form))
+
+    def read_paper() -> Any:
+        if read_kind() in PICTURES:
+            return chart_request.paper(read_kind(), **asdict(looks))
         looks.refuse(_("an engine") if form.row is not None else _("a table"))
-    row = request.within("--row", form.row, most=GREATEST_ROW)
-    workers = request.within("--workers", work.workers, most=GREATEST_WORKERS)
-    deviations = options.deviations(form.uneven) if form.uneven is not None else None
-    work.check(form.output)
-    pace, tree, about = None, None, options.whole_number(cylinders)
-    if about is not None:
-        given = {"--set": settings, "--speed": speed, "--estimate": estimate}
-        request.refuse_unused(given, without=_("an engine"))
-    else:
-        found, turning = together(
-            partial(read_engine, cylinders, settings, estimate=estimate, speed=speed, ranged=False),
-            partial(request.speed, speed),
-        )
+        return None
+
+    pace, tree, number = None, None, options.whole_number(cylinders)
+    given = {"--set": settings, "--speed": speed, "--estimate": estimate}
+    load = partial(read_engine, cylinders, settings, estimate=estimate, speed=speed, ranged=False)
+    kind, paper, row, workers, deviations, _work, found, turning = together(
+        read_kind,
+        read_paper,
+        partial(request.within, "--row", form.row, most=GREATEST_ROW),
+        partial(request.within, "--workers", work.workers, most=GREATEST_WORKERS),
+        lambda: None if form.uneven is None else options.deviations(form.uneven),
+        partial(work.check, form.output),
+        load if number is None else partial(request.refuse_unused, given, without=_("an engine")),
+        partial(request.speed, speed),
+    )
+    about: int | Engine = number or 0
+    if number is None:
         about, tree = found.engine, found.tree
-        pace = turning or about.speed
+        pace = turning or found.engine.speed
     wanted = options.search_of(about, words, speed=pace)
     chart = form.chart or ("front" if kind in PICTURES else None)
     options.check_use(wanted.question, chart=chart, deviations=deviations)

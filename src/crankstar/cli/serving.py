@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from crankstar.cli.options import Estimating, Settings, command_text, option, read_engine
+from crankstar.cli.options import Estimating, Settings, beside, command_text, option, read_engine
 from crankstar.cli.output import complain, working
 from crankstar.files.catalog import path_of
 from crankstar.files.read_files import STANDARD_INPUT
@@ -38,15 +39,15 @@ def serve(
     estimate: Estimating = False,
 ) -> None:
     """Serve the page on this machine; an engine file is watched, and edits are computed at once."""
-    number = request.within("--port", port, least=0, most=GREATEST_PORT) or 0
 
     def read() -> dict[str, Any]:
         return read_engine(engine, settings, estimate=estimate).tree
 
     with working(_("Starting ...")):
+        number = beside(partial(request.within, "--port", port, least=0, most=GREATEST_PORT), read)
         running = _server()
         tree = read()
-        taken = running.opened(host, number)
+        taken = running.opened(host, number or 0)
     address = running.address_of(taken, host)
     watched = None
     if path_of(engine) is None and engine != STANDARD_INPUT:

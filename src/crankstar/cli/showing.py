@@ -36,13 +36,14 @@ def page(
     from crankstar.page.library import held
 
     usual = usual_place(engine, kind="html")
-    writable(usual if output is None else output)
-    form_of(output, ("html", "htm"))
-    refuse_terminal(output, ("html",))
-    second = request.single("--beside", beside)
-    given = together(
+    names = (beside or [])[:1]
+    second, _place, _form, _terminal, *given = together(
+        partial(request.single, "--beside", beside),
+        partial(writable, usual if output is None else output),
+        partial(form_of, output, ("html", "htm")),
+        partial(refuse_terminal, output, ("html",)),
         partial(read_engine, engine, settings, estimate=estimate),
-        *(partial(read_engine, name, estimate=estimate) for name in [second] if name is not None),
+        *(partial(read_engine, name, estimate=estimate) for name in names),
     )
     engines = [loaded.engine for loaded in given]
     names = [named(word) for word in (engine, second) if word is not None]

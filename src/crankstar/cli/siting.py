@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path, PurePath
 from typing import Annotated
 
@@ -27,22 +28,24 @@ def site(
     ] = None,
 ) -> None:
     """Write engines as a site for any web host: a gallery of pictures, and a page of each."""
-    require("chart")
-    require("film")
-    if output is not None and output in STANDARD_OUTPUT:
-        raise refusal("-o", "-", "name a directory")
     place = Path(USUAL if output is None else output)
     from crankstar.site.building import build, check_place
     from crankstar.site.pages import Subject, card_of
     from crankstar.stars.interrupts import ended_once
 
-    check_place(place)
-    subjects = []
-    for word in engines or names():
+    def subject_of(word: str) -> Subject:
         _name, tree = tree_of(word)
         name = PurePath(named(word)).stem
-        subjects.append(Subject("engine" if name == "-" else name, tree, named(word)))
-    together(*(lambda own=own: card_of(own) for own in subjects))
+        subject = Subject("engine" if name == "-" else name, tree, named(word))
+        card_of(subject)
+        return subject
+
+    _chart, _film, _place, *subjects = together(
+        partial(require, "chart"),
+        partial(require, "film"),
+        lambda: _refuse_stream(output) or check_place(place),
+        *(partial(subject_of, word) for word in engines or names()),
+    )
     stems = [subject.name for subject in subjects]
     if twice := sorted({name for name in stems if stems.count(name) > 1}):
         raise RequestError(
@@ -60,3 +63,8 @@ def site(
             index=one_line(str(place / "index.html")),
         )
     )
+
+
+def _refuse_stream(output: str | None) -> None:
+    if output is not None and output in STANDARD_OUTPUT:
+        raise refusal("-o", "-", "name a directory")

@@ -29,12 +29,13 @@ def sound(
     from crankstar.stars.interrupts import ended_once
 
     usual = usual_place(engine, kind="wav")
-    refuse_terminal(output, SOUNDS)
-    writable(usual if output is None else output)
-    form_of(usual if output is None else output, SOUNDS)
-    loaded, ride = together(
+    place = usual if output is None else output
+    loaded, ride, *_places = together(
         partial(read_engine, engine, settings, ranged=False),
         partial(request.ride, rpm=rpm, seconds=seconds, pipe=pipe),
+        partial(refuse_terminal, output, SOUNDS),
+        partial(form_of, place, SOUNDS),
+        partial(writable, place),
     )
     with ended_once(), progress(_("Adding up the pulses")) as tell:
         heard = acoustics.sound(

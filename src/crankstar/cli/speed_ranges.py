@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from crankstar.cli.options import command_text, read_engine, sheet_tree, together
+from crankstar.cli.options import command_text, engine_read, once, read_engine, sheet_tree, together
 from crankstar.cli.tabulating import give, resting_on
 from crankstar.options import points
 from crankstar.options import values as request
-from crankstar.options.ranges import refuse_one
+from crankstar.options.ranges import speeds_of
 
 if TYPE_CHECKING:
     from crankstar.analysis.document import Document
@@ -23,12 +24,16 @@ def over_speeds(
     orders: str | None,
     reference: str | None,
     settings: list[str] | None,
-    form: str,
+    read_form: Callable[[], str],
     output: str | None,
+    single: Mapping[str, object],
     *,
     estimate: bool,
 ) -> None:
-    """Print the amplitudes at each of the speeds in a form of TABLES."""
+    """Print the amplitudes at each of the speeds in a form of TABLES.
+
+    `single` are the options of one speed, which have no effect.
+    """
     from crankstar.mechanics.balance import balance
     from crankstar.mechanics.occurring_orders import check_orders
     from crankstar.studies.answers import amplitudes
@@ -36,16 +41,25 @@ def over_speeds(
     from crankstar.tables import over_speeds as tables
     from crankstar.tables.ranges import ranged
 
-    refuse_one(speeds)
-    request.speeds(speeds)
-    found, _read = together(
-        partial(read_engine, engine, settings, estimate=estimate, speed=speeds),
+    load = once(partial(read_engine, engine, settings, estimate=estimate, speed=speeds))
+
+    def read_orders() -> list[float] | None:
+        if orders is None:
+            return None
+        wanted = request.orders(orders, balance(load().engine).force.orders.tolist())
+        check_orders(load().engine, wanted or (), gas=False)
+        return wanted
+
+    form, found, wanted, *_checked = together(
+        read_form,
+        load,
+        read_orders,
+        partial(request.refuse_unused, single, beside="--speeds"),
+        partial(speeds_of, speeds),
         partial(request.orders, orders, []),
+        lambda: points.reference(reference, engine_read(load)),
     )
     loaded, spread = found.engine, found.spread
-    present = balance(loaded).force.orders.tolist() if orders is not None else []
-    wanted = request.orders(orders, present)
-    check_orders(loaded, wanted or (), gas=False)
     words = {"amplitudes": [""], "--set": settings, "--speeds": [speeds]}
     chart = command_text("plot", engine, words | ({"--estimate": [""]} if estimate else {}))
 

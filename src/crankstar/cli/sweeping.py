@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import asdict, replace
 from functools import partial
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from crankstar.cli.options import (
     FLAT,
@@ -18,14 +19,19 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
+    beside,
+    engine_read,
     mark_speed,
+    once,
     option,
+    or_none,
     read_engine,
     together,
     written_tree,
 )
 from crankstar.cli.output import complain, working, writable, write_bytes
 from crankstar.cli.tabulating import give
+from crankstar.files.catalog import tree_of
 from crankstar.files.changes import path_and_value
 from crankstar.files.read_files import STANDARD_INPUT
 from crankstar.language.messages import _
@@ -38,6 +44,7 @@ from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
     from crankstar.analysis.document import Document
+    from crankstar.mechanics.excitation import Reference
     from crankstar.studies.best_pair import Unbeaten
     from crankstar.studies.sweep import Curve, Sweep
 
@@ -78,17 +85,23 @@ def sweep(
     """Vary one or two values of an engine: force and couple over them, and the best values."""
     kind = PurePath(output or "").suffix.lower().removeprefix(".")
     picture = kind in PICTURES and not (json or csv)
-    if not picture:
-        looks.refuse(_("a table"))
-    form = kind if picture else form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
-    paper = (
-        chart_request.paper(kind, **asdict(looks)) if picture and chart_request.charts() else None
+
+    def read_form() -> str:
+        return kind if picture else form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
+
+    def read_paper() -> Any:
+        if not picture:
+            looks.refuse(_("a table"))
+            return None
+        return chart_request.paper(kind, **asdict(looks)) if chart_request.charts() else None
+
+    form, paper, _place, asked = together(
+        read_form,
+        read_paper,
+        lambda: None if output is None else writable(output),
+        partial(_asked, engine, over, quantity, orders, speed, reference, settings, estimate),
     )
-    if output is not None:
-        writable(output)
-    made = _Made(
-        *_swept(engine, over, quantity, orders, speed, reference, settings, estimate), greatest
-    )
+    made = _Made(*_swept(engine, over, asked, estimate=estimate), greatest)
     mark_speed(speed, made.sweep.engine)
     if paper is not None:
         _draw(made, kind, paper, output)
@@ -110,7 +123,17 @@ def sweep(
             complain(line)
 
 
-def _swept(
+class _Asked(NamedTuple):
+    """What is asked of a sweep: quantities, orders, speed (rad/s), values that are set, point."""
+
+    names: Sequence[str]
+    orders: Sequence[float] | None
+    speed: float | None
+    changes: dict[str, Any]
+    point: Reference | None
+
+
+def _asked(
     engine: str,
     over: Sequence[str],
     quantity: str,
@@ -119,38 +142,90 @@ def _swept(
     reference: str | None,
     settings: list[str] | None,
     estimate: bool,
+) -> _Asked:
+    """The options of the sweep. Raises RequestError with every mistake in them."""
+    load = once(partial(read_engine, engine, settings, estimate=estimate))
+
+    def read_point() -> Reference | None:
+        if reference is None:
+            return None
+        return points.reference(reference, engine_read(load))
+
+    def read() -> _Asked:
+        asked = together(
+            partial(_names, quantity, speed=speed, reference=reference),
+            partial(_orders, orders),
+            partial(request.speed, speed),
+            partial(request.settings, settings),
+            read_point,
+            partial(_check_over, over, settings),
+            *([load] if reference is not None else []),
+        )
+        return _Asked(*asked[: len(_Asked._fields)])
+
+    return beside(read, partial(tree_of, engine))
+
+
+def _names(quantity: str, *, speed: str | None, reference: str | None) -> list[str]:
+    """The quantities. Raises RequestError, and SweepError for what no sweep has."""
+    from crankstar.studies.sweep import check_watchable
+
+    names = [*dict.fromkeys(request.listed(quantity))]
+    if not names:
+        raise RequestError("--quantity: give at least one quantity, such as force,couple")
+    check_watchable(*names)
+    _refuse_idle(names, speed=speed, reference=reference)
+    return names
+
+
+def _check_over(over: Sequence[str], settings: Sequence[str] | None) -> None:
+    """Refuse what cannot be varied in any engine. Raises SweepError."""
+    from crankstar.studies.ranges import check_axes, over_request
+    from crankstar.studies.study import check_apart
+
+    check_axes(len(over), option="--over")
+    found = together(*(partial(over_request, text) for text in over))
+    with _told_of_over():
+        check_apart(
+            [each.path for each in found], or_none(partial(request.settings, settings)) or {}
+        )
+
+
+@contextmanager
+def _told_of_over() -> Iterator[None]:
+    """Have what is wrong with numbers that are varied told as of their option."""
+    from crankstar.studies.variants import OverError
+
+    try:
+        yield
+    except OverError as error:
+        raise RequestError(f"--over: {error}") from None
+
+
+def _swept(
+    engine: str, over: Sequence[str], asked: _Asked, *, estimate: bool
 ) -> tuple[Sweep, list[Curve]]:
     """The sweep that is asked for, and its curves: each quantity of each order."""
     from crankstar.studies import sweep as sweeps
 
-    wanted, turning, changes = together(
-        partial(_orders, orders), partial(request.speed, speed), partial(request.settings, settings)
-    )
-    names = [*dict.fromkeys(request.listed(quantity))]
-    if not names:
-        raise RequestError("--quantity: give at least one quantity, such as force,couple")
-    sweeps.check_watchable(*names)
-    _refuse_idle(names, speed=speed, reference=reference)
-    point = None
-    if reference is not None:
-        loaded = read_engine(engine, settings, estimate=estimate).engine
-        point = points.reference(reference, loaded)
     what = one_line(", ".join(path_and_value(text)[0] for text in over), longest=80)
-    with working(_("Sweeping {path} ...", path=what)) as tell:
+    with working(_("Sweeping {path} ...", path=what)) as tell, _told_of_over():
         swept = sweeps.sweep(
             engine,
             over,
-            changes=changes,
-            reference=point,
+            changes=asked.changes,
+            reference=asked.point,
             estimate=estimate,
-            orders=wanted,
-            speed="file" if turning is None else turning,
+            orders=asked.orders,
+            speed="file" if asked.speed is None else asked.speed,
             tell=lambda done, of: tell(
                 _("Sweeping {path}: engine {done} of {count} ...", path=what, done=done, count=of)
             ),
         )
     return swept, [
-        sweeps.watched(swept, name, order=number) for name in names for number in wanted or [None]
+        sweeps.watched(swept, name, order=number)
+        for name in asked.names
+        for number in asked.orders or [None]
     ]
 
 

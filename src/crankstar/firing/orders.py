@@ -103,7 +103,7 @@ def orders_at(
     >>> [order.firing.intervals_deg for order in found]
     [(315.0, 405.0)]
     """
-    _sensible(engine, intervals_deg, tolerance_deg)
+    check_intervals(engine, intervals_deg, tolerance_deg)
     centres = turns(engine)
     return _ranked(engine, _fired(centres, _reaches(centres, intervals_deg, tolerance_deg)))
 
@@ -227,7 +227,7 @@ def _by_angles(centres: Turns, numbers: Sequence[int]) -> dict[tuple[float, ...]
     return by_angles
 
 
-def _sensible(engine: Engine, intervals_deg: Sequence[float], tolerance_deg: float) -> None:
+def check_intervals(engine: Engine, intervals_deg: Sequence[float], tolerance_deg: float) -> None:
     """Refuse intervals that are not a cycle, and a tolerance that could change who fires first."""
     count, cycle = len(engine.chambers), engine.cycle_angle
     if len(intervals_deg) != count:

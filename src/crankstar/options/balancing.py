@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 from typing import get_args
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -12,7 +14,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.options import points, remedies
 from crankstar.options import values as request
-from crankstar.options.refusals import RequestError
+from crankstar.options.refusals import RequestError, together
 from crankstar.options.vocabulary import meaning
 from crankstar.remedy import balance_shafts, fitting, placed, without_weights
 from crankstar.remedy.aim_names import aim_name, aim_text
@@ -94,6 +96,89 @@ def balanced(
     return job._replace(after=with_source(engine, job.after))
 
 
+def readings(
+    options: BalanceOptions, engine: Callable[[], Engine], *, speed: str | None = None
+) -> Iterator[Callable[[], object]]:
+    """What refuses the options, one by one, before anything is computed.
+
+    The engine is read by those that depend on it.
+    """
+    shafts, radius = options.shafts, options.radius
+    yield partial(request.speed, speed)
+    for name, parts in PARTS.items():
+        given = {f"--{part.replace('_', '-')}": getattr(options, part) for part in parts}
+        if getattr(options, name) is None:
+            yield partial(request.refuse_unused, given, without=f"--{name}")
+    for name, text in (("--radius", radius), ("--shaft-radius", options.shaft_radius)):
+        yield lambda name=name, text=text: points.length(name, text, engine(), positive=True)
+    yield partial(remedies.model, options.model)
+    if options.recommended:
+        yield from _beside_recommended(options)
+        return
+    if options.factor is not None:
+        yield partial(remedies.factor, options.factor)
+    if options.weights is not None:
+        weights = options.weights
+        yield lambda: remedies.weights(weights, engine())
+    if options.minimise is not None:
+        yield from _of_aim(options, options.minimise, engine, speed)
+    if not fits_weights(options):
+        yield partial(request.refuse_unused, {"--radius": radius}, without="--weights")
+    if shafts is not None:
+        yield partial(remedies.ratios, shafts)
+        yield lambda: remedies.shaft_planes(options.shaft_planes, engine())
+    if options.box:
+        fixed = {
+            "--shaft-place": options.shaft_place,
+            "--shaft-spacing": options.shaft_spacing,
+            "--level": options.level,
+        }
+        yield partial(request.refuse_unused, fixed if shafts is not None else {}, beside="--box")
+        for text in options.box:
+            yield lambda text=text: remedies.box(text, engine())
+    elif shafts is not None:
+        yield lambda: remedies.shaft_place(options.shaft_place, engine())
+        yield lambda: points.length("--shaft-spacing", options.shaft_spacing, engine())
+
+
+def _beside_recommended(options: BalanceOptions) -> Iterator[Callable[[], object]]:
+    """What refuses the options that the recommended remedy does not take."""
+    unused = {
+        "--factor": options.factor,
+        "--minimise": options.minimise,
+        "--weights": options.weights,
+        "--shafts": None if options.shafts in get_args(fitting.Wanted) else options.shafts,
+        **{f"--{part.replace('_', '-')}": getattr(options, part) for part in PARTS["shafts"]},
+    }
+    yield partial(request.refuse_unused, unused, beside="--recommended")
+    yield partial(_refuse_box, options)
+
+
+def _refuse_box(options: BalanceOptions) -> None:
+    if options.box:
+        raise RequestError(
+            "--box: --recommended places its shafts itself; name them to place them, as in "
+            "--factor 0.5 --shafts -1 --box"
+        )
+
+
+def _of_aim(
+    options: BalanceOptions, minimise: str, engine: Callable[[], Engine], speed: str | None
+) -> Iterator[Callable[[], object]]:
+    """What refuses the aim of weights, and its limits."""
+
+    def limits() -> object:
+        model = remedies.model(options.model)
+        at = engine().speed if speed is None else request.speed(speed)
+        return remedies.limits(options.limit, engine(), speed=at, model=model)
+
+    yield partial(request.refuse_unused, {"--factor": options.factor}, beside="--minimise")
+    yield partial(remedies.aim, "--minimise", minimise, pitch=options.pitch_share)
+    yield limits
+    unbalance = options.greatest_unbalance
+    yield lambda: remedies.unbalance("--greatest-unbalance", unbalance, engine())
+
+
 def _balanced(
     engine: Engine,
     options: BalanceOptions,
@@ -102,10 +187,8 @@ def _balanced(
     own_factor: float | None,
     like: Job | None,
 ) -> Job:
-    for name, parts in PARTS.items():
-        given = {f"--{part.replace('_', '-')}": getattr(options, part) for part in parts}
-        if getattr(options, name) is None:
-            request.refuse_unused(given, without=f"--{name}")
+    if like is None:
+        together(*readings(options, lambda: engine, speed=speed))
     job = Job(
         engine,
         engine,
@@ -122,8 +205,6 @@ def _balanced(
             if like is not None:
                 after = with_weights_like(Remedied(like.before, like.after), engine, job.after)
                 job = job._replace(after=after)
-        else:
-            request.refuse_unused({"--radius": options.radius}, without="--weights")
         job = _with_shafts(job, options, like)
         if like is None:
             _check_limits(job)
@@ -152,7 +233,6 @@ def _with_weights(job: Job, options: BalanceOptions, own_factor: float | None) -
             factor = remedies.factor(options.factor)
         after = fitting.by_factor(engine, factor=factor, weights=places, bare=options.bare)
         return job._replace(after=after, factor=factor)
-    request.refuse_unused({"--factor": options.factor}, beside="--minimise")
     best = fitting.best(
         engine,
         weights=places,
@@ -171,19 +251,6 @@ def _with_weights(job: Job, options: BalanceOptions, own_factor: float | None) -
 def _recommended(job: Job, options: BalanceOptions, like: Job | None) -> Job:
     """The job that fits what the verdict recommends. Raises RequestError."""
     shafts = "all" if options.shafts == "all" else "needed"
-    unused = {
-        "--factor": options.factor,
-        "--minimise": options.minimise,
-        "--weights": options.weights,
-        "--shafts": None if options.shafts in get_args(fitting.Wanted) else options.shafts,
-        **{f"--{part.replace('_', '-')}": getattr(options, part) for part in PARTS["shafts"]},
-    }
-    request.refuse_unused(unused, beside="--recommended")
-    if options.box:
-        raise RequestError(
-            "--box: --recommended places its shafts itself; name them to place them, as in "
-            "--factor 0.5 --shafts -1 --box"
-        )
     first = job.before if like is None else like.before
     fitted = fitting.recommended(first, bare=options.bare, shafts=shafts)
     if fitted is None:
@@ -283,12 +350,6 @@ def _with_placed_shafts(
     job: Job, options: BalanceOptions, ratios: list[Fraction] | fitting.Wanted, like: Job | None
 ) -> Job:
     """The job with its balance shafts where they leave the least roll in their boxes."""
-    fixed = {
-        "--shaft-place": options.shaft_place,
-        "--shaft-spacing": options.shaft_spacing,
-        "--level": options.level,
-    }
-    request.refuse_unused(fixed, beside="--box")
     along = remedies.shaft_planes(options.shaft_planes, job.before)
     boxes = [remedies.box(text, job.before) for text in options.box]
     after, placings = fitting.with_placed_shafts(

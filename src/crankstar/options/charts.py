@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from functools import partial
 from types import ModuleType
 from typing import Any, get_args
 
@@ -14,7 +16,7 @@ from crankstar.language.messages import N_, _
 from crankstar.options import points
 from crankstar.options import values as request
 from crankstar.options.forms import PICTURES, form_of, refuse_terminal, require
-from crankstar.options.values import refusal
+from crankstar.options.refusals import refusal, together
 
 GREATEST_ANGLES = 24
 """Panels of one figure."""
@@ -36,7 +38,7 @@ def suffix(place: str | None, possible: tuple[str, ...] = PICTURES) -> str:
 
 def options(
     figure: Any,
-    engine: Engine | Chain,
+    engine: Engine | Chain | None,
     *,
     orders: str | None,
     quantity: str | None,
@@ -53,9 +55,10 @@ def options(
 ) -> dict[str, Any]:
     """The options of a figure by keyword. Raises RequestError for those that it does not take.
 
-    A single engine (`alone`) is drawn at the speed of its file by default.
+    A single engine (`alone`) is drawn at the speed of its file by default. Where the figure or the
+    engine is refused itself (None), what would be wrong in any is refused.
     """
-    takes = set(figure.options)
+    takes: set[str] = set() if figure is None else set(figure.options)
     given = {
         "--orders": (orders, {"order", "orders"}),
         "--quantity": (quantity, {"quantity"}),
@@ -69,48 +72,77 @@ def options(
         "--off": (off, {"off"}),
         "--at": (at, {"at"}),
     }
-    unused = {option: text for option, (text, names) in given.items() if not names & takes}
-    request.refuse_unused(unused, beside=_("the chart {chart}", chart=figure.name))
+    unused = {
+        option: text for option, (text, names) in given.items() if figure and not names & takes
+    }
+    texts = {
+        option: text
+        for option, (text, _names) in given.items()
+        if text is not None and option not in unused
+    }
+    readers: dict[str, Callable[[str], dict[str, Any]]] = {
+        "--orders": partial(_orders, figure),
+        "--quantity": partial(_quantity, figure),
+        "--model": lambda text: {"model": _model(text)},
+        "--theta": partial(_angles, figure),
+        "--speed": lambda text: {"speed": request.speed(text)},
+        "--speeds": lambda text: {"speeds": request.speeds(text)},
+        "--reference": partial(_reference, engine),
+        "--gas": lambda _text: {},
+        "--point": lambda text: {"point": text},
+        "--off": lambda text: {"off": request.cylinders_off(text)},
+        "--at": partial(_at, engine),
+    }
+    chart = "" if figure is None else figure.name
+    _used, *read = together(
+        partial(request.refuse_unused, unused, beside=_("the chart {chart}", chart=chart)),
+        *(partial(readers[option], text) for option, text in texts.items()),
+    )
     out: dict[str, Any] = {}
-    if orders is not None:
-        wanted = request.orders(orders, [])
-        if "order" in takes and (not wanted or len(wanted) > 1):
-            raise refusal(
-                "--orders", orders, "{chart} takes one order, such as 2", chart=figure.name
-            )
-        if not wanted:
-            raise refusal(
-                "--orders", orders, "{chart} takes orders, such as 1,2", chart=figure.name
-            )
-        out |= {"order": wanted[0]} if "order" in takes else {"orders": wanted}
-    if quantity is not None:
-        out["quantity"] = request.choice("--quantity", quantity, figure.quantities)
-    if model is not None:
-        out["model"] = _model(model)
-    if theta is not None:
-        out |= _angles(figure, theta)
-    if "speed" in takes:
+    for own in read:
+        out |= own
+    if "speed" in takes and speed is None:
         at_point = "point" in takes and ("gas" not in takes or gas or point is not None)
-        own = engine.speed if alone and not at_point else None
-        out["speed"] = own if speed is None else request.speed(speed)
-    if speeds is not None:
-        out["speeds"] = request.speeds(speeds)
-    if reference is not None and isinstance(engine, Engine):
-        out["reference"] = points.reference(reference, engine)
-    if at is not None and isinstance(engine, Engine):
-        out["at"] = points.block_point(at, engine)
+        out["speed"] = engine.speed if engine and alone and not at_point else None
     if "gas" in takes and (gas or point is not None or off is not None):
         out["gas"] = True
-    if point is not None:
-        out["point"] = point
-    if off is not None:
-        out["off"] = request.cylinders_off(off)
     return out
+
+
+def _orders(figure: Any, text: str) -> dict[str, Any]:
+    """The one order of a figure, or its several."""
+    wanted = request.orders(text, [])
+    if figure is None:
+        return {}
+    if "order" in figure.options and (not wanted or len(wanted) > 1):
+        raise refusal("--orders", text, "{chart} takes one order, such as 2", chart=figure.name)
+    if not wanted:
+        raise refusal("--orders", text, "{chart} takes orders, such as 1,2", chart=figure.name)
+    return {"order": wanted[0]} if "order" in figure.options else {"orders": wanted}
+
+
+def _quantity(figure: Any, text: str) -> dict[str, Any]:
+    """The quantity of a figure, of those that it has."""
+    return {"quantity": figure and request.choice("--quantity", text, figure.quantities)}
+
+
+def _reference(engine: Engine | Chain | None, text: str) -> dict[str, Any]:
+    """The point of reference of an engine."""
+    if isinstance(engine, Chain):
+        return {}
+    return {"reference": points.reference(text, engine)}
+
+
+def _at(engine: Engine | Chain | None, text: str) -> dict[str, Any]:
+    """The point of the block of an engine."""
+    return {"at": points.block_point(text, engine)} if isinstance(engine, Engine) else {}
 
 
 def _angles(figure: Any, theta: str) -> dict[str, Any]:
     """The one crank angle of a figure, or its several."""
     angles = request.angles(theta)
+    if figure is None:
+        return {}
     most = 1 if "theta" in figure.options else GREATEST_ANGLES
     if not 1 <= len(angles) <= most:
         raise refusal(
@@ -141,34 +173,35 @@ def paper(
     dpi: float | None,
     font_size: str | None,
 ) -> Any:
-    """The paper of a figure. Raises RequestError, also for sizes that the form does not have."""
+    """The paper of a figure. Raises RequestError, also for sizes that the form does not have.
+
+    The suffix is empty where it is refused itself.
+    """
     from crankstar.charts.paper import Paper
     from crankstar.charts.themes import THEMES
 
-    sized = suffix in ("svg", "png", "pdf")
     texts = {"--width": width, "--height": height, "--font-size": font_size}
-    request.refuse_unused({} if sized else texts, beside=f".{suffix}")
+    sized = suffix in ("svg", "png", "pdf", "")
     resolution = {"--dpi": dpi and f"{dpi:g}"}
-    request.refuse_unused({} if suffix == "png" else resolution, beside=f".{suffix}")
-    given: dict[str, Any] = {}
+    readings: dict[str, Callable[[], Any]] = {}
     if theme is not None:
-        given["theme"] = request.choice("--theme", theme, THEMES)
-    for name, text in (("width", width), ("height", height)):
-        if text is not None:
-            given[name] = _side(f"--{name}", text)
-    letters = None if font_size is None else _points(font_size)
-    for name, value, limits in (("dpi", dpi, DPI), ("font_size", letters, LETTERS)):
-        if value is None:
-            continue
-        if not limits[0] <= value <= limits[1]:
-            raise refusal(
-                f"--{name.replace('_', '-')}",
-                f"{value:g}",
-                "give a number from {least} to {most}",
-                least=f"{limits[0]:g}",
-                most=f"{limits[1]:g}",
-            )
-        given[name] = value
+        readings["theme"] = partial(request.choice, "--theme", theme, THEMES)
+    if width is not None:
+        readings["width"] = partial(_side, "--width", width)
+    if height is not None:
+        readings["height"] = partial(_side, "--height", height)
+    if dpi is not None:
+        readings["dpi"] = partial(_within, "--dpi", dpi, DPI)
+    if font_size is not None:
+        readings["font_size"] = lambda: _within("--font-size", _points(font_size), LETTERS)
+    _sized, _resolved, *read = together(
+        partial(request.refuse_unused, {} if sized else texts, beside=f".{suffix}"),
+        partial(
+            request.refuse_unused, {} if suffix in ("png", "") else resolution, beside=f".{suffix}"
+        ),
+        *readings.values(),
+    )
+    given: dict[str, Any] = dict(zip(readings, read, strict=True))
     drawn = Paper(**given)
     side = max(drawn.width or 0.0, drawn.height or 0.0)
     if suffix == "png" and side / INCH * drawn.dpi > MOST_PIXELS:
@@ -179,6 +212,19 @@ def paper(
             most=f"{int(MOST_PIXELS * INCH / side)}",
         )
     return drawn
+
+
+def _within(option: str, value: float, limits: tuple[float, float]) -> float:
+    """A number between these two. Raises RequestError."""
+    if not limits[0] <= value <= limits[1]:
+        raise refusal(
+            option,
+            f"{value:g}",
+            "give a number from {least} to {most}",
+            least=f"{limits[0]:g}",
+            most=f"{limits[1]:g}",
+        )
+    return value
 
 
 def _points(text: str) -> float:

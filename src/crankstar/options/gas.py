@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 from fractions import Fraction
+from typing import Any
 
+from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import INERTIA, PRESSURE
 from crankstar.files import units
 from crankstar.options import values as request
-from crankstar.options.values import RequestError, refusal
+from crankstar.options.refusals import RequestError, each, refusal
 
 MOST_LOADS = 12
 """Columns of a table of harmonics."""
@@ -99,6 +101,21 @@ def weaker_cylinders(texts: Sequence[str] | None) -> list[tuple[int, float]]:
             raise refusal("--weaker", text, "give a cylinder and what it lacks, as in 3=20%")
         found.append((int(name), share("--weaker", text, value)))
     return found
+
+
+def refuse_strange(engine: Engine, question: Any) -> None:
+    """Refuse the point and the cylinders of a question that the engine has not. Raises GasError.
+
+    The fields are `point`, `off` and `weaker`.
+    """
+    from crankstar.mechanics.gas import chambers_of
+    from crankstar.mechanics.operating_points import operating_state
+
+    each(
+        lambda: operating_state(engine, point=question.point),
+        lambda: chambers_of(engine, question.off),
+        lambda: chambers_of(engine, [number for number, _lost in question.weaker]),
+    )
 
 
 def refuse_together(

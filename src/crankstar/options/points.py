@@ -15,8 +15,10 @@ from crankstar.options.values import listed, not_positive, reading
 from crankstar.tables.scales import along_in_radii, scales
 
 
-def reference(text: str | None, engine: Engine, *, option: str = "--reference") -> Reference | None:
-    """A point of reference, or another of the engine, in its units."""
+def reference(
+    text: str | None, engine: Engine | None, *, option: str = "--reference"
+) -> Reference | None:
+    """A point of reference, or another of the engine, in its units; without one as `places`."""
     if text is None:
         return None
     parts = [part.strip() for part in text.split(",")]
@@ -88,15 +90,21 @@ def length(
 
 
 def places(
-    option: str, parts: list[str], marks: list[Quantity], engine: Engine, example: str
+    option: str, parts: list[str], marks: list[Quantity], engine: Engine | None, example: str
 ) -> list[float]:
-    """Lengths with their units, or bare where the engine counts in units of its own."""
-    relative = frozenset(engine.relative)
-    if along_in_radii(engine):
+    """Lengths with their units, or bare where the engine counts in units of its own.
+
+    Without an engine, which is refused itself, what none of them could have is refused.
+    """
+    relative = frozenset[str]() if engine is None else frozenset(engine.relative)
+    if engine is not None and along_in_radii(engine):
         marks = [replace(mark, relative_to=LENGTH.relative_to) for mark in marks]
     read = units.reader(relative)
     values: list[float] = []
     for part, mark in zip(parts, marks, strict=False):
+        if engine is None and units.is_bare(part):
+            values.append(float(part))
+            continue
         counted = mark.relative_to & relative
         if units.is_bare(part) and not counted:
             raise refusal(option, part, "write it with a unit, {example}", example=example)

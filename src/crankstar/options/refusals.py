@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
-from typing import TypeVar
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import Any, TypeVar, cast
 
 from crankstar.language.messages import MessageError, _, _n
 from crankstar.language.quoting import one_line
@@ -13,6 +13,15 @@ T = TypeVar("T")
 
 class RequestError(MessageError):
     """A request that cannot be met, as one sentence that says what would be right."""
+
+
+class MistakesError(RequestError):
+    """Several mistakes at once; carries the message of each."""
+
+    def __init__(self, messages: Iterable[str]) -> None:
+        self.messages = tuple(messages)
+        text = "\n".join(self.messages)
+        super().__init__(text)
 
 
 def refusal(option: str, given: object, why: str, **values: object) -> RequestError:
@@ -92,3 +101,73 @@ def of_row(option: str, number: int, rows: Sequence[T]) -> T:
         )
         raise refusal(option, number, why)
     return rows[number - 1]
+
+
+def once(reading: Callable[[], T]) -> Callable[[], T]:
+    """A reading that is done once, however many others need it; its refusal is kept too.
+
+    So what depends on the engine is read `together` with the engine itself.
+    """
+    kept: list[tuple[T, None] | tuple[None, MessageError]] = []
+
+    def read() -> T:
+        if not kept:
+            try:
+                kept.append((reading(), None))
+            except MessageError as error:
+                kept.append((None, error))
+        value, refused = kept[0]
+        if refused is not None:
+            raise refused
+        return cast("T", value)
+
+    return read
+
+
+def or_none(reading: Callable[[], T]) -> T | None:
+    """What is read; None where it is refused, which is told besides."""
+    try:
+        return reading()
+    except MessageError:
+        return None
+
+
+def beside(reading: Callable[[], T], other: Callable[[], object]) -> T:
+    """What is read; where that is refused, what another reading refuses is told as well."""
+    read = once(reading)
+    try:
+        return read()
+    except MessageError:
+        together(read, other)
+        raise
+
+
+def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:
+    """What each of them reads. Raises MistakesError with the message of each that fails, once."""
+    try:
+        return each(*readings)
+    except MistakesError:
+        raise
+    except MessageError as error:
+        raise MistakesError([str(error)]) from None
+
+
+def each(*readings: Callable[[], Any]) -> tuple[Any, ...]:
+    """The same, but one that fails alone raises its own error."""
+    values: list[Any] = []
+    errors: list[MessageError] = []
+    for reading in readings:
+        try:
+            values.append(reading())
+        except MessageError as error:
+            errors.append(error)
+    messages: dict[str, None] = {}
+    for error in errors:
+        messages |= dict.fromkeys(
+            error.messages if isinstance(error, MistakesError) else [str(error)]
+        )
+    if len(messages) == 1:
+        raise errors[0]
+    if errors:
+        raise MistakesError(messages)
+    return tuple(values)

@@ -276,9 +276,15 @@ def shaft_places(
 ) -> ShaftPlaces:
     """Where balance shafts lie and their weights on them."""
     along = shaft_planes(planes_text, engine)
-    parts = [part.strip() for part in (place or "0, 0").split(",")]
+    up, right = shaft_place(place, engine)
+    return ShaftPlaces(along, up, right, length("--shaft-spacing", spacing, engine) or 0.0)
+
+
+def shaft_place(text: str | None, engine: Engine) -> tuple[float, float]:
+    """Where balance shafts lie, up and right of the crankshaft. Raises RequestError."""
+    parts = [part.strip() for part in (text or "0, 0").split(",")]
     example = _('as in "-60 mm, 0 mm"')
     if len(parts) != 2:
-        raise refusal("--shaft-place", place, "give up and right, {example}", example=example)
+        raise refusal("--shaft-place", text, "give up and right, {example}", example=example)
     up, right = places("--shaft-place", parts, [LENGTH, LENGTH], engine, example)
-    return ShaftPlaces(along, up, right, length("--shaft-spacing", spacing, engine) or 0.0)
+    return up, right

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import partial
 
 from crankstar.dynamics.sound import PIPE, Ride
 from crankstar.engine.quantities import LENGTH, SPEED
 from crankstar.files import units
 from crankstar.language.messages import _
 from crankstar.language.numbers import RPM
-from crankstar.options.refusals import refusal
+from crankstar.options.refusals import refusal, together
 from crankstar.options.values import reading
 
 USUAL_SPEEDS = "800..6000"
@@ -29,9 +30,12 @@ def ride(*, rpm: str | None, seconds: float | None, pipe: Sequence[str] | None) 
     >>> round(there.first), there.first == there.last, there.pipe, there.pipes
     (314, True, 0.8, {1: 0.6})
     """
-    first, last = _speeds(USUAL_SPEEDS if rpm is None else rpm)
-    usual, own = _pipes(pipe or ())
-    return Ride(first, last, _seconds(seconds), usual, own)
+    (first, last), (usual, own), lasting = together(
+        partial(_speeds, USUAL_SPEEDS if rpm is None else rpm),
+        partial(_pipes, pipe or ()),
+        partial(_seconds, seconds),
+    )
+    return Ride(first, last, lasting, usual, own)
 
 
 def _speeds(text: str) -> tuple[float, float]:

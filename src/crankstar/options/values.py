@@ -244,7 +244,7 @@ def derived_orders(text: str) -> list[Fraction]:
     from crankstar.derive.records import GREATEST_ORDER
 
     wanted = fractions("1,2,4,6" if text.strip() == "all" else text, most=24)
-    if wanted and max(wanted) > GREATEST_ORDER:
+    if wanted and not 0 < min(wanted) <= max(wanted) <= GREATEST_ORDER:
         raise refusal(
             "--orders",
             text,

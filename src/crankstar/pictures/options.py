@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from crankstar.language.messages import N_, _
 from crankstar.options import values as request
-from crankstar.options.values import refusal
+from crankstar.options.refusals import once, refusal, together
 from crankstar.pictures.arrows import KINDS
 from crankstar.pictures.drawings import Picture
 from crankstar.pictures.films import Pace
@@ -30,23 +32,31 @@ def picture(
     *, view: str | None, size: str | None, theme: str | None, arrows: str | None, orders: str | None
 ) -> Picture:
     """A Picture. Raises RequestError."""
-    given: dict[str, Any] = {}
+    readings: dict[str, Callable[[], Any]] = {}
     if view is not None:
-        given["view"] = request.choice("--view", view, SIGHTS)
+        readings["view"] = partial(request.choice, "--view", view, SIGHTS)
     if theme is not None:
-        named = request.choice("--theme", theme, (*PALETTES, PRINT))
-        given["theme"] = "light" if named == PRINT else named
+        readings["theme"] = partial(_theme, theme)
     if size is not None:
-        given["width"], given["height"] = _size(size)
+        sides = once(partial(_size, size))
+        readings |= {"width": lambda: sides()[0], "height": lambda: sides()[1]}
     if arrows is not None:
-        words = [] if arrows.strip() == "none" else [word.strip() for word in arrows.split(",")]
-        if len(words) > 1 and "none" in words:
-            raise request.refusal("--arrows", arrows, "none stands alone; leave the others out")
-        choices = (*KINDS, "none")
-        given["arrows"] = tuple(request.choice("--arrows", word, choices) for word in words)
+        readings["arrows"] = partial(_arrows, arrows)
     if orders is not None and orders.strip() != "all":
-        given["orders"] = tuple(request.orders(orders, []) or ())
-    return Picture(**given)
+        readings["orders"] = lambda: tuple(request.orders(orders, []) or ())
+    return Picture(**dict(zip(readings, together(*readings.values()), strict=True)))
+
+
+def _theme(text: str) -> str:
+    named = request.choice("--theme", text, (*PALETTES, PRINT))
+    return "light" if named == PRINT else named
+
+
+def _arrows(text: str) -> tuple[str, ...]:
+    words = [] if text.strip() == "none" else [word.strip() for word in text.split(",")]
+    if len(words) > 1 and "none" in words:
+        raise request.refusal("--arrows", text, "none stands alone; leave the others out")
+    return tuple(request.choice("--arrows", word, (*KINDS, "none")) for word in words)
 
 
 def _size(text: str) -> tuple[int, int]:
@@ -67,8 +77,10 @@ def pace(kind: str, *, seconds: float | None, rate: float | None, turns: int) ->
     """The Pace of a film of a cycle of so many turns. Raises RequestError."""
     usual = Pace()
     given = Pace(
-        usual.seconds if seconds is None else _within("--seconds", seconds, SECONDS),
-        usual.rate if rate is None else _within("--frames-per-second", rate, RATES),
+        *together(
+            lambda: usual.seconds if seconds is None else _within("--seconds", seconds, SECONDS),
+            lambda: usual.rate if rate is None else _within("--frames-per-second", rate, RATES),
+        )
     )
     if kind == "gif" and given.rate > FASTEST_GIF:
         raise refusal(

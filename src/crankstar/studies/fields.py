@@ -34,7 +34,7 @@ from crankstar.files.source import tree_of_keys
 from crankstar.language.messages import _, passage
 from crankstar.language.quoting import one_line, seen
 from crankstar.remedy import with_counterweights
-from crankstar.studies.variants import SweepError
+from crankstar.studies.variants import OverError
 
 BANK_ANGLE = "layout.bank_angle"
 """What moves both banks of a V engine about the middle between them; no key of its file."""
@@ -232,7 +232,7 @@ def _stages(
     if any(varied.path == BANK_ANGLE for varied in over):
         bearings = [own for own in keys if own[:2] == ["layout", "banks"] and own[-1] == "bearing"]
         if bearings:
-            raise SweepError(
+            raise OverError(
                 "{path} moves both banks; vary it without their bearings", path=BANK_ANGLE
             )
     for form in forms:
@@ -245,7 +245,7 @@ def _stages(
             if varied.unit:
                 raise _plain_number(varied)
         elif form is None or own[0] in _UNMOVED:
-            raise SweepError(f"{shown}: {_why_fixed(varied.path, own, forms)}")
+            raise OverError(f"{shown}: {_why_fixed(varied.path, own, forms)}")
         out.append(form)
     return out
 
@@ -260,8 +260,8 @@ def _quantity(form: dict[str, Any], varied: Varied) -> Quantity | None:
     return quantity
 
 
-def _plain_number(varied: Varied) -> SweepError:
-    return SweepError(
+def _plain_number(varied: Varied) -> OverError:
+    return OverError(
         "{path} is a plain number; leave out the unit {unit}",
         path=one_line(varied.path),
         unit=seen(varied.unit),

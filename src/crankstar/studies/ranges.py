@@ -51,13 +51,16 @@ def over_requests(texts: Sequence[str]) -> tuple[Over, ...]:
     >>> [len(over.values) for over in over_requests(["balance_factor=0..1", "cylinder.z=0..1"])]
     [51, 51]
     """
-    _check_axes(len(texts))
+    check_axes(len(texts))
     return tuple(over_request(text, usual=USUAL_OF[len(texts)]) for text in texts)
 
 
-def _check_axes(count: int) -> None:
+def check_axes(count: int, *, option: str = "") -> None:
+    """Refuse more numbers than can be varied at once. Raises SweepError, which names the option."""
     if not 1 <= count <= MOST_AXES:
-        raise SweepError("{count} values are to be varied; one or two can be at once", count=count)
+        told = _("{count} values are to be varied; one or two can be at once", count=count)
+        told = f"{option}: {told}" if option else told
+        raise SweepError(told)
 
 
 def requested(
@@ -69,7 +72,7 @@ def requested(
     ('cylinder.stroke', (80.0, 90.0), 'mm')
     """
     asked: Any = [over] if isinstance(over, str) else over
-    _check_axes(len(asked))
+    check_axes(len(asked))
     usual = USUAL_OF[len(asked)]
     if not isinstance(over, Mapping):
         texts = [over_request(text, usual=usual, option="over") for text in asked]

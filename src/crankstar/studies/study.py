@@ -24,7 +24,15 @@ from crankstar.studies.fields import INSTEAD, Source, Subject, Varied, subject
 from crankstar.studies.grids import grid_variants
 from crankstar.studies.ranges import GREATEST_POINTS, MOST_AXES
 from crankstar.studies.sums import Group, closed, over_speeds, sums_of
-from crankstar.studies.variants import Batch, SweepError, Tell, alike, arrays_of, variants
+from crankstar.studies.variants import (
+    Batch,
+    OverError,
+    SweepError,
+    Tell,
+    alike,
+    arrays_of,
+    variants,
+)
 
 SPEED_PATH = "speed"
 """The key path of what is no part of the engine, and yet a number of its file."""
@@ -180,7 +188,7 @@ def study(
     highest = None
     if SPEED_PATH in numbers:
         if isinstance(speed, int | float):
-            raise SweepError("the speed is given and varied; leave one of the two out")
+            raise OverError("the speed is given and varied; leave one of the two out")
         unit = next(own for each, own in zip(every, units_of, strict=True) if each not in slow)
         at = highest = float(rad_per_s(numbers[SPEED_PATH], unit).max())
     scale, counted = scales(base, at)
@@ -208,21 +216,21 @@ def rad_per_s(values: Real, unit: str) -> Real:
         raise _no_unit(Varied(SPEED_PATH), SPEED)
     speeds = values * _factor(Varied(SPEED_PATH, unit), SPEED, shown=float(values.flat[0]))
     if np.any(speeds <= 0):
-        raise SweepError(
+        raise OverError(
             "the speed is {speed} {unit}; it must be greater than 0, such as {example}",
             speed=f"{float(values.min()):g}",
             unit=unit,
             example=SPEED.example,
         )
     if np.any(speeds < SPEED.least):
-        raise SweepError(
+        raise OverError(
             "the speed is {speed} {unit}, too small for an engine; give one such as {example}",
             speed=f"{float(values.min()):g}",
             unit=unit,
             example=SPEED.example,
         )
     if np.any(speeds > units.greatest(SPEED)):
-        raise SweepError(
+        raise OverError(
             "the speed is {speed} {unit}, too large for an engine; give one such as {example}",
             speed=f"{float(values.max()):g}",
             unit=unit,
@@ -240,7 +248,7 @@ def _factor(varied: Varied, quantity: Quantity, *, shown: float = 1.0) -> float:
     except ValueFaultError as error:
         value = seen(f"{shown:g} {varied.unit}")
         told = sentence(error.code, {**error.values, "value": value}, place=varied.path)
-        raise SweepError(told) from None
+        raise OverError(told) from None
 
 
 def finite(values: Sequence[float] | Real, over: str) -> Real:
@@ -251,9 +259,9 @@ def finite(values: Sequence[float] | Real, over: str) -> Real:
         numbers = np.empty(0)
     path = one_line(over, longest=100)
     if numbers.ndim != 1 or np.unique(numbers).size < 2 or not np.all(np.isfinite(numbers)):
-        raise SweepError("{path}: give two or more finite numbers that differ", path=path)
+        raise OverError("{path}: give two or more finite numbers that differ", path=path)
     if numbers.size > GREATEST_POINTS:
-        raise SweepError(
+        raise OverError(
             "{path}: {count} values; at most {most} can be swept",
             path=path,
             count=numbers.size,
@@ -265,17 +273,17 @@ def finite(values: Sequence[float] | Real, over: str) -> Real:
 def check_apart(paths: Sequence[str], changes: Mapping[str, Any]) -> None:
     """Refuse more numbers than can be varied at once, one number twice, and one that is set."""
     if not 1 <= len(paths) <= MOST_AXES:
-        raise SweepError("{count} numbers; one or two can be varied at once", count=len(paths))
+        raise OverError("{count} numbers; one or two can be varied at once", count=len(paths))
     keys = [keys_of(path.strip()) for path in paths]
     if len(keys) > 1 and keys[0] == keys[1]:
-        raise SweepError(
+        raise OverError(
             "{path} is varied twice; name another number for the second",
             path=one_line(paths[0], longest=80),
         )
     for path in changes:
         *outer, last = keys_of(path)
         if [*outer, last] in keys or [*outer, INSTEAD.get(str(last))] in keys:
-            raise SweepError(
+            raise OverError(
                 "{path} is set, but the values that are varied would replace it; leave one of the "
                 "two out",
                 path=one_line(path, longest=80),
@@ -284,7 +292,7 @@ def check_apart(paths: Sequence[str], changes: Mapping[str, Any]) -> None:
 
 def _check_count(sizes: Sequence[int]) -> None:
     if np.prod(sizes) > GREATEST_VARIANTS:
-        raise SweepError(
+        raise OverError(
             "{first} times {second} are {count} engines; at most {most} can be swept",
             first=sizes[0],
             second=sizes[-1],
@@ -302,8 +310,8 @@ def _check_unit(
         raise _no_unit(varied, quantity)
 
 
-def _no_unit(varied: Varied, quantity: Quantity) -> SweepError:
-    return SweepError(
+def _no_unit(varied: Varied, quantity: Quantity) -> OverError:
+    return OverError(
         "{path} has no unit; write its values with one, as in {example}",
         path=varied.path,
         example=quantity.example,

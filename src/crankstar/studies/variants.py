@@ -67,6 +67,10 @@ class SweepError(MessageError):
     """A sweep that cannot be, as a sentence that says what would be right."""
 
 
+class OverError(SweepError):
+    """Numbers that cannot be varied, or not at these values; the sentence names no option."""
+
+
 class Batch(NamedTuple):
     """Engines of one structure: indices of their values [row], and arrays, [row, ...] if varied."""
 

@@ -14,13 +14,15 @@ from crankstar.files import units
 from crankstar.options import readers
 from crankstar.options import values as request
 from crankstar.options.gas import gas_orders, share
-from crankstar.options.refusals import RequestError, refusal
+from crankstar.options.refusals import RequestError, each, refusal
 
 if TYPE_CHECKING:
     from crankstar.studies.fault_kinds import Fault
 
 HEAVIER = {"piston": "piston", "big_end": "big_end", "big-end": "big_end", "rod": "big_end"}
 """The parts that may be heavier by their names."""
+OPTIONS = ("cut", "weaker", "heavier", "lost_weight")
+"""The fields that name faults, cylinders first."""
 
 
 class Heavier(NamedTuple):
@@ -96,17 +98,22 @@ class Question:
     @property
     def faults(self) -> list[Fault]:
         """All of them, cylinders first."""
+        return [fault for option in OPTIONS for fault in self.faults_of(option)]
+
+    def faults_of(self, option: str) -> list[Fault]:
+        """Those of one of OPTIONS."""
         from crankstar.studies.fault_kinds import Fault
 
-        return [
-            *(Fault("combustion", number) for number in self.cut),
-            *(Fault("combustion", number, lost) for number, lost in self.weaker),
-            *(
-                Fault("piston" if each.part == "piston" else "big_end", each.cylinder, each.mass)
-                for each in self.heavier
-            ),
-            *(Fault("weight", each.number, each.share, each.shaft) for each in self.lost_weight),
-        ]
+        if option == "cut":
+            return [Fault("combustion", number) for number in self.cut]
+        if option == "weaker":
+            return [Fault("combustion", number, lost) for number, lost in self.weaker]
+        if option == "heavier":
+            return [
+                Fault("piston" if own.part == "piston" else "big_end", own.cylinder, own.mass)
+                for own in self.heavier
+            ]
+        return [Fault("weight", own.number, own.share, own.shaft) for own in self.lost_weight]
 
     def position(self, engine: Engine) -> tuple[float, float, float] | None:
         """The point of the block whose velocity is computed, the first of the file unless named.
@@ -118,14 +125,28 @@ class Question:
 
 
 def refuse(engine: Engine, question: Question) -> None:
-    """Refuse no faults, and what an engine cannot have. Raises RequestError, DiagnosisError."""
+    """Refuse no faults, and what an engine cannot have.
+
+    Raises RequestError, DiagnosisError, GasError.
+    """
     from crankstar.mechanics.occurring_orders import check_orders
+    from crankstar.mechanics.operating_points import operating_state
     from crankstar.studies.single_faults import check_faults, fired
 
-    if not question.faults:
-        raise RequestError(
-            "name a fault: --cut 3, --weaker 3=20%, --heavier piston.3=20g or --lost-weight 2"
-        )
-    check_faults(engine, question.faults)
-    gas = fired(engine, question.faults).gas is not None or bool(question.point)
-    check_orders(engine, question.orders or (), gas=gas)
+    def check_all() -> None:
+        if not question.faults:
+            raise RequestError(
+                "name a fault: --cut 3, --weaker 3=20%, --heavier piston.3=20g or --lost-weight 2"
+            )
+        check_faults(engine, question.faults)
+        gas = fired(engine, question.faults).gas is not None or bool(question.point)
+        check_orders(engine, question.orders or (), gas=gas)
+
+    each(
+        *(
+            lambda option=option: check_faults(engine, question.faults_of(option))
+            for option in OPTIONS
+        ),
+        lambda: operating_state(engine, point=question.point),
+        check_all,
+    )

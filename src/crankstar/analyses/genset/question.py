@@ -9,7 +9,8 @@ from typing import Annotated
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.phase_sums import MOST
 from crankstar.options import readers
-from crankstar.options.gas import refuse_together
+from crankstar.options.gas import refuse_strange, refuse_together
+from crankstar.options.refusals import each
 
 MOST_PAIRS = 200
 """Of poles: more than any slow hydroelectric generator has."""
@@ -32,6 +33,12 @@ class Question:
     speed: Annotated[float | None, readers.SPEED] = None
 
 
-def refuse(_engine: Engine, asked: Question) -> None:
-    """Refuse cylinders that are both off and weaker. Raises RequestError."""
-    refuse_together(off=asked.off, weaker=asked.weaker)
+def refuse(engine: Engine, asked: Question) -> None:
+    """Refuse cylinders that are both off and weaker, and what the engine has not.
+
+    Raises RequestError, GasError.
+    """
+    each(
+        lambda: refuse_together(off=asked.off, weaker=asked.weaker),
+        lambda: refuse_strange(engine, asked),
+    )

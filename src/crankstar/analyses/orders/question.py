@@ -100,6 +100,8 @@ def refuse(engine: Engine, question: Question) -> None:
 
     if question.row is not None:
         refuse_unused({"--top": question.top}, beside="--row")
+    if not question.any_:
+        _check_intervals(engine, question)
     own = {"--intervals": question.intervals, "--tolerance": question.tolerance}
     if question.any_:
         refuse_unused(own, beside="--any")
@@ -116,6 +118,23 @@ def refuse(engine: Engine, question: Question) -> None:
         raise RequestError("--orders is for --minimise torque, roll and twist")
     if point and not computable(engine):
         raise RequestError("--point needs the bore and the firing order of the engine")
+
+
+def _check_intervals(engine: Engine, question: Question) -> None:
+    """Refuse intervals that make no cycle, and a tolerance too wide. Raises RequestError."""
+    from crankstar.firing.orders import SAME_PLACE, check_intervals
+    from crankstar.firing.timetable import OrderError
+
+    count, near = len(engine.chambers), question.tolerance
+    even = (engine.cycle_angle / count,) * count
+    for option, wanted, within in (
+        ("--intervals", question.intervals or even, SAME_PLACE),
+        ("--tolerance", question.intervals or even, SAME_PLACE if near is None else near),
+    ):
+        try:
+            check_intervals(engine, wanted, within)
+        except OrderError as error:
+            raise RequestError(f"{option}: {error}") from None
 
 
 def writes(question: Question) -> str:

@@ -8,7 +8,8 @@ from typing import Annotated, Literal
 
 from crankstar.engine.engine import Engine
 from crankstar.options import readers
-from crankstar.options.gas import refuse_together
+from crankstar.options.gas import refuse_strange, refuse_together
+from crankstar.options.refusals import each
 
 
 @dataclass(frozen=True)
@@ -43,9 +44,20 @@ class Question:
 
 
 def refuse(engine: Engine, asked: Question) -> None:
-    """Refuse what does not go together. Raises RequestError, OrderError."""
+    """Refuse what does not go together, and what the engine has not.
+
+    Raises RequestError, OrderError, GasError.
+    """
     from crankstar.mechanics.occurring_orders import check_orders
 
-    refuse_together(asked.load, motored=asked.motored, off=asked.off, weaker=asked.weaker)
-    if asked.orders and asked.orders != "all":
-        check_orders(engine, asked.orders, gas=True)
+    def check_own_orders() -> None:
+        if asked.orders and asked.orders != "all":
+            check_orders(engine, asked.orders, gas=True)
+
+    each(
+        lambda: refuse_together(
+            asked.load, motored=asked.motored, off=asked.off, weaker=asked.weaker
+        ),
+        lambda: refuse_strange(engine, asked),
+        check_own_orders,
+    )
