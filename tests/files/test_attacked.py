@@ -21,7 +21,7 @@ from tests.commands import Run, csv_rows
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import Trace
 from crankstar.engine.provenance import Provenance
-from crankstar.files import EngineFileError, read, tree_of
+from crankstar.files import EngineFileError, read_file, tree_of
 from crankstar.files.estimate import estimated
 from crankstar.files.read import engine_of
 from crankstar.mechanics.gas import cycle
@@ -33,7 +33,7 @@ Refused = Callable[..., str]
 
 def codes_of(path: Path) -> list[str]:
     with pytest.raises(EngineFileError) as caught:
-        read(path)
+        read_file(path)
     return [fault.code for fault in caught.value.faults]
 
 
@@ -81,7 +81,7 @@ def test_a_range_that_is_no_number_is_a_fault_at_its_place(end: object, tmp_path
     path = tmp_path / "x.toml"
     path.write_text(f"{head}range = [{json.dumps(0.5)}, {json.dumps(end)}] }}\n")
     with pytest.raises(EngineFileError) as caught:
-        read(path)
+        read_file(path)
     assert [fault.path for fault in caught.value.faults] == [
         ("provenance", "cylinder.bore", "range")
     ] or [fault.path[:3] for fault in caught.value.faults] == [
@@ -261,7 +261,7 @@ def traced(tmp_path: Path, first: float, *, more: float) -> Engine:
     (tmp_path / "pressure.csv").write_text(f"crank_deg,pressure_bar\n{text}")
     path = tmp_path / "v6.toml"
     path.write_bytes((CASES / "v6-idle-trace.toml").read_bytes())
-    return read(path)
+    return read_file(path)
 
 
 @pytest.mark.many(first=1)

@@ -16,7 +16,7 @@ import pytest
 from tests.texts import EXPLICIT, SHORT, check_sentences, codes, faults, problems, spoilt, told
 
 import crankstar
-from crankstar.files import EngineFileError, engine_of, read, tree_of
+from crankstar.files import EngineFileError, engine_of, read_file, tree_of
 from crankstar.language.faults import where
 from crankstar.tables.notebook import balance_html, engine_html
 
@@ -55,7 +55,7 @@ ARTICULATED = {"master": 1, "radius": "20 mm", "angle": "40 deg"}
 def refusal(path: Path | str, **arguments: Any) -> EngineFileError:
     """What reading a file that cannot be used raises."""
     with pytest.raises(EngineFileError) as caught:
-        read(path, **arguments)
+        read_file(path, **arguments)
     check_sentences(caught.value)
     return caught.value
 
@@ -702,7 +702,7 @@ def test_a_byte_order_mark_and_windows_line_ends_are_no_mistake(
 ) -> None:
     file = tmp_path / "windows.toml"
     file.write_bytes((before + SHORT.replace("\n", "\r\n")).encode())
-    assert read(file).name == "V8, cross-plane, 90 deg"
+    assert read_file(file).name == "V8, cross-plane, 90 deg"
 
 
 def test_a_file_that_is_not_there_is_told(tmp_path: Path) -> None:
@@ -776,7 +776,7 @@ def test_standard_input_is_read_up_to_the_greatest_file_and_may_be_closed(
         if words:
             assert words in str(refusal("-"))
         else:
-            assert read("-").name == "V8, cross-plane, 90 deg"
+            assert read_file("-").name == "V8, cross-plane, 90 deg"
     monkeypatch.setattr(sys, "stdin", None)
     assert "standard input: 1 mistake\n  standard input is closed" in str(refusal("-"))
 

@@ -19,7 +19,7 @@ from tests.strategies import OF_ANY_KIND
 import crankstar
 import crankstar.spectra
 from crankstar.engine.engine import Engine
-from crankstar.files import EngineFileError, engine_of, explicit, read
+from crankstar.files import EngineFileError, engine_of, explicit, read_file
 from crankstar.files.box import ranges
 from crankstar.files.catalog import load, tree_of
 from crankstar.files.estimate import estimated
@@ -374,7 +374,7 @@ def test_what_is_no_spreadsheet_is_refused_in_one_line(kind: str, tmp_path: Path
     file = tmp_path / "mine.xlsx"
     file.write_bytes(content)
     with pytest.raises(EngineFileError) as error:
-        read(file)
+        read_file(file)
     assert sentence in str(error.value)
     assert len(str(error.value).splitlines()) == 2
 

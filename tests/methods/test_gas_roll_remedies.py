@@ -10,7 +10,7 @@ import pytest
 from crankstar.analysis.document import Document, Table
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.files import read
+from crankstar.files import read_file
 from crankstar.mechanics.gas import cycle
 from crankstar.options.balancing import BalanceOptions, balanced
 from crankstar.remedy.fitting import recommended
@@ -27,7 +27,7 @@ SPEED = 1500 * np.pi / 30
 
 def genset(changes: dict[str, str] | None = None) -> Engine:
     """The generating set of the case, with other values."""
-    return read(CASES / "genset-four.toml", changes=changes or {})
+    return read_file(CASES / "genset-four.toml", changes=changes or {})
 
 
 def travel(engine: Engine, angle: np.ndarray) -> np.ndarray:
@@ -110,7 +110,7 @@ def test_without_gas_the_table_and_the_sentence_leave_it_out_openly() -> None:
 
 
 def test_shafts_against_the_inertia_of_a_ship_engine_are_no_remedy() -> None:
-    engine = read(CASES / "marine-seven.toml")
+    engine = read_file(CASES / "marine-seven.toml")
     found = gas_roll_of(engine, speed=None)
     assert found is not None
     assert found.largest == 7.0
@@ -133,7 +133,7 @@ BEFORE, AFTER = "174.53 N m", "753.04 N m"
 
 
 def test_a_shaft_off_the_axis_adds_its_force_times_its_arm() -> None:
-    engine = read(SINGLE)
+    engine = read_file(SINGLE)
     fitted = recommended(engine)
     assert fitted is not None
     rolls = [gas_roll_of(each, speed=None) for each in (engine, fitted.after)]
@@ -146,7 +146,7 @@ def test_a_shaft_off_the_axis_adds_its_force_times_its_arm() -> None:
 
 
 def test_verdict_and_report_have_the_roll_before_and_after_the_remedy() -> None:
-    engine = read(SINGLE)
+    engine = read_file(SINGLE)
     facts = verdict(engine, relatives=False)
     (grown,) = (fact.sentence for fact in facts if fact.about == "remedied")
     fitted = recommended(engine)
@@ -168,6 +168,6 @@ def test_a_verdict_whose_remedy_reduces_the_roll_has_no_warning() -> None:
 
 
 def test_the_front_page_has_both_values_of_the_roll() -> None:
-    subject = Subject(read(SINGLE), {}, "")
+    subject = Subject(read_file(SINGLE), {}, "")
     (line,) = _rolling(subject)
     assert line.index(BEFORE) < line.index(AFTER)

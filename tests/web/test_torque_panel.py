@@ -20,7 +20,7 @@ from tests.web.overflow import overflows
 from crankstar import cli, spectra
 from crankstar.dynamics import sound
 from crankstar.engine.engine import Engine
-from crankstar.files import read
+from crankstar.files import read_file
 from crankstar.files.catalog import load
 from crankstar.language.shown_units import SYSTEMS, shown_in
 from crankstar.mechanics.balance import balance, total
@@ -175,7 +175,7 @@ def test_an_operating_point_and_its_irregularity_are_those_of_python(
 ) -> None:
     place = tmp_path / "four.toml"
     place.write_text(FOUR, encoding="utf-8")
-    opened(page, written_of(tmp_path, read(place)), "a=0&tab=torque")
+    opened(page, written_of(tmp_path, read_file(place)), "a=0&tab=torque")
     for name in ("idle", "full load <b>"):
         page.get_by_role("radio", name=name, exact=True).check()
         answer = told(str(place), "--point", name)

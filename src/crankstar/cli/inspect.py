@@ -48,6 +48,7 @@ from crankstar.options.values import RequestError
 if TYPE_CHECKING:
     from crankstar.analysis.document import Document
     from crankstar.engine.engine import Engine
+    from crankstar.mechanics.balance import Grouping
     from crankstar.options.sources import Loaded
 
 
@@ -122,8 +123,6 @@ def analyze(
     from crankstar.mechanics.balance import balance
     from crankstar.studies.answers import amplitudes as of_amplitudes
     from crankstar.tables import analysis as tables
-    from crankstar.tables.amplitudes import amplitudes
-    from crankstar.tables.balance_orders import answer
     from crankstar.tables.ranges import ranged
 
     read_form = once(partial(form_of, output, TABLES, json=json, csv=csv))
@@ -136,15 +135,9 @@ def analyze(
         return
     load = once(partial(read_engine, engine, settings, estimate=estimate, speed=speed))
 
-    def refuse_unused() -> None:
-        if (form := read_form()) not in ("txt", "xlsx"):
-            own = by if form == "json" else None
-            unused = {"--theta": theta, "--vectors": vectors, "--by": own}
-            request.refuse_unused(unused, beside=f"--{form}")
-
     form, _used, found, turning, point, angles, grouping, *_checked = together(
         read_form,
-        refuse_unused,
+        lambda: _refuse_sheet(read_form(), theta=theta, vectors=vectors, by=by),
         load,
         partial(request.speed, speed),
         lambda: points.reference(reference, engine_read(load)),
@@ -160,15 +153,9 @@ def analyze(
     if form != "txt":
         first = balance(loaded, reference=point)
         picked = request.orders(orders, first.force.orders.tolist())
-        shares = grouping if form != "json" else None
-
-        def numbers(each: Engine) -> Document:
-            at = each.speed if turning is None else turning
-            result = balance(each, speed=at, reference=points.reference(reference, each))
-            if form != "json":
-                return amplitudes(each, result, orders=picked, by=shares)
-            return answer(each, result, orders=picked)
-
+        numbers = partial(
+            _numbers, form, speed=turning, reference=reference, orders=picked, by=grouping
+        )
         rests = resting_on(form, loaded, answered) if form == "json" else None
         document = ranged(numbers, spread, loaded, rests=rests)
         if form != "xlsx":
@@ -189,6 +176,35 @@ def analyze(
         give(replace(document, parts=(*document.parts, *rows)), output, form=form, tree=tree)
     else:
         display(document, output)
+
+
+def _numbers(
+    form: str,
+    engine: Engine,
+    *,
+    speed: float | None,
+    reference: str | None,
+    orders: list[float] | None,
+    by: Grouping | None,
+) -> Document:
+    """The amplitudes of an engine in a form that programs read."""
+    from crankstar.mechanics.balance import balance
+    from crankstar.tables.amplitudes import amplitudes
+    from crankstar.tables.balance_orders import answer
+
+    at = engine.speed if speed is None else speed
+    result = balance(engine, speed=at, reference=points.reference(reference, engine))
+    if form != "json":
+        return amplitudes(engine, result, orders=orders, by=by)
+    return answer(engine, result, orders=orders)
+
+
+def _refuse_sheet(form: str, *, theta: str | None, vectors: bool, by: str | None) -> None:
+    """Refuse what a sheet for readers alone has. Raises RequestError."""
+    if form not in ("txt", "xlsx"):
+        own = by if form == "json" else None
+        unused = {"--theta": theta, "--vectors": vectors, "--by": own}
+        request.refuse_unused(unused, beside=f"--{form}")
 
 
 def compare(

@@ -32,7 +32,7 @@ STILL = {"angle": [f"{angle} deg" for angle in range(-360, 361, 20)], "pressure"
 _STANDARD_INPUTS = ("-", STANDARD_INPUT)
 
 
-def read(
+def read_file(
     path: str | Path, *, name: str | None = None, changes: Mapping[str, Any] | None = None
 ) -> Engine:
     """The engine of a file; "-" is standard input; mistakes name the file `name`.
