@@ -95,7 +95,7 @@ def test_a_spreadsheet_of_weights_is_read_as_well(run: Run, tmp_path: Path) -> N
     [
         ("", "w.csv has no rows under a line of headings"),
         ("1,2\n3,4\n", "w.csv, line 1: headings are missing"),
-        ("no,piston [g]\n1,\n", 'line 2, column "piston [g]" is ""'),
+        ("no,piston [g]\n1,\n", 'line 2, column "piston [g]": the cell is empty'),
         ("no,piston [g]\n1,heavy\n", 'w.csv: 1 mistake line 2, column "piston [g]" is "heavy"'),
         ("no,piston [g]\n1,-3\n", "must be greater than 0"),
         ("no,piston\n1,412\n", "neither the heading nor the cell has a unit"),
