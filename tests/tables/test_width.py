@@ -47,7 +47,7 @@ def assert_fits(document: Document) -> None:
     lines = printed(document)
     assert max(map(cell_len, lines)) <= WIDTH
     words = set(" ".join(lines).split())
-    for table in document.tables:
+    for table in document.for_readers.tables:
         shown = in_units(table.readable)
         for row in shown.rows:
             for column, value in zip(shown.columns, row, strict=True):

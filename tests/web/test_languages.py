@@ -58,7 +58,7 @@ Ctrl Shift Esc Escape Home Page Up Down cos sin pi rpm deg rad turns mm cm in ft
 kN MN mPa MPa GPa kgf lbf KR VR kW bar exp Wiebe English null
 speed neighbours front rear odd even crank balancer all full half power most torque idle
 output crankshafts otto limited pressure heat release spark ignition compression none diesel
-published computed unverified placeholder estimated
+published computed unverified placeholder estimated determinate continuous
 """
 KNOWN = set(AS_THEY_STAND.split())
 """Units, keys of the keyboard, programs, what is typed; names that files give."""
