@@ -107,7 +107,8 @@ def test_a_star_times_its_harmonic_is_the_amplitude(run: Run, tmp_path: Path) ->
             if re.search(wave, line)
         }
 
-    sizes, stars = rows("Force", 1), rows("Force by the vector stars", 2)
+    sizes, stars = rows("Force on the block", 1), rows("Force by the vector stars", 2)
+    assert sizes.keys() == stars.keys() == {"1", "2", "3"}
     unit = 0.5 * 0.045 * (3000 * pi / 30) ** 2
     for order, (amplitude,) in sizes.items():
         harmonic, vertical = stars[order]
