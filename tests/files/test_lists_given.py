@@ -93,12 +93,14 @@ def test_a_bad_trace_hides_no_other_mistake(
         assert part in told
 
 
-def test_a_name_has_no_private_letters(run: Run, tmp_path: Path) -> None:
-    text = GENSET.read_text(encoding="utf-8")
-    (tmp_path / "e.toml").write_text(f'name = "a\ue000b"\n{text}'.replace('name = "g', '# "g'))
+@pytest.mark.parametrize(("letter", "code"), [("-", 0), ("\ue000", 2), ("\U000f0000", 2)])
+def test_a_name_has_no_private_letters(run: Run, tmp_path: Path, letter: str, code: int) -> None:
+    lines = GENSET.read_text(encoding="utf-8").splitlines()
+    at = next(place for place, line in enumerate(lines) if line.startswith("name ="))
+    lines[at] = f'name = "a{letter}b"'
+    (tmp_path / "e.toml").write_text("\n".join(lines), encoding="utf-8")
     told = run("check", str(tmp_path / "e.toml"))
-    assert told.code == 2
-    assert "name" in told.err
+    assert (told.code, "name" in told.err) == (code, code == 2)
 
 
 def test_an_engine_that_burns_nothing_has_no_air_fuel_ratio(run: Run) -> None:
