@@ -138,7 +138,7 @@ def _notes(engine: Engine, found: TorsionAnalysis, own: Fatigue) -> list[str]:
     lines = [
         _(
             "Bending by gas and inertia at {rpm} rpm; torsion by vibration: half the range from "
-            "minimum to maximum, {torque} N m in {shaft} at {worst} rpm, the greatest between "
+            "minimum to maximum, {torque} N m in {shaft} at {worst} rpm, the maximum between "
             "{low} and {high} rpm.",
             rpm=number(round(own.speed * RPM)),
             torque=number(float(f"{own.torsional.torque:.4g}")),
