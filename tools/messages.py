@@ -7,6 +7,7 @@ which sentences have no translation yet and are shown in English.
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable
 from io import BytesIO
@@ -193,14 +194,20 @@ def compile_all() -> None:
     """Write the compiled form of the Python translations beside them; the page reads its own.
 
     Plurals without a translation are left out; Babel would write their English singular for all.
+    A form that is up to date stays, another takes its place at once: who reads it sees a whole one.
     """
     for language, path in PYTHON.translations().items():
         catalog = read(path, language)
         for message in catalog:
             if not _is_translated(message):
                 message.string = ""
-        with path.with_suffix(".mo").open("wb") as file:
-            write_mo(file, catalog)
+        form = BytesIO()
+        write_mo(form, catalog)
+        place = path.with_suffix(".mo")
+        if not place.exists() or place.read_bytes() != form.getvalue():
+            whole = place.with_suffix(f".{os.getpid()}")
+            whole.write_bytes(form.getvalue())
+            whole.replace(place)
 
 
 def update_all() -> None:

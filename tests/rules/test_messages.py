@@ -235,6 +235,27 @@ def test_sentences_name_their_placeholders(name: str) -> None:
             assert all(name.isidentifier() for name in placeholders(form)), form
 
 
+def test_a_compiled_form_is_whole_for_who_reads_it_meanwhile(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One that is up to date is not touched; one that is not is replaced, not written over."""
+    path = without(DOMAINS["python"].translations()["ja"], tmp_path / "ja", "No primary force.")
+    copied = DOMAINS["python"]._replace(template=tmp_path / "crankstar.pot")
+    monkeypatch.setitem(TOOL["compile_all"].__globals__, "PYTHON", copied)
+    monkeypatch.setattr(type(copied), "translations", lambda _: {"ja": path})
+    TOOL["compile_all"]()
+    form = path.with_suffix(".mo")
+    first, whole = form.stat(), form.read_bytes()
+    TOOL["compile_all"]()
+    assert form.stat() == first
+    form.write_bytes(whole[:3])
+    with form.open("rb") as reader:
+        TOOL["compile_all"]()
+        assert reader.read() == whole[:3]
+    assert form.read_bytes() == whole
+    assert sorted(tmp_path.rglob("*")) == [tmp_path / "ja", form, path]
+
+
 @pytest.mark.parametrize(
     ("language", "said"),
     [
