@@ -39,10 +39,10 @@ demo: $(RUN_ONLY) bundle
 
 # Under 90 seconds on two idle cores.
 quick: $(READY) front-end
-	@$(MAKE) --no-print-directory -j 2 lint unit
+	@$(MAKE) --no-print-directory -j 2 lint unit WORKERS="-n 2 --dist worksteal"
 
 unit: $(READY)
-	$(BIN)/pytest -q -m "quick and not release"
+	$(BIN)/pytest -q $(WORKERS) -m "quick and not release"
 
 # The gate. Of its first line the longest come first, so that no core waits.
 test: $(READY) front-end

@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
-from math import lcm
+from math import cos, lcm
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -296,9 +296,9 @@ def tops(spectrum: Spectrum) -> list[Peak]:
         return out
     spectrum = spectrum[moving]
     period_angle = 2 * np.pi * period(spectrum)
-    samples = np.abs(_over_period(spectrum))
+    samples, least = _over_period(spectrum)
     step = period_angle / samples.shape[-1]
-    near = [_candidates(lengths) for lengths in samples]
+    near = [_candidates(lengths, least) for lengths in np.abs(samples)]
     rows = np.repeat(np.arange(len(near)), [places.size for places in near])
     starts, own = np.concatenate(near) * step, spectrum[rows]
     # Between two maxima close together lies a minimum: go from it to either side.
@@ -328,14 +328,25 @@ EQUAL = 1e-11
 """Share within which peaks are equal."""
 ALIKE = 1e-15
 """Share by which a maximum beside a sample is higher than the sample, if it is another."""
+ROUNDING = 1e-9
+"""Share by which a bound is widened, far more than what adding up rounds off."""
 FLAT = 1e-13
 """A sample above its neighbours by less than this share of it needs no search beside it."""
 
 
-def _over_period(spectrum: Spectrum) -> Complex:
-    """The vector at equal steps over the period [..., step], fine enough for its highest order."""
-    highest = round(float(spectrum.orders.max()) * period(spectrum))
-    return over_period(spectrum, _steps(highest))
+def _over_period(spectrum: Spectrum) -> tuple[Complex, float]:
+    """The vector at equal steps over the period [..., step], fine enough for its highest order.
+
+    And the share of the peak that the highest of these has, at least.
+    """
+    highest = _highest(spectrum)
+    samples = _steps(highest)
+    return over_period(spectrum, samples), _least(samples, highest)
+
+
+def _highest(spectrum: Spectrum) -> int:
+    """The highest harmonic of the period."""
+    return round(float(spectrum.orders.max()) * period(spectrum))
 
 
 def _steps(highest: int) -> int:
@@ -348,12 +359,21 @@ def distinct(values: Real) -> Real:
     return np.array(sorted(set(values.tolist())), values.dtype)
 
 
-def _candidates(lengths: Real) -> NDArray[np.int_]:
+def _least(samples: int, highest: int) -> float:
+    """The share of the peak that the sample nearest to it has, at least; of its highest harmonic.
+
+    Of a trigonometric sum of degree n, f(at the peak + x) >= f(at the peak) cos(n x) for |n x| up to
+    pi (M. Riesz); so it is for a vector along its direction at the peak.
+    """
+    return cos(np.pi * highest / samples) * (1 - ROUNDING)
+
+
+def _candidates(lengths: Real, least: float) -> NDArray[np.int_]:
     """The samples beside which the peak can be: local maxima near the highest, and the first."""
     local = (
         (lengths >= np.roll(lengths, 1))
         & (lengths >= np.roll(lengths, -1))
-        & (lengths >= 0.85 * lengths.max())
+        & (lengths >= least * lengths.max())
     )
     strongest = np.flatnonzero(local)
     strongest = strongest[np.argsort(-lengths[strongest], kind="stable")][:CANDIDATES]
@@ -376,9 +396,7 @@ def peaks(spectrum: Spectrum) -> Real:
     forward, backward = (
         values.reshape(-1, spectrum.orders.size) for values in (spectrum.forward, spectrum.backward)
     )
-    block = max(
-        1, SAMPLES_AT_ONCE // _steps(round(float(spectrum.orders.max()) * period(spectrum)))
-    )
+    block = max(1, SAMPLES_AT_ONCE // _steps(_highest(spectrum)))
     blocks = [slice(start, start + block) for start in range(0, len(forward), block)]
     values = [
         _peaks(replace(spectrum, forward=forward[rows], backward=backward[rows])) for rows in blocks
@@ -388,13 +406,14 @@ def peaks(spectrum: Spectrum) -> Real:
 
 def _peaks(spectrum: Spectrum) -> Real:
     """The peaks of a few vectors [row]: the highest sample, and the maxima near all high ones."""
-    squared = np.abs(_over_period(spectrum)) ** 2
+    samples, least = _over_period(spectrum)
+    squared = np.abs(samples) ** 2
     before, after = np.roll(squared, 1, axis=-1), np.roll(squared, -1, axis=-1)
     highest = squared.max(axis=-1)
     local = (
         (squared >= before) & (squared >= after) & (2 * squared - before - after > FLAT * squared)
     )
-    rows, places = np.nonzero(local & (squared >= 0.85**2 * highest[:, None]))
+    rows, places = np.nonzero(local & (squared >= least**2 * highest[:, None]))
     step = 2 * np.pi * period(spectrum) / squared.shape[-1]
     greatest = np.sqrt(highest)
     right = _maxima(spectrum[rows], places * step, step, side=1)

@@ -13,7 +13,8 @@ from tests.commands import Run
 import crankstar
 from crankstar.files import engine_of, tree_of
 
-pytestmark = pytest.mark.quick
+quick = pytest.mark.quick
+"""What a ranged torsion of six cylinders takes is for the whole gate."""
 
 TWIN = """
 name = "parallel twin"
@@ -73,6 +74,7 @@ def written(place: Path, text: str) -> str:
     return str(place)
 
 
+@quick
 def test_what_counterweights_leave_is_about_the_point_that_is_asked_for(
     run: Run, tmp_path: Path
 ) -> None:
@@ -91,6 +93,7 @@ def test_what_counterweights_leave_is_about_the_point_that_is_asked_for(
     assert [float(each) for each in found.groups()] == pytest.approx([force, force * 0.2], rel=1e-4)
 
 
+@quick
 def test_a_star_times_its_harmonic_is_the_amplitude(run: Run, tmp_path: Path) -> None:
     """Also in phase, which the harmonics of a cylinder that stands off the crankshaft have."""
     out = run("analyze", written(tmp_path / "vee.toml", VEE), "--orders", "1,2,3").out
@@ -142,6 +145,7 @@ def test_a_limit_that_no_stress_passes_is_told(
     assert ("Barred speeds" in out) is not told
 
 
+@quick
 def test_a_bore_that_is_supposed_says_of_what_type(run: Run, tmp_path: Path) -> None:
     text = TWIN.replace('bore = "76 mm"\n', "") + '[gas]\nimep = "9 bar"\n'
     for ignition, kind in (("spark", "petrol|motorcycle"), ("compression", "diesel")):
@@ -150,11 +154,13 @@ def test_a_bore_that_is_supposed_says_of_what_type(run: Run, tmp_path: Path) -> 
         assert re.search(rf"With a bore of [\d.]+ mm to [\d.]+ mm \(type ({kind})", told)
 
 
+@quick
 def test_a_missing_firing_order_is_named_where_gas_is_left_out(run: Run, tmp_path: Path) -> None:
     place = written(tmp_path / "twin.toml", TWIN.replace("firing_order = [1, 2]\n", ""))
     assert "its torque needs firing_order" in " ".join(run("analyze", place).out.split())
 
 
+@quick
 def test_a_mass_without_a_unit_is_no_length(run: Run) -> None:
     told = " ".join(run("analyze", "v2-90").out.split())
     assert re.search(r"With [\d.]+ times m to [\d.]+ times m", told)

@@ -394,6 +394,26 @@ def test_the_higher_of_two_nearly_equal_peaks_is_found() -> None:
     assert_peak(Spectrum(np.array([1.0, 2.0]), forward, backward))  # 4.618653, not 4.614653
 
 
+@pytest.mark.parametrize("at_most", [spectra.POINTS_AT_MOST, 1])
+def test_the_peak_may_lie_halfway_between_two_samples(
+    at_most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """cos n(x - d), halfway, is sampled at cos(pi n/samples) of its peak; a low wave is on one."""
+    monkeypatch.setattr(spectra, "POINTS_AT_MOST", at_most)
+    order, scale = 60, 0.9999
+    samples = spectra._steps(order)
+    late, least = np.pi / samples, np.cos(np.pi * order / samples)
+    low = (1 - least) / 2  # a crest on a sample far away stands above the samples about the peak
+    orders = np.array([1.0, order - 1.0, order])
+    wave = np.array([-low * 0.5, low * 0.25, scale]) * np.exp(-1j * orders * late)
+    batch = spectra.real_signal(orders, np.stack([wave, wave[::-1]]))
+    dense = np.linspace(0, 2 * np.pi, 400_001)
+    highest = np.abs(spectra.value(batch, dense)).max(axis=-1)
+    assert spectra.peaks(batch) == pytest.approx(highest, rel=1e-6)
+    assert (spectra.peaks(batch) >= highest * (1 - 1e-12)).all()
+    assert [top.value for top in spectra.tops(batch)] == pytest.approx(spectra.peaks(batch))
+
+
 def test_the_peak_does_not_hang_on_how_the_orders_are_listed() -> None:
     orders, amplitude = np.array([1.0, 60.0]), np.array([1.0, 0.7j])
     ascending, descending = (

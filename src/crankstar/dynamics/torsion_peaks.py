@@ -12,7 +12,7 @@ from crankstar.engine.engine import Engine
 from crankstar.mechanics.maxima import NEAR
 from crankstar.spectra import Real
 
-AT_ONCE = 16
+AT_ONCE = 32
 """Peaks over the cycle that are computed together."""
 
 
