@@ -362,8 +362,8 @@ def distinct(values: Real) -> Real:
 def _least(samples: int, highest: int) -> float:
     """The share of the peak that the sample nearest to it has, at least; of its highest harmonic.
 
-    Of a trigonometric sum of degree n, f(at the peak + x) >= f(at the peak) cos(n x) for |n x| up to
-    pi (M. Riesz); so it is for a vector along its direction at the peak.
+    Of a trigonometric sum of degree n, f(at the peak + x) >= f(at the peak) cos(n x) for |n x| up
+    to pi (M. Riesz); so it is for a vector along its direction at the peak.
     """
     return cos(np.pi * highest / samples) * (1 - ROUNDING)
 
