@@ -103,6 +103,20 @@ ENGINES = {
             "torque W --point x --imep '2 mm' --off x --flywheel '3 g'",
             ("operating point x", '--imep is "2 mm"', "--off x", '--flywheel is "3 g"'),
         ),
+        (
+            "search 99 --judge k --workers 0 --row 0 --bank 90 --speed x -o /nowhere/x.csv",
+            ("not 99", "--judge k", "--workers 0", "--row 0", '--speed is "x"', "/nowhere/x.csv"),
+        ),
+        (
+            "search i6 --minimise twist --orders 0 --why 1-2 --theme x --mode-shape 9 --fix 1=0",
+            ("--theme", "--orders: 0", "--why: 1-2", "--mode-shape", "--fix"),
+        ),
+        ("analyze i4 --speed x -o /nowhere/x.csv", ('--speed is "x"', "/nowhere/x.csv: cannot")),
+        ("derive i4 --orders 0 -o /nowhere/x.md", ("--orders 0", "/nowhere/x.md: cannot")),
+        ("export nosuch -o/nowhere/x.py", ("nosuch: 1 mistake", "/nowhere/x.py: cannot")),
+        ("sweep i4 --over x -o /nowhere/x.csv", ("--over x", "/nowhere/x.csv: cannot")),
+        ("search nosuch --minimise Q --set bad", ("nosuch", "--minimise", "--set bad")),
+        ("search 4 --best 0 --workers 0 --uneven 1", ("--best: 0", "--workers 0", "--uneven")),
         ("search i4 --speed x --row 0 --workers 0", ('--speed is "x"', "--row 0", "--workers 0")),
     ],
 )

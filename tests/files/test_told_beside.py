@@ -164,3 +164,16 @@ def test_a_missing_firing_order_is_named_where_gas_is_left_out(run: Run, tmp_pat
 def test_a_mass_without_a_unit_is_no_length(run: Run) -> None:
     told = " ".join(run("analyze", "v2-90").out.split())
     assert re.search(r"With [\d.]+ times m to [\d.]+ times m", told)
+
+
+@quick
+@pytest.mark.parametrize("verb", ["torque", "genset"])
+def test_a_flywheel_asked_for_is_doubted_as_one_of_the_file(
+    run: Run, tmp_path: Path, verb: str
+) -> None:
+    text = f'{TWIN}\n[gas]\nimep = "9 bar"\nignition = "spark"\n'
+    light = "0.0001 kg*m^2"
+    asked = run(verb, written(tmp_path / "twin.toml", text), "--flywheel", light).out
+    filed = written(tmp_path / "filed.toml", f'{text}[drive]\ninertia = "{light}"\n')
+    assert "drive.inertia is 0.0001 kg m²" in asked
+    assert asked == run(verb, filed).out

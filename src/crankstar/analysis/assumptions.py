@@ -143,7 +143,8 @@ class Answer:
     natural frequencies of an answer that resonates. `shown` are the key paths of assumed values
     that its tables show, or that go into a table of none of the figures: they are told also where
     no figure moves by them. `aims` are quantities that the question is of: what moves one of them
-    stands first, and what moves another as well is told by them.
+    stands first, and what moves another as well is told by them. `engine` is the one that it is
+    about, where the question has a value of its own for a key of the file, which is doubted as one.
     """
 
     figures: Callable[[Engine], Figures]
@@ -159,6 +160,7 @@ class Answer:
     tunings: Sequence[Tuning] = ()
     shown: Collection[str] = ()
     aims: Collection[str] = ()
+    engine: Engine | None = None
 
 
 def moved(engine: Engine, found: Sequence[Assumption], answer: Answer) -> tuple[Assumption, ...]:

@@ -17,7 +17,14 @@ from crankstar.analysis.registry import added
 from crankstar.cli.complaints import complaint, unwritable
 from crankstar.cli.output import abandon, complain
 from crankstar.cli.system_language import of_system
-from crankstar.cli.words import COMPLETION, refuse_files, spelt_out, wanted_language, wanted_units
+from crankstar.cli.words import (
+    COMPLETION,
+    refuse_files,
+    spelt_out,
+    told_beside,
+    wanted_language,
+    wanted_units,
+)
 from crankstar.engine.packages import PackageWarning
 from crankstar.files.read_files import files_noted
 from crankstar.language import spelling
@@ -121,9 +128,9 @@ def _code(words: list[str]) -> int:
     except CycloptsError as error:
         return _refuse(complaint(error))
     except MessageError as error:
-        return _refuse(str(error))
+        return _refuse(told_beside(error, words))
     except SearchError as error:
-        return _refuse(error.text(lambda option: f"--{option.replace('_', '-')}"))
+        return _refuse(error.in_options())
     except BrokenPipeError:
         return 0  # the reader of the pipe has all it wanted
     except SystemExit as ended:  # rich raises it for a broken pipe, cyclopts without a shell

@@ -2,14 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePath
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal, TypeVar
 
 from crankstar.cli.options import Csv, Json, option
 from crankstar.cli.output import writable
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import _n
-from crankstar.options.refusals import RequestError, refusal, refuse_empty
+from crankstar.options.refusals import MistakesError, RequestError, refusal, refuse_empty
+from crankstar.stars.faults import SearchError
+
+T = TypeVar("T")
+
+
+def in_options(reading: Callable[[], T]) -> T:
+    """What is read of a search, its faults told as those of options. Raises MistakesError."""
+    try:
+        return reading()
+    except SearchError as error:
+        raise MistakesError(error.in_options().splitlines()) from None
 
 
 def no_such_row(row: int, count: int) -> RequestError:
@@ -83,3 +96,29 @@ class Sequenced:
                 "--judge": self.judge,
             }
         )
+
+
+@dataclass(frozen=True)
+class Line:
+    """What is read of a command line: what it asks for, of what, and how the answer is given.
+
+    `named` is the word for the engine or the number of cylinders, `tree` the file, `kind` the form
+    of the answer or of the engine of a row, `paper` that of a picture; `speed` in rad/s.
+    """
+
+    named: str
+    source: int | Engine
+    tree: dict[str, Any] | None
+    speed: float | None
+    wanted: Any
+    kind: str
+    paper: Any
+    workers: int | None
+    deviations: list[float] | None
+    work: Work
+    form: Form
+
+    @property
+    def engine(self) -> Engine | None:
+        """The engine that is searched for, as the search has it."""
+        return self.wanted.engine

@@ -4,71 +4,35 @@ from __future__ import annotations
 
 import os
 from contextlib import ExitStack
-from dataclasses import asdict
 from functools import partial
 from typing import Any
 
-from crankstar.cli.options import Looks, read_engine, write_engine
-from crankstar.cli.output import complain, display, progress, working, writable, write_result
-from crankstar.cli.search_options import Form, Work, no_such_row
+from crankstar.cli.options import write_engine
+from crankstar.cli.output import complain, display, progress, working, write_result
+from crankstar.cli.search_options import Line, Work, no_such_row
 from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
-from crankstar.options import search as options
 from crankstar.options import sequences
-from crankstar.options import values as request
-from crankstar.options.forms import ENGINES, PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
+from crankstar.options.forms import PICTURES, STANDARD_OUTPUT, usual_place
 from crankstar.options.refusals import not_compiled
 from crankstar.options.values import RequestError
-from crankstar.options.words import SearchWords, SequenceWords, sequence_options
 
 MOST_THREADS = 64
 LONG_STARS = 1_000_000_000
 """Stars that take more than a few minutes."""
 
 
-def searched(
-    cylinders: str,
-    words: SearchWords,
-    more: SequenceWords,
-    *,
-    settings: list[str] | None,
-    speed: str | None,
-    estimate: bool,
-    work: Work,
-    looks: Looks,
-    form: Form,
-) -> int | None:
+def searched(line: Line) -> int | None:
     """Find the front over stars and firing sequences, and show it or write a row."""
-    given = {"--speed": speed, "--estimate": estimate}
-    request.refuse_unused(given, beside=sequence_options(words, more))
-    _check_row(form)
-    work.check(form.output)
-    kind = _kind(form)
-    paper = None
+    wanted, form, kind = line.wanted, line.form, line.kind
+    front = _front(wanted.question, line.workers or os.cpu_count() or 1, line.work)
     if kind in PICTURES:
-        request.refuse_unused({"--judge": more.judge}, beside=_("a picture"))
-        paper = chart_request.paper(kind, **asdict(looks))
-    else:
-        looks.refuse(_("an engine") if form.row is not None else _("a table"))
-    workers = request.within("--workers", work.workers, most=MOST_THREADS) or os.cpu_count() or 1
-    tree, about = None, options.whole_number(cylinders)
-    if about is None:
-        found = read_engine(cylinders, settings, ranged=False)
-        about, tree = found.engine, found.tree
-    else:
-        request.refuse_unused({"--set": settings}, without=_("an engine"))
-    wanted = sequences.sequences_of(about, words, more)
-    if form.output is not None:
-        writable(form.output)
-    front = _front(wanted.question, workers, work)
-    if kind in PICTURES:
-        return _draw(front, cylinders, kind, form, paper)
+        return _draw(front, line)
     judged = _judged(front, wanted)
     if form.row is not None and front.complete:
         first = next(iter(judged.values())).rows if judged else {}
-        best = {shown: way.fired for shown, way in first.items()}
-        _show_row(front, wanted.engine, best, form, tree)
+        _show_row(front, {shown: way.fired for shown, way in first.items()}, line)
         return None
     from crankstar.tables.search_sequences import ROWS, search_sequences
 
@@ -84,27 +48,7 @@ def searched(
     return 130
 
 
-def _check_row(form: Form) -> None:
-    """Refuse what a row does not take. Raises RequestError."""
-    if form.row is not None:
-        given = {"--csv": form.csv, "--json": form.json, "--chart": form.chart}
-        request.refuse_unused(given, beside="--row")
-        request.within("--row", form.row, most=200_000)
-
-
-def _kind(form: Form) -> str:
-    """The form of the answer, or of the engine of a row. Raises RequestError."""
-    if form.row is None and form.uneven is not None:
-        raise RequestError("--uneven: name the row to refine, as in --row 2 --uneven 1,2,5")
-    if form.row is not None:
-        return form_of(form.output, ENGINES)
-    if form.chart is not None:
-        request.refuse_unused({"--csv": form.csv, "--json": form.json}, beside="--chart")
-        return chart_request.suffix(form.output)
-    return form_of(form.output, (*TABLES, *PICTURES), json=form.json, csv=form.csv)
-
-
-def _draw(front: Any, about: str, kind: str, form: Form, paper: Any) -> int | None:
+def _draw(front: Any, line: Line) -> int | None:
     """Write the front, or its first stars, as a picture; none of a search that was stopped."""
     from crankstar.tables.search_sequences import certificate, heading
 
@@ -112,10 +56,11 @@ def _draw(front: Any, about: str, kind: str, form: Form, paper: Any) -> int | No
         complain(f"crankstar: {certificate(front)}")
         return 130
     drawing, title = chart_request.charts(), heading(front.question)
-    draw = drawing.sequence_stars if form.chart == "stars" else drawing.sequence_chart
-    made = drawing.printed(partial(draw, front), paper, title=title)
-    place = usual_place(about, "search", form.chart or "front", kind=kind)
-    write_result(drawing.saved_print(made, kind, title=title), form.output, place)
+    chart, kind = line.form.chart, line.kind
+    draw = drawing.sequence_stars if chart == "stars" else drawing.sequence_chart
+    made = drawing.printed(partial(draw, front), line.paper, title=title)
+    place = usual_place(line.named, "search", chart or "front", kind=kind)
+    write_result(drawing.saved_print(made, kind, title=title), line.form.output, place)
     return None
 
 
@@ -178,7 +123,7 @@ def _judged(front: Any, wanted: sequences.Sequences) -> dict[Any, Any]:
     return out
 
 
-def _show_row(front: Any, engine: Any, best: dict[Any, Any], form: Form, tree: Any) -> None:
+def _show_row(front: Any, best: dict[Any, Any], line: Line) -> None:
     """Write a row as an engine file; uneven angles as a table, or the engine of the last one.
 
     best: the ways that were judged best, by the orders that rows show. Raises RequestError where
@@ -188,18 +133,17 @@ def _show_row(front: Any, engine: Any, best: dict[Any, Any], form: Form, tree: A
     from crankstar.stars.uneven_sequences import uneven_sequences
     from crankstar.tables.uneven_angles import uneven_angles
 
-    row = form.row or 1
+    row, output, engine = line.form.row or 1, line.form.output, line.engine
     if row > len(front.points):
         raise no_such_row(row, len(front.points))
     shown, shaft, later = front.points[row - 1].fired, front.question.shaft, ()
     fired = best.get(shown, shown)
-    if form.uneven is not None:
+    if line.deviations is not None:
         with working(_("Refining the angles ...")):
-            deviations = options.deviations(form.uneven)
-            curve = uneven_sequences(front.question, fired, deviations_deg=deviations)
-        if form.output not in STANDARD_OUTPUT or form.output is None:
+            curve = uneven_sequences(front.question, fired, deviations_deg=line.deviations)
+        if output not in STANDARD_OUTPUT or output is None:
             display(uneven_angles(curve))
-        if form.output is None:
+        if output is None:
             return
         later = curve[-1].later_deg
     built = (
@@ -207,4 +151,4 @@ def _show_row(front: Any, engine: Any, best: dict[Any, Any], form: Form, tree: A
         if engine is None
         else with_fired(engine, shaft, fired, later)
     )
-    write_engine(built, tree, form.output)
+    write_engine(built, line.tree, output)

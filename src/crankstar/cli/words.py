@@ -12,10 +12,11 @@ import re
 from collections.abc import Sequence
 from contextlib import suppress
 from itertools import pairwise
+from pathlib import Path
 
-from crankstar.cli.output import LOST, OutputError, is_file
+from crankstar.cli.output import LOST, OutputError, is_file, writable
 from crankstar.files.read_files import STANDARD_INPUT
-from crankstar.language.messages import LANGUAGES
+from crankstar.language.messages import LANGUAGES, MessageError
 from crankstar.language.quoting import one_line, seen
 from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice
 from crankstar.options.forms import STANDARD_OUTPUT
@@ -113,9 +114,7 @@ def refuse_files(words: Sequence[str]) -> None:
 
     Raises OutputError, RequestError.
     """
-    apart = [re.sub("^-o(?=[^=])", "-o=", word) for word in words]
-    parts = [part for word in apart for part in word.split("=", 1) if _may_be_a_file(part)]
-    written = [(option, place) for option, place in pairwise(parts) if option in WRITTEN]
+    parts, written = _written(words)
     for option, name in pairwise(parts):
         if option in NAMING:
             refuse_empty({option: name})
@@ -126,6 +125,30 @@ def refuse_files(words: Sequence[str]) -> None:
         real = os.path.realpath(place)
         if [os.path.realpath(part) for part in parts].count(real) > 1:
             raise OutputError(LOST, file=one_line(place), option=option)
+
+
+def _written(words: Sequence[str]) -> tuple[list[str], list[tuple[str, str]]]:
+    """The words, options apart from their values, and those that name a file to write."""
+    apart = [re.sub("^-o(?=[^=])", "-o=", word) for word in words]
+    parts = [part for word in apart for part in word.split("=", 1) if _may_be_a_file(part)]
+    return parts, [(option, place) for option, place in pairwise(parts) if option in WRITTEN]
+
+
+def told_beside(error: MessageError, words: Sequence[str]) -> str:
+    """What is wrong with a command line, and besides which of its files cannot be written.
+
+    A verb finds that out when it writes, unless it takes long.
+    """
+    told = [str(error)]
+    if not isinstance(error, OutputError):
+        for option, place in _written(words)[1]:
+            if Path(place).is_dir():
+                continue  # some write into one
+            try:
+                writable(place, option=option)
+            except OutputError as other:
+                told += [] if str(other) in told[0] else [str(other)]
+    return "\n".join(told)
 
 
 def _refuse_twice(written: Sequence[tuple[str, str]]) -> None:

@@ -9,8 +9,6 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _
-from crankstar.options.refusals import refuse_empty
 from crankstar.options.search import SPELLINGS, amplitude, fraction, gap, limit, measure, order
 from crankstar.options.shapes import STRAIGHT, mode_asked, mode_shape
 from crankstar.options.values import choice, degrees, listed, refuse_unused
@@ -58,24 +56,12 @@ class Sequences:
 
 
 def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -> Sequences:
-    """What the words ask for. Raises SearchError with its faults, RequestError for other options.
+    """What the words ask for. Raises SearchError with its faults, RequestError of `judges_of`.
 
     >>> sequences_of(8, SearchWords(), SequenceWords(bank="90")).question.goals[2].name
     'twist'
     """
-    refuse_unused(
-        {
-            "--fix": words.fix,
-            "--symmetric": words.symmetric,
-            "--best": words.best,
-            "--all": words.all,
-            "--all-with": words.all_with,
-        },
-        beside=sequence_options(words, more),
-    )
-    refuse_empty({"--minimise": words.minimise, "--zero": words.zero})
     engine = about if isinstance(about, Engine) else None
-    judges = _judges(more.judge, engine)
     faults = Faults()
     shaft = _shaft(about, words, more, faults)
     if shaft is None:
@@ -88,17 +74,30 @@ def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -
             why = shaft.fired_in(order(more.why))
     if faults:
         raise SearchError(faults)
+    judges = judges_of(more.judge)
     size = {"size": MOST_WAYS} if judges else {}
     question = SequenceQuestion(shaft, tuple(goals), tuple(caps), few, **size)
     return Sequences(question, engine, why, asked.mode, judges)
 
 
-def _judges(text: str | None, engine: Engine | None) -> tuple[Judge, ...]:
+def check_words(words: SearchWords, more: SequenceWords) -> None:
+    """Refuse words of a search of stars alone beside those of sequences. Raises RequestError."""
+    refuse_unused(
+        {
+            "--fix": words.fix,
+            "--symmetric": words.symmetric,
+            "--best": words.best,
+            "--all": words.all,
+            "--all-with": words.all_with,
+        },
+        beside=sequence_options(words, more),
+    )
+
+
+def judges_of(text: str | None) -> tuple[Judge, ...]:
     """What each row is judged by. Raises RequestError."""
     if text is None:
         return ()
-    if engine is None:
-        refuse_unused({"--judge": text}, without=_("an engine"))
     from crankstar.studies.judged_orders import JUDGES  # late: a search of stars needs no gas
 
     named = dict.fromkeys(choice("--judge", each, JUDGES) for each in listed(text) or [text])

@@ -33,6 +33,10 @@ class SearchError(ValueError):
             f"{', '.join(names)}: {words}" if names else words for words, names in options.items()
         )
 
+    def in_options(self) -> str:
+        """Each fault on a line, after the options of a command line that it is about."""
+        return self.text(lambda option: f"--{option.replace('_', '-')}")
+
 
 class Faults(list[Fault]):
     """Faults gathered, so that all of them are reported at once."""

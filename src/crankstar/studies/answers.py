@@ -22,6 +22,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.analysis.assumptions import Answer, Assumption, Uses, moved
+from crankstar.analysis.changed_values import with_drive_inertia
 from crankstar.analysis.registry import added, analyses
 from crankstar.analysis.tried_values import Figure, Figures
 from crankstar.engine.basis import BALANCE_FACTOR
@@ -57,6 +58,7 @@ IN_ROLL = N_("Not in the rolling moment: {paths}.")
 
 def rests_on(engine: Engine, answer: Answer) -> tuple[Assumption, ...]:
     """All that an answer rests on, what moves it most first."""
+    engine = answer.engine or engine
     found = [each for each in assumed_values(engine, answer) if each.path not in answer.given]
     return moved(engine, found, answer)
 
@@ -278,13 +280,15 @@ def torques(
     for a degree of `irregularity`. With `sums` force, couple and roll besides, as generating sets
     have them on their frame, not the torques. Raises GasError.
     """
+    if flywheel is not None:
+        engine = with_drive_inertia(engine, flywheel)
     found = make(engine)
 
     def figures(each: Engine) -> Figures:
         again = make(each)
         rolls = _rolls("roll", each, again, one_frame=sums)
         if running:
-            rolls |= _evenness(each, again, flywheel, irregularity)
+            rolls |= _evenness(each, again, irregularity)
         if sums:
             return _inertia_sizes(each, again.speed) | rolls
         mean = float(gas_torque(again).mean.sum())
@@ -294,8 +298,7 @@ def torques(
             plain["brake torque", None] = brake
         return {**rolls, **plain}
 
-    wheel = flywheel is None and irregularity is None
-    told = running and not lacking_keys(engine, found.speed, flywheel=wheel)
+    told = running and not lacking_keys(engine, found.speed, flywheel=irregularity is None)
     load = of_load(engine, found, on_frame=sums, running=told)
     units = {"peak pressure": "bar", "irregularity": "", "flywheel": "kg*m^2"}
     turning: Uses = "running" if irregularity is None else "sized"
@@ -307,20 +310,19 @@ def torques(
             if quantity in ("force", "couple")
             else units.get(quantity, "N*m")
         ),
-        uses=("inertia", "gas", *(uneven if running and flywheel is None else ())),
+        uses=("inertia", "gas", *(uneven if running else ())),
         gas=found,
         choices=[*gas_alone(engine, found, figures), *load],
+        engine=engine,
     )
 
 
-def _evenness(
-    engine: Engine, found: Cycle, flywheel: float | None, irregularity: float | None
-) -> dict[Figure, float]:
+def _evenness(engine: Engine, found: Cycle, irregularity: float | None) -> dict[Figure, float]:
     """The degree of irregularity, and the flywheel for one that was asked for."""
     from crankstar.dynamics.uneven import driven, flywheel_for
 
     out: dict[Figure, float] = {}
-    running = driven(engine, found, flywheel=flywheel)
+    running = driven(engine, found)
     if running is not None:
         out["irregularity", None] = running.irregularity
     if irregularity is not None and found.speed is not None:
