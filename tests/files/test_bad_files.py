@@ -173,6 +173,23 @@ def test_an_order_that_is_none_does_not_ask_for_throws_as_well(order: object) ->
     assert "layout.throws" in codes(tree | {"firing_order": [], "speed": "x"})
 
 
+@pytest.mark.parametrize(
+    ("order", "wanted"),
+    [
+        ([1, 5, 3, 6, 2, 4, 4], ["has cylinder 4 more than once"]),
+        ([1, 4, 2], ["misses cylinder 3; each of 1, 2, 3, 4 must fire"]),
+        ([1, 1, 3], ["has cylinder 1 more than once", "misses cylinder 2"]),
+        ([], ["give it, or a firing_order"]),
+    ],
+)
+def test_an_order_from_which_throws_should_follow_is_told_what_it_lacks(
+    order: list[int], wanted: list[str]
+) -> None:
+    tree = {"layout": {"type": "inline"}, "cylinder": {"rod_ratio": 3.5}, "firing_order": order}
+    said = " ".join(problem.message for problem in problems(tree))
+    assert [words for words in wanted if words not in said] == []
+
+
 def test_a_key_in_the_wrong_table_is_told_where_it_belongs() -> None:
     assert told(SHORT + 'speed = "6000 rpm"\n')["layout.speed"] == (
         "is not a key of this table; it belongs at the top of the file, above the first [table]"

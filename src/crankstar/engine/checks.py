@@ -7,7 +7,7 @@ What only the moving engine shows is found by `motion` (a slave rod that cannot 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence, Set
 from math import lcm
 from typing import Any
 
@@ -199,8 +199,16 @@ def _firing_faults(engine: Assembly) -> Iterator[Fault]:
     if angles is not None and len(angles) != len(order):
         values: dict[str, Any] = {"count": len(angles), "firings": len(order)}
         yield Fault(("firing_angles",), "firing_angles.count", values)
-    if not order:
-        return
+    if order:
+        yield from order_faults(order, chambers)
+
+
+def order_faults(order: Sequence[int], chambers: Set[int]) -> Iterator[Fault]:
+    """What keeps a firing order from being one of these cylinders.
+
+    >>> [fault.code for fault in order_faults([1, 3, 3, 5], {1, 2, 3})]
+    ['firing_order.repeated', 'firing_order.no-such-cylinder', 'firing_order.incomplete']
+    """
     repeated = sorted(number for number, times in Counter(order).items() if times > 1)
     foreign, missing = sorted(set(order) - chambers), sorted(chambers - set(order))
     for code, numbers in (

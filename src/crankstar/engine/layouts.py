@@ -31,6 +31,7 @@ from crankstar.engine.banks import (
     arranged,
 )
 from crankstar.engine.basis import Basis
+from crankstar.engine.checks import order_faults
 from crankstar.engine.engine import Engine
 from crankstar.engine.packages import PackageError
 from crankstar.engine.quantities import Angle, Ordinal, Pitch, Size, SpeedRatio
@@ -89,12 +90,20 @@ def inline(
     [0, 120, -120]
     """
     if throws is None:
-        order = basis.firing_order
-        if not order or sorted(order) != list(range(1, len(order) + 1)):
-            raise _refused("throws", code="throws-missing")
-        throws = _even_throws(basis, order)
+        throws = _even_throws(basis, _numbered(basis.firing_order))
     bank = Bank(bearing=bearing, cylinders=tuple(range(1, len(throws) + 1)))
     return vee(basis, banks=(bank,), throws=throws, bore_pitch=bore_pitch, positions=positions)
+
+
+def _numbered(order: Sequence[int]) -> Sequence[int]:
+    """A firing order of cylinders 1, 2, ..., from which throws follow. Raises EngineError."""
+    if not order:
+        raise _refused("throws", code="throws-missing")
+    last = max(order)
+    chambers = range(1, 1 + (last if 0 < last <= GREATEST_CYLINDERS else len(order)))
+    if faults := list(order_faults(order, set(chambers))):
+        raise EngineError(faults)
+    return order
 
 
 def _even_throws(basis: Basis, order: Sequence[int]) -> tuple[float, ...]:

@@ -55,7 +55,7 @@ def gas_orders(text: str | None) -> list[float] | None:
 
 
 def mean_pressures(text: str | None) -> tuple[float, ...]:
-    """The pressures of --tangential, Pa. Raises RequestError."""
+    """The pressures of --tangential, Pa, each once. Raises RequestError."""
     parts = request.listed(text)
     if text is not None and not 1 <= len(parts) <= MOST_LOADS:
         raise refusal(
@@ -71,7 +71,7 @@ def mean_pressures(text: str | None) -> tuple[float, ...]:
         if value <= 0:
             raise request.not_positive("--tangential", part, PRESSURE)
         out.append(value)
-    return tuple(out)
+    return tuple(dict.fromkeys(out))
 
 
 def share(option: str, text: str, value: str) -> float:
