@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from crankstar.analyses.verdict.relatives import BALANCES, piston_balance
 from crankstar.files.catalog import SUMMARIES, load, names, summary
-from crankstar.tables.relatives import BALANCES, piston_balance
 
 
 def lists() -> dict[Path, str]:

@@ -21,7 +21,7 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `analyses/` | the analyses, a folder each: what is asked, what computes it, how it is told |
 | `options/` | what is typed in a command line or a dialog, read as checked values |
 | `charts/` | figures, one function each |
-| `tables/` | every analysis as a table: terminal, HTML, CSV, JSON, spreadsheet; the verdict |
+| `tables/` | every analysis as a table: terminal, HTML, CSV, JSON, spreadsheet |
 | `studies/` | the same analysis over many values or engines: sweeps, batches, tolerances |
 | `stars/` | crank stars, and nothing else, searched to the end with proof; executors |
 | `derive/` | exact closed forms step by step; their `algebra/`; `errata/` of published formulas |
@@ -87,6 +87,7 @@ if TYPE_CHECKING:
         torque,
         torsion,
         vees,
+        verdict,
     )
     from crankstar.python.derivations import derivation
     from crankstar.python.results import Result
@@ -96,7 +97,6 @@ if TYPE_CHECKING:
     from crankstar.remedy.shafts import with_balance_shaft
     from crankstar.studies.sweep import sweep, watched
     from crankstar.tables.comparison import compare
-    from crankstar.tables.verdict import verdict
 
 __version__ = "0.1.0"
 
@@ -126,7 +126,6 @@ _HOMES = {
     "remedy.shafts": ("with_balance_shaft",),
     "studies.sweep": ("sweep", "watched"),
     "tables.comparison": ("compare",),
-    "tables.verdict": ("verdict",),
 }
 """The module of each public name. All are loaded on first use: a command line that is interrupted
 while numpy is being loaded ends quietly, since it is running before."""

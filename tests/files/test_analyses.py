@@ -32,7 +32,7 @@ HOSTS = (
     "cli/command_lines.py",
     "report/analyses.py",
     "report/document.py",
-    "tables/verdict.py",
+    "analyses/verdict/facts.py",
     "tables/comparison.py",
     "tables/sweeps.py",
     "studies/sweep.py",

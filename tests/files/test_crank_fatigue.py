@@ -11,7 +11,7 @@ from tests.commands import Run
 from tests.methods.test_crank_fatigue import GAS, SIX, SIZES, STEEL, TORSION
 from tests.texts import codes, spoilt
 
-from crankstar import verdict
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.files import engine_of, toml, tree_of
 
 FACTORS = {

@@ -16,6 +16,8 @@ import pytest
 from tests.commands import Run
 
 from crankstar import files
+from crankstar.analyses.verdict.document import verdict_document
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.analysis.document import Document, Ranged
 from crankstar.engine import proportions
 from crankstar.engine.engine import Engine
@@ -27,7 +29,7 @@ from crankstar.files.errors import EngineFileError
 from crankstar.files.estimate import estimated
 from crankstar.files.write import toml, tree_text
 from crankstar.mechanics.balance import balance
-from crankstar.tables import analysis, machine, verdict
+from crankstar.tables import analysis, machine
 from crankstar.tables.balance_orders import answer
 from crankstar.tables.ranges import ranged
 
@@ -365,9 +367,7 @@ def test_sentences_give_the_range_of_each_number() -> None:
     ends = spread(tree_for("bmw-m52b28"))
     assert ends is not None
     document = ranged(
-        lambda engine: verdict.verdict_document(engine, verdict.verdict(engine, relatives=False)),
-        ends,
-        ends.engine,
+        lambda engine: verdict_document(engine, verdict(engine, relatives=False)), ends, ends.engine
     )
     (table,) = document.tables
     force = next(str(row[1]) for row in table.rows if row[0] == "force")

@@ -76,12 +76,14 @@ def test_the_order_of_the_verdict_is_the_strongest_at_the_worst_speed() -> None:
         for index, order in enumerate(over.orders)
     }
     strongest = max(alone, key=alone.__getitem__)
-    facts = [f.sentence for f in crankstar.verdict(mounted()) if f.about == "mounts"]
+    facts = [f.sentence for f in crankstar.verdict(mounted()).facts if f.about == "mounts"]
     assert f"most of it of order {strongest:g}." in facts[1]
 
 
 def test_without_mounts_the_verdict_says_nothing_of_them() -> None:
-    assert not [fact for fact in crankstar.verdict(crankstar.load("i4")) if fact.about == "mounts"]
+    assert not [
+        fact for fact in crankstar.verdict(crankstar.load("i4")).facts if fact.about == "mounts"
+    ]
 
 
 @pytest.mark.release

@@ -10,6 +10,7 @@ import pytest
 from tests.commands import Run
 
 import crankstar
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.files import engine_of
 from crankstar.files.catalog import tree_of
 from crankstar.files.sheets import sheets_of, value_of
@@ -19,7 +20,6 @@ from crankstar.studies.answers import amplitudes, rests_on, summary
 from crankstar.studies.load_answers import bearing_peaks
 from crankstar.tables.assumptions import assumption_lines, leading_lines
 from crankstar.tables.cures import fitted_lines
-from crankstar.tables.verdict import verdict
 
 PARTS = {
     "bmw-f800": "balance rod",

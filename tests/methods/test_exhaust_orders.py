@@ -11,6 +11,7 @@ from tests.methods.test_charts_pictures import words_of
 
 import crankstar
 from crankstar import charts
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.derive.algebra.cyclotomic import cosine, rational, sine
 from crankstar.derive.algebra.evaluation import value
 from crankstar.derive.exhaust import exact_exhaust_orders
@@ -128,14 +129,14 @@ def test_angles_of_slave_rods_have_no_closed_form() -> None:
     ],
 )
 def test_the_verdict_names_the_orders_of_uneven_banks(name: str, sentence: str | None) -> None:
-    facts = crankstar.verdict(crankstar.load(name), relatives=False)
+    facts = verdict(crankstar.load(name), relatives=False)
     told = " ".join(fact.sentence for fact in facts if fact.about == "firing")
     assert (sentence in told) if sentence else ("Exhaust of" not in told)
 
 
 def test_manifolds_of_a_file_are_named_in_the_verdict() -> None:
     joined = crankstar.load(CROSS, changes={"valves.manifolds": [[1, 3, 5, 7], [8, 4, 6, 2]]})
-    told = " ".join(fact.sentence for fact in crankstar.verdict(joined, relatives=False))
+    told = " ".join(fact.sentence for fact in verdict(joined, relatives=False))
     assert "Exhaust of each manifold: orders 0.5, 1.5, 2.5, 3.5 beside 4." in told
 
 

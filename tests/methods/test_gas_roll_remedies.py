@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.analysis.document import Document, Table
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
@@ -19,7 +20,6 @@ from crankstar.report.subject import Subject
 from crankstar.tables.gas_rolls import gas_roll_of
 from crankstar.tables.remedies import balancing_sheet
 from crankstar.tables.roll_cures import roll_left
-from crankstar.tables.verdict import verdict
 
 CASES = Path(__file__).parents[1] / "cases"
 SPEED = 1500 * np.pi / 30

@@ -7,6 +7,7 @@ from fractions import Fraction
 import pytest
 
 from crankstar import load
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.engine.engine import Engine
 from crankstar.files import catalog, engine_of, toml, tree_of
 from crankstar.mechanics.balance import balance
@@ -14,7 +15,6 @@ from crankstar.mechanics.bounds import size
 from crankstar.mechanics.remains import summed
 from crankstar.remedy import RemedyError, fitting, needs
 from crankstar.tables.cures import cure_lines, proposal
-from crankstar.tables.verdict import verdict
 
 QUICK = ("i4", "gm-3800", "single", "kr250-racer", "v8-cross-plane", "harley-45")
 EVERY = [

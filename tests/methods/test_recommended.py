@@ -16,6 +16,7 @@ from tests.catalog import EVERY_ENGINE
 from tests.newton import road
 
 import crankstar
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.mechanics.balance import default_reference
@@ -23,7 +24,6 @@ from crankstar.mechanics.excitation import Reference
 from crankstar.page.scene import scene
 from crankstar.remedy import RemedyError, needs, with_turning_cancelled
 from crankstar.remedy.fitting import Fitted, recommended
-from crankstar.tables.verdict import verdict
 
 NOTHING = 1e-8
 """Share of what all bodies push, in the order of which they push most."""

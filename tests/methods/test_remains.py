@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import inline
@@ -26,7 +27,6 @@ from crankstar.page.exhibits import exhibit
 from crankstar.spectra import total as total_of
 from crankstar.tables.comparison import compare
 from crankstar.tables.peaks import part_peaks
-from crankstar.tables.verdict import verdict
 
 
 def test_a_couple_with_an_arm_of_rounding_is_none() -> None:

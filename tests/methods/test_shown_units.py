@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.analysis.document import ROW_UNIT, Column, Document, Remarks, Table
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
@@ -34,7 +35,6 @@ from crankstar.tables.conversion import in_units
 from crankstar.tables.engines import description
 from crankstar.tables.machine import columns
 from crankstar.tables.remedies import Job, balancing_sheet
-from crankstar.tables.verdict import verdict
 
 REGISTRY: pint.UnitRegistry = pint.UnitRegistry()
 CHOICES = ["si", "us", "N, N m, kg, mm, g mm", "kN, kN m, t, m, kg m", "lb, lb ft, oz in", "kgf"]

@@ -15,6 +15,7 @@ from tests.methods.test_charts_pictures import words_of
 import crankstar
 from crankstar import charts
 from crankstar.analyses.strokes.charts.timing_diagram import BLOW_DOWN, EXHAUST, INTAKE, POWER
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.charts.drawing import GREY
 from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import Basis
@@ -287,6 +288,6 @@ def test_exhaust_groups_are_named_in_the_language(language: str, left: str) -> N
     assert exhaust_groups(engine)[0].name == "bank left"
     with spoken(language):
         assert exhaust_groups(engine)[0].name == left
-        assert any(left in fact.sentence for fact in crankstar.verdict(engine, relatives=False))
+        assert any(left in fact.sentence for fact in verdict(engine, relatives=False))
         ring = charts.saved(charts.firing_ring(engine), "svg", title="x")
         assert left in words_of(ring)

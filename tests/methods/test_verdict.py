@@ -10,6 +10,8 @@ import pytest
 from tests.catalog import EVERY_ENGINE
 
 from crankstar import load, spectra, total
+from crankstar.analyses.verdict.facts import verdict
+from crankstar.analyses.verdict.relatives import piston_balance
 from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import Basis
 from crankstar.engine.copies import with_values
@@ -18,8 +20,6 @@ from crankstar.engine.records import Rod
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance, scales
 from crankstar.remedy import main_bearings, needs
-from crankstar.tables.relatives import piston_balance
-from crankstar.tables.verdict import verdict
 
 pytestmark = pytest.mark.quick
 

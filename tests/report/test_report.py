@@ -13,12 +13,12 @@ from tests.report.reading import Reader, amplitude, plain, vouched
 
 import crankstar
 from crankstar import derive, spectra
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.analysis.document import Column, Table
 from crankstar.files import catalog, engine_of
 from crankstar.mechanics.balance import balance
 from crankstar.report import Subject, report
 from crankstar.report.title import data, status
-from crankstar.tables import verdict
 from crankstar.tables.balance_orders import answer
 from crankstar.tables.html import part_html
 from crankstar.tables.machine import tree
@@ -199,7 +199,7 @@ def test_a_speed_that_is_asked_for_is_the_one_of_every_number() -> None:
 def test_the_verdict_and_every_source_are_in_it(name: str) -> None:
     engine = crankstar.load(name)
     shown = plain(Reader(written(name)).text())
-    assert all(plain(fact.sentence) in shown for fact in verdict.verdict(engine))
+    assert all(plain(fact.sentence) in shown for fact in verdict(engine))
     rows = Reader(written(name)).table("Sources of the values")[1:]
     assert rows == [
         [path, origin.status, origin.source] for path, origin in engine.provenance.items()

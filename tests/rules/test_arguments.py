@@ -40,7 +40,7 @@ MORE: dict[str, dict[str, Any]] = {
 }
 """What the functions need besides an engine."""
 GAS = ("cycle", "driven", "flywheel_for", "side_thrust")
-ANALYSES = ("bearings", "genset", "marine", "mounts", "orders", "torque", "torsion")
+ANALYSES = (*("bearings", "genset", "marine", "mounts", "orders", "torque", "torsion", "verdict"),)
 ASKING = ("diagnose", "drill", "fault", "grade", "guide", "isolate", "match")
 """Analyses that are asked for more than an engine, or search long."""
 OWN = {"load", "names", "tolerance", "widget", *ANALYSES, *ASKING}
@@ -231,7 +231,6 @@ TWIN: Any = crankstar.load("v2-90")
         (lambda: crankstar.with_counterweights(TWIN, factor=1, planes=[NOTHING]), "planes takes"),
         (lambda: crankstar.with_counterweights(TWIN, factor=1, bare=WRONG), "bare takes True or"),
         (lambda: crankstar.with_balance_shaft(TWIN, ratio=-1, planes=WRONG), "planes takes pl"),
-        (lambda: crankstar.verdict(TWIN, relatives=WRONG), "relatives takes True or False"),
     ],
 )
 def test_an_argument_of_the_wrong_kind_is_refused_with_what_is_wanted(

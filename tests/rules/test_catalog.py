@@ -13,11 +13,11 @@ from tools.catalog_lists import lists
 
 import crankstar
 from crankstar import spectra
+from crankstar.analyses.verdict.relatives import BALANCES
 from crankstar.files import engine_of, toml, tree_of
 from crankstar.files.catalog import SUMMARIES, path_of
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
-from crankstar.tables.relatives import BALANCES
 
 pytestmark = pytest.mark.quick
 

@@ -16,6 +16,8 @@ from crankstar.analyses.orders.listing import Listing
 from crankstar.analyses.orders.question import Question
 from crankstar.analyses.strokes import RECORD as STROKES
 from crankstar.analyses.vees import RECORD as VEES
+from crankstar.analyses.verdict.document import verdict_document
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.analysis.document import Column, Document, Table
 from crankstar.derive.errata import errata
 from crankstar.files import catalog
@@ -31,7 +33,6 @@ from crankstar.tables.comparison import comparison
 from crankstar.tables.conversion import in_units
 from crankstar.tables.errata import errata_document
 from crankstar.tables.terminal import rendered
-from crankstar.tables.verdict import verdict, verdict_document
 
 WIDTH = 80
 

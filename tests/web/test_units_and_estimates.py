@@ -16,6 +16,7 @@ from tests.web.engine_page import handle, opened
 from tests.web.serving import Server
 
 from crankstar import cli, spectra
+from crankstar.analyses.verdict.facts import verdict
 from crankstar.dynamics.bearings import bearing_loads
 from crankstar.dynamics.whirl import body
 from crankstar.files import engine_of
@@ -29,7 +30,6 @@ from crankstar.page.library import held
 from crankstar.page.standalone import document
 from crankstar.page.widget import Subject, answer
 from crankstar.tables.html import typeset
-from crankstar.tables.verdict import verdict
 
 POUND = 4.4482216152605
 FOOT = 0.3048

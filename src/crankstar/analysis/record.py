@@ -190,6 +190,15 @@ class Saves:
 
 
 @dataclass(frozen=True)
+class Onward:
+    """The command that goes on from an answer: a sentence with {command}, verb and options."""
+
+    sentence: str
+    verb: str
+    options: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Picture:
     """The chart of a result, which -o writes where its name ends as that of a picture.
 
@@ -240,6 +249,7 @@ class Analysis:
     grids      (result) -> Grids by the name of its attribute, for what has dimensions
     picture    what is drawn of its result, where -o names a picture
     saves      text of its result that is written besides
+    onward     (engine) -> the command that goes on from it, if any, which readers are told
 
     `engine` tells whether it is of an engine, may be, or never is: without one the source is None,
     the words of the question come first, and `refuse` has to say what else is to be given;
@@ -247,7 +257,7 @@ class Analysis:
     `lists` those that choose what tables list, and change no figure that is plotted;
     `of_file`: compute takes what was loaded, with the tree of its file, in place of the source;
     `estimates`: values that a file leaves out may be estimated, and results have ranges;
-    `unranged`: but for these results;
+    `unranged`: but for these results; `ranges_itself`: its document has them, by what was loaded;
     `marks_speed`: a speed that changes nothing, since the file has no masses or sizes, is marked;
     `steps`: compute takes long, and `tell=`, to be called with the steps done and their number;
     `by_audience`: answer also takes `audience=`, as readers are shown less than machines;
@@ -281,21 +291,28 @@ class Analysis:
     grids: Later[Callable[[Any], Mapping[str, Grid]]] | None = None
     picture: Picture | None = None
     saves: Saves | None = None
+    onward: Later[Callable[[Engine], Onward | None]] | None = None
     engine: Literal["needed", "optional", "none"] = "needed"
     chains: tuple[str, ...] = ()
     lists: tuple[str, ...] = ()
     of_file: bool = False
     estimates: bool = False
     unranged: bool = False
+    ranges_itself: bool = False
     marks_speed: bool = False
     steps: bool = False
     by_audience: bool = False
     by_result: bool = False
 
     @property
-    def ranges(self) -> bool:
+    def ranged(self) -> bool:
         """Whether results have the ranges of estimated values."""
         return self.estimates and not self.unranged
+
+    @property
+    def ranges(self) -> bool:
+        """Whether a host puts these ranges in, by results over them."""
+        return self.ranged and not self.ranges_itself
 
     def tells(self, engine: Engine, speed: float | None = None) -> bool:
         """Whether reports and verdicts have it of an engine, at a speed (rad/s) or its own."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
-from dataclasses import MISSING, asdict
+from dataclasses import MISSING, asdict, replace
 from functools import partial
 from inspect import Parameter as Argument
 from inspect import Signature
@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from cyclopts import Parameter
 
+from crankstar.analysis.document import remarks
 from crankstar.analysis.reader import Asked, asked
 from crankstar.analysis.record import Analysis, Writes
 from crankstar.analysis.registry import added, analysis
@@ -25,6 +26,7 @@ from crankstar.cli.options import (
     Looks,
     Output,
     Settings,
+    command_text,
     numbered,
     option,
     write_engine,
@@ -45,6 +47,8 @@ if TYPE_CHECKING:
     from crankstar.analysis.assumptions import Assumption
     from crankstar.analysis.document import Document
 
+READ = ("txt", "xlsx")
+"""Forms for readers, which say what to go on with."""
 TYPES = {"nothing": bool, "text": str, "several texts": list[str], "whole number": int}
 """What the parser makes of what an option takes."""
 SHARED = {
@@ -186,6 +190,8 @@ def _answer(record: Analysis, options: dict[str, Any]) -> None:
         return
     with words_for(line.form):
         document, result = _document(record, line)
+    if line.form in READ:
+        document = _going_on(record, line, options, document)
     _save(record, result, options)
     if (
         writes is not None
@@ -196,6 +202,23 @@ def _answer(record: Analysis, options: dict[str, Any]) -> None:
     tree = line.tree if record.of_file else None
     output = None if only_printed(record) else options.get("output")
     give(document, output, form=line.form, tree=tree)
+
+
+def _going_on(
+    record: Analysis, line: CommandLine, options: dict[str, Any], document: Document
+) -> Document:
+    """The document, for readers, with the command that goes on from it, if there is one."""
+    if record.onward is None or not isinstance(line.source, Engine):
+        return document
+    onward = record.onward.value(line.source)
+    if onward is None:
+        return document
+    more = {"--estimate": [""]} if options.get("estimate") else {}
+    more |= {key: [""] for key in onward.options}
+    typed = {"--set": options.get("settings"), **more}
+    command = command_text(onward.verb, options["engine"], typed)
+    words = remarks(_(onward.sentence, command=command))
+    return replace(document, parts=(*document.parts, *words))
 
 
 def _write(record: Analysis, writes: Writes, line: CommandLine, result: Any, path: str) -> None:
@@ -259,7 +282,7 @@ def _documented(record: Analysis, line: CommandLine) -> tuple[Document, Any]:
         with working(_(record.doing)):
             result = record.compute.value(source, question)
             return record.document.value(source, result, question), result
-    file, spread = line.loaded, line.loaded.spread
+    file, spread = line.loaded, line.loaded.spread if record.ranges else None
     from crankstar.tables.ranges import ranged, resting
 
     several = 1 if spread is None else len(spread.engines)
@@ -285,7 +308,7 @@ def _documented(record: Analysis, line: CommandLine) -> tuple[Document, Any]:
             found = resting_on(line.form, about, answer)
             return () if found is None else found()
 
-        if record.ranges:
+        if record.ranged:
             document = ranged(told, spread, source, rests=rests)
         else:
             document = resting(told(source), rests)

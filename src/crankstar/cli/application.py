@@ -72,7 +72,6 @@ VERBS = {
     "site": "siting:site",
     "sound": "sounding:sound",
     "sweep": "sweeping:sweep",
-    "verdict": "inspect:verdict",
 }
 """The module of this room and the function of each verb; only the one that is asked is loaded."""
 app = App(

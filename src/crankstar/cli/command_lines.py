@@ -176,7 +176,7 @@ def _loaded(record: Analysis, options: dict[str, Any]) -> Loaded | None:
     estimate = bool(options.get("estimate"))
     if name is None:
         return None
-    chains, ranged = bool(record.chains), record.ranges
+    chains, ranged = bool(record.chains), record.ranged
     found = read_engine(
         name, settings, estimate=estimate, speed=options.get("speed"), chains=chains, ranged=ranged
     )

@@ -22,7 +22,6 @@ from crankstar.cli.options import (
     Speed,
     Theta,
     beside,
-    command_text,
     engine_read,
     engine_suffix,
     mark_speed,
@@ -283,42 +282,3 @@ def compare(
         speeds = [each.speed if turning is None else turning for each in engines]
         complain(speed_head(engines, own, speeds))
     give(tables.with_shares(document, engines), output, form=form)
-
-
-def verdict(
-    engine: EngineName,
-    /,
-    *,
-    speed: Speed = None,
-    settings: Settings = None,
-    estimate: Estimating = False,
-    output: Output = None,
-) -> None:
-    """State in short sentences which orders balance, which remain, and what would cure them."""
-    from crankstar.analyses.tolerance.as_built import with_built
-    from crankstar.analysis.document import remarks
-    from crankstar.remedy.fitting import recommended
-    from crankstar.studies.answers import summary
-    from crankstar.tables import verdict as tables
-    from crankstar.tables.ranges import resting, with_doubt
-    from crankstar.tables.verdict_ranges import ranged_facts
-
-    found, turning, form = together(
-        partial(read_engine, engine, settings, estimate=estimate, speed=speed),
-        partial(request.speed, speed),
-        partial(form_of, output, ("txt", "xlsx")),
-    )
-    loaded = found.engine
-    mark_speed(speed, loaded)
-    facts = ranged_facts(partial(tables.verdict, speed=turning), found.spread, loaded)
-    facts = with_built(facts, found.tree, loaded, speed=turning)
-    rests = resting_on(form, loaded, partial(summary, loaded, speed=turning))
-    document = with_doubt(resting(tables.verdict_document(loaded, facts), rests), loaded)
-    if recommended(loaded) is not None:
-        how = _(
-            "To fit the recommended remedy and see what remains: {command}",
-            command=f"{command_text('balance', engine, {'--set': settings})}"
-            f"{' --estimate' if estimate else ''} --recommended",
-        )
-        document = replace(document, parts=(*document.parts, *remarks(how)))
-    give(document, output, form=form)

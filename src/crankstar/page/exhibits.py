@@ -11,6 +11,9 @@ from typing import Any, NamedTuple
 from crankstar import __version__, files
 from crankstar.analyses.strokes.charts.timing_diagram import STROKE_COLOURS
 from crankstar.analyses.strokes.document import tables as stroke_tables
+from crankstar.analyses.verdict.document import subjects
+from crankstar.analyses.verdict.facts import verdict
+from crankstar.analyses.verdict.ranges import ranged_facts
 from crankstar.analysis.document import Document
 from crankstar.dynamics.bearings import BearingLoads, bearing_loads
 from crankstar.engine.copies import throws_of_weights, with_values
@@ -54,8 +57,6 @@ from crankstar.tables import headings, remedies
 from crankstar.tables.assumptions import assumption_lines
 from crankstar.tables.conditions import can_be_estimated, unit_sentence, unit_sizes
 from crankstar.tables.ranges import estimated_paths, merged, ranged_lines
-from crankstar.tables.verdict import subjects, verdict
-from crankstar.tables.verdict_ranges import ranged_facts
 
 
 def exhibition(

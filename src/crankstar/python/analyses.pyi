@@ -645,3 +645,21 @@ def vees(
         cycle: Working cycle: four-stroke or two-stroke.
         top: Number of rows to print; --csv and --json have all. Default: 20.
     """
+
+def verdict(
+    engine: EngineLike,
+    /,
+    *,
+    speed: float | str | None = None,
+    changes: Mapping[str, Any] | None = None,
+    estimate: bool = False,
+) -> Result:
+    """State in short sentences which orders balance, which remain, and what would cure them.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        speed: Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in
+            the file).
+        changes: values of the engine file by key path, such as {"cylinder.stroke": "90 mm"}.
+        estimate: fill in what the file leaves out.
+    """

@@ -136,8 +136,9 @@ class Result:
         from crankstar.tables import ranges
 
         rests = (lambda: self.rests_on) if resting else None
-        if self.analysis.ranges:
-            return ranges.ranged(self._told, self.loaded.spread, self.source, rests=rests)
+        if self.analysis.ranged:
+            spread = self.loaded.spread if self.analysis.ranges else None
+            return ranges.ranged(self._told, spread, self.source, rests=rests)
         return ranges.resting(self._of_source, rests)
 
     @cached_property

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from crankstar.analyses.verdict.facts import Fact
 from crankstar.language.messages import N_, _, passage
 from crankstar.remedy.fitting import recommended, recommended_like
 from crankstar.report.markup import figure
@@ -13,7 +14,6 @@ from crankstar.report.views import small_views
 from crankstar.tables.html import paragraph, text
 from crankstar.tables.ranges import estimated_paths
 from crankstar.tables.roll_cures import roll_left
-from crankstar.tables.verdict import Fact
 
 WHAT = ("layout",)
 HOW = ("units", "force", "couple", "roll")

@@ -8,6 +8,8 @@ from functools import cached_property, partial
 from typing import Any, Literal
 
 from crankstar import spectra
+from crankstar.analyses.verdict.facts import Fact, verdict
+from crankstar.analyses.verdict.ranges import ranged_facts
 from crankstar.analysis.document import Document, Remarks, Table
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
@@ -21,8 +23,6 @@ from crankstar.studies.load_answers import first_load
 from crankstar.tables.analysis import Analysis, analysis
 from crankstar.tables.assumptions import assumption_lines
 from crankstar.tables.ranges import merged
-from crankstar.tables.verdict import Fact, verdict
-from crankstar.tables.verdict_ranges import ranged_facts
 
 Quantity = Literal["force", "couple"]
 MOST = 4

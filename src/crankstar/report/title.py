@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from math import degrees, pi
 from typing import NamedTuple
 
+from crankstar.analyses.verdict.document import verdict_rows
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import RPM, number
@@ -15,7 +16,6 @@ from crankstar.report.subject import Subject
 from crankstar.tables.conditions import unverified
 from crankstar.tables.headings import cycle_text, firing_text, rotation_text
 from crankstar.tables.html import paragraph, text, typeset
-from crankstar.tables.verdict import verdict_rows
 
 DOUBTFUL = {
     "placeholder": N_("placeholder"),

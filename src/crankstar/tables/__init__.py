@@ -1,4 +1,4 @@
-"""Each analysis as a `Document` of tables, rendered once for every reader; the verdict.
+"""Each analysis as a `Document` of tables, rendered once for every reader.
 
 | module, bottom to top | one line |
 |---|---|
@@ -52,10 +52,7 @@
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
 | `placings` | the places of balance shafts, and what they leave of the roll |
 | `remedies` | the balancing sheet |
-| `firing_facts` | layout, firing and exhaust pulses as sentences of the verdict |
-| `relatives` | engines of the catalog with the same balance |
-| `verdict` | the verdict |
-| `verdict_ranges` | the verdict on an estimated engine |
+| `vector_sentences` | force and couple as sentences: what remains, and how it moves |
 | `summary` | how an engine shakes, in ten lines |
 | `analysis` | force, couple and moments by order, as `analyze` shows them |
 | `compared_speeds` | at which speed each of several engines is computed, and why |

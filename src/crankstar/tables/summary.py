@@ -18,7 +18,7 @@ from crankstar.tables.cures import cure_lines, fitted_lines, left_by_counterweig
 from crankstar.tables.gas_rolls import largest_sentence
 from crankstar.tables.peaks import FELT, part_peaks
 from crankstar.tables.roll_cures import largest_roll
-from crankstar.tables.verdict import largest_sentences
+from crankstar.tables.vector_sentences import largest_sentences
 
 PEAKS = {
     "vertical": N_("vertical {size}"),

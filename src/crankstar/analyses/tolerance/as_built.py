@@ -1,40 +1,20 @@
-"""Engines built to the tolerances of their file: their scatter, what a verdict says of it."""
+"""Engines built to the tolerances of their file: their scatter."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from crankstar.engine.engine import Engine
 from crankstar.files.tolerances import tolerances_of
-from crankstar.tables.verdict import Fact
 
 if TYPE_CHECKING:
     from crankstar.analyses.tolerance.scatter import Scatter
 
 BUILDS = 20_000
 """Engines built at random: 5 % of them are a thousand."""
-
-REMEDIES = ("cure", "remedied", "relatives")
-"""Topics of a verdict that follow those of engines as built."""
-
-
-def with_built(
-    facts: Sequence[Fact], tree: Mapping[str, Any], engine: Engine, *, speed: float | None
-) -> Sequence[Fact]:
-    """The facts of an engine with those of engines as built, where its file has tolerances."""
-    found = as_built(engine, tree, speed=speed)
-    if found is None:
-        return facts
-    from crankstar.analyses.tolerance.document import sentences
-
-    own = [Fact("tolerances", sentence) for sentence in sentences(found)]
-    last = max(
-        (index for index, fact in enumerate(facts) if fact.about not in REMEDIES), default=-1
-    )
-    return [*facts[: last + 1], *own, *facts[last + 1 :]]
 
 
 def as_built(

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from crankstar.analyses.verdict.facts import Fact
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
 from crankstar.language.kept import alike
 from crankstar.tables.ranges import sentences
-from crankstar.tables.verdict import Fact
 
 Verdict = Callable[[Engine], Sequence[Fact]]
 
