@@ -19,6 +19,7 @@ from tests.scripts import script
 
 import crankstar
 from crankstar import charts, cli, spectra
+from crankstar.analyses.errata.document import errata_document
 from crankstar.analysis.document import Table
 from crankstar.derive import derivation
 from crankstar.derive.algebra import evaluation, typeset
@@ -35,7 +36,6 @@ from crankstar.derive.errata import (
 from crankstar.engine import motion
 from crankstar.language.messages import spoken
 from crankstar.mechanics.balance import balance, total
-from crankstar.tables.errata import errata_document
 
 ROOT = Path(__file__).parents[2]
 ALL = {one.id: one for one in errata()}

@@ -11,6 +11,7 @@ from rich.cells import cell_len
 from rich.console import Console
 
 from crankstar import load
+from crankstar.analyses.errata.document import errata_document
 from crankstar.analyses.orders.document import document as order_document
 from crankstar.analyses.orders.listing import Listing
 from crankstar.analyses.orders.question import Question
@@ -31,7 +32,6 @@ from crankstar.tables import analysis, engines, remedies, sweeps
 from crankstar.tables.cells import cell
 from crankstar.tables.comparison import comparison
 from crankstar.tables.conversion import in_units
-from crankstar.tables.errata import errata_document
 from crankstar.tables.terminal import rendered
 
 WIDTH = 80

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 NAMES = (
     *("torsion", "mounts", "torque", "genset", "marine", "guide", "bearings"),
     *("fault", "diagnose", "isolate", "strokes", "match", "tolerance"),
-    *("bobweight", "correct", "drill", "grade", "orders", "vees", "verdict"),
+    *("bobweight", "correct", "drill", "grade", "orders", "vees", "verdict", "errata"),
 )
 """The folders of `crankstar.analyses`, in the order in which hosts go over them."""
 

@@ -57,7 +57,6 @@ VERBS = {
     "compare": "inspect:compare",
     "derive": "deriving:derive",
     "draw": "drawing:draw",
-    "errata": "deriving:errata",
     "estimate": "estimating:estimate",
     "export": "exporting:export",
     "list": "inspect:list_engines",

@@ -1,4 +1,4 @@
-"""Verbs that derive: derive, errata."""
+"""The verb that derives."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from crankstar.cli.options import (
     EngineName,
-    Output,
     ReferencePoint,
     Settings,
     Speed,
@@ -21,11 +20,10 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import complain, display, working, write
-from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
 from crankstar.options import points
 from crankstar.options import values as request
-from crankstar.options.forms import DERIVATIONS, form_of, format_of
+from crankstar.options.forms import DERIVATIONS, format_of
 from crankstar.options.values import refusal
 
 if TYPE_CHECKING:
@@ -217,21 +215,3 @@ def _unused(given: Mapping[str, Any], names: Sequence[str]) -> Iterator[Callable
 
 BY_ORDER = {"force", "couple", "torque"}
 """Quantities that are derived order by order, in newtons where there is a speed."""
-
-
-def errata(
-    *, source: Annotated[str | None, option("--source")] = None, output: Output = None
-) -> None:
-    """List errors in published sources: each printed formula beside the correct one."""
-    from crankstar.derive.errata import ErrataError
-    from crankstar.derive.errata import errata as errata_of
-    from crankstar.tables.errata import errata_document
-
-    def read_source() -> Any:
-        try:
-            return errata_of(source)
-        except ErrataError as error:
-            raise refusal("--source", source, str(error)) from None
-
-    wanted, form = together(read_source, partial(form_of, output, ("txt", "xlsx")))
-    give(errata_document(wanted), output, form=form)

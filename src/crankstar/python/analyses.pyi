@@ -177,6 +177,14 @@ def drill(
         estimate: fill in what the file leaves out.
     """
 
+def errata(*, source: str | None = None) -> Result:
+    """List errors in published sources: each printed formula beside the correct one.
+
+    Numbers are in SI units (rad/s, m, N); text has a unit, as on the command line.
+
+        source: Only this source, by its key in the references, such as yamamoto2012.
+    """
+
 def fault(
     engine: EngineLike,
     /,

@@ -58,6 +58,5 @@
 | `compared_speeds` | at which speed each of several engines is computed, and why |
 | `gas_comparison` | the gas torque of several engines |
 | `comparison` | several engines side by side |
-| `errata` | errors in the sources |
 | `notebook` | how a notebook shows an Engine and a Balance |
 """

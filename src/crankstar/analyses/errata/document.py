@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from crankstar.analyses.errata.answer import Errata
+from crankstar.analyses.errata.question import Question
 from crankstar.analysis.document import Column, Document, Table
 from crankstar.derive.algebra.typeset import text
 from crankstar.derive.errata import Erratum, sources
@@ -15,6 +17,11 @@ TITLES = {
     N_("{source}: lines that do not follow"): ("line",),
 }
 """Titles of the tables, and the kinds of errata under each."""
+
+
+def document(_engine: None, found: Errata, _asked: Question) -> Document:
+    """The printed and the true formula, source by source."""
+    return errata_document(found.errata)
 
 
 def errata_document(errata: Sequence[Erratum]) -> Document:
