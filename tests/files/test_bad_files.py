@@ -936,7 +936,8 @@ def test_a_file_of_a_hundred_mistakes_and_more_is_told_in_short() -> None:
     assert len(caught.value.faults) == 5000
     lines = str(caught.value).split("\n")
     assert sum(1 + len(line) // 80 for line in lines) <= 24
-    assert lines[-1] == f"  ... and {5000 - len(lines) + 2} more"
+    assert lines[-1] == f"  ... and {5000 - len(lines) + 2} more (crankstar check lists all)"
+    assert len(caught.value.listed().split("\n")) == 1002
 
 
 @pytest.mark.parametrize(

@@ -60,7 +60,11 @@ All of a kind are measured by the greatest among them.
 """
 FIRST_LOAD = "main bearing"
 """The greatest load of an order on a main bearing, as a quantity beside a force or a couple."""
-LEADING, TWICE = ("force", "couple", "resonant amplitude", MAIN_OF), 2.0
+LEADING = (
+    *("force", "couple", "vertical force", "vertical couple"),
+    *("resonant amplitude", MAIN_OF),
+)
+TWICE = 2.0
 """Quantities that an answer says first, and how much more another moves that is told instead."""
 LOAD_OF = "load of mount "
 """What a mount bears upward at rest, as a quantity: before its name."""

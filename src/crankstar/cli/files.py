@@ -42,7 +42,7 @@ def check(
             loaded = read_engine(name, chains=True)
         except EngineFileError as error:
             failed += 1
-            complain(str(error))
+            complain(error.listed())
         else:
             own, tree = loaded.source, loaded.tree
             if isinstance(own, Chain):
@@ -86,6 +86,7 @@ def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
     from crankstar.files.forms import is_explicit
     from crankstar.files.read import in_file
     from crankstar.mechanics.central_rods import central_doubts
+    from crankstar.mechanics.magnitudes import magnitude_doubts
     from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
     from crankstar.mechanics.stiffness_doubts import beam_doubts
 
@@ -94,6 +95,7 @@ def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
         # libraries of cycles stay unread
         own = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
         own += [*central_doubts(engine), *piston_doubts(engine), *body_doubts(engine)]
+        own += magnitude_doubts(engine)
         own += beam_doubts(engine)
     else:
         from crankstar.dynamics.uneven_doubts import doubts_of_points

@@ -141,7 +141,7 @@ def arranged(
         )
         for index, crank in enumerate(cranks, 1)
     ]
-    pitch = bore_pitch if positions is None else _least_gap(positions)
+    pitch = bore_pitch if bore_pitch or positions is None else _least_gap(positions)
     longest = max(len(bank.cylinders) for crank in cranks for bank in crank.banks)
     return assembled(
         basis, places, shafts, pitch=pitch, pitch_needed=longest > 1 and positions is None

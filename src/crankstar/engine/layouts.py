@@ -89,6 +89,8 @@ def inline(
     >>> [round(throw.angle * 180 / pi) for throw in three.shafts[0].throws]  # pin 3 is next
     [0, 120, -120]
     """
+    if throws is not None and not throws:
+        raise _refused("throws", code="throws-missing")
     if throws is None:
         throws = _even_throws(basis, _numbered(basis.firing_order))
     bank = Bank(bearing=bearing, cylinders=tuple(range(1, len(throws) + 1)))

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
 from crankstar.language.faults import Fault, sentence, where
 from crankstar.language.messages import MessageError, _, _n
 
-GREATEST_SHOWN = 20
-"""Faults of one file that are written out one by one."""
+GREATEST_SHOWN, GREATEST_LISTED = 20, 1000
+"""Faults of one file that are written out one by one, and that a list of all of them has."""
 SCREEN = 20
 """Lines of 80 letters, after which no further fault is begun."""
 
@@ -35,11 +35,18 @@ class EngineFileError(MessageError):
         cells: Mapping[tuple[str | int, ...], str] | None = None,
     ) -> None:
         self.name, self.faults, self.cells = name, list(faults), dict(cells or {})
-        told = (
-            sentence(fault.code, fault.values, place=self._place(fault.path))
-            for fault in self.faults
-        )
-        super().__init__(on_one_screen(name, told, count=len(self.faults)))
+        super().__init__(on_one_screen(name, self._told(), count=len(self.faults), checks=True))
+
+    def listed(self) -> str:
+        """Every mistake on a line, however many there are."""
+        lines = [f"  {line}" for line in islice(self._told(), GREATEST_LISTED)]
+        count = len(self.faults)
+        more = [_more(count - len(lines))] if count > len(lines) else []
+        return "\n".join([_head(self.name, count), *lines, *more])
+
+    def _told(self) -> Iterator[str]:
+        for fault in self.faults:
+            yield sentence(fault.code, fault.values, place=self._place(fault.path))
 
     def _place(self, path: tuple[str | int, ...]) -> str:
         """A key path, and the cell where it is, or that of the table it is missing in."""
@@ -52,8 +59,10 @@ class EngineFileError(MessageError):
         return EngineFileError, (self.name, self.faults, self.cells)
 
 
-def on_one_screen(name: str, sentences: Iterable[str], *, count: int) -> str:
+def on_one_screen(name: str, sentences: Iterable[str], *, count: int, checks: bool = False) -> str:
     """The mistakes of a file: how many there are, and as many of them as a screen has lines for.
+
+    `checks`: a check of the file lists the others too.
 
     >>> print(on_one_screen("w.csv", ["line 2 is empty"], count=1))
     w.csv: 1 mistake
@@ -65,9 +74,17 @@ def on_one_screen(name: str, sentences: Iterable[str], *, count: int) -> str:
             break
         lines.append(told)
     if count > len(lines):
-        lines.append(_("... and {count} more", count=count - len(lines)))
-    head = _n("{name}: {count} mistake", "{name}: {count} mistakes", count, name=name, count=count)
-    return "\n".join([head, *(f"  {line}" for line in lines)])
+        more = _more(count - len(lines))
+        lines.append(_("{more} (crankstar check lists all)", more=more) if checks else more)
+    return "\n".join([_head(name, count), *(f"  {line}" for line in lines)])
+
+
+def _head(name: str, count: int) -> str:
+    return _n("{name}: {count} mistake", "{name}: {count} mistakes", count, name=name, count=count)
+
+
+def _more(count: int) -> str:
+    return _("... and {count} more", count=count)
 
 
 def refused(name: str, code: str, **values: Any) -> EngineFileError:

@@ -6,6 +6,7 @@ its range (`box`); what the file gives is kept.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from inspect import signature
 from math import pi
@@ -52,6 +53,8 @@ INERTIAS = ("inertia_up", "inertia_right", "inertia_z")
 """The keys of a block that go together: up, right, z."""
 STANDING = ("block", "mounts", "foundation")
 """Tables of what moves on the mounts: no layout depends on them."""
+STANDS = re.compile(rf"({'|'.join(STANDING)})\b")
+"""Begins the key path of a value of one of these."""
 
 
 class Estimate(NamedTuple):
@@ -197,6 +200,10 @@ def _laid_out(tree: Tree, name: str) -> Engine:
     the file is read as a whole once it is complete.
     """
     tree = {key: value for key, value in tree.items() if key not in STANDING}
+    if isinstance(sources := tree.get("provenance"), dict):
+        tree["provenance"] = {
+            key: source for key, source in sources.items() if not STANDS.match(str(key))
+        }
     if not is_explicit(tree) and _length(tree, "bore") and "stroke" not in tree["cylinder"]:
         # a bore alone has no unit to be counted in
         tree = {**tree, "cylinder": {**tree["cylinder"], "stroke": tree["cylinder"]["bore"]}}

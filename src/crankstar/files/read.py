@@ -237,8 +237,15 @@ def _faults_behind(
     if not spoilt & set(tree):
         return []
     rest = {key: value for key, value in tree.items() if key not in spoilt}
+    order, layout = tree.get("firing_order"), tree.get("layout")
+    if "firing_order" in spoilt and isinstance(order, list) and _has_no_throws(layout):
+        rest["firing_order"] = [*range(1, len(order) + 1)]  # throws follow from any
     more = _elsewhere(_faults_when_built(rest, model, context, then), faults)
     return more + _faults_behind(more, rest, model, context, then)
+
+
+def _has_no_throws(layout: Any) -> bool:
+    return isinstance(layout, dict) and "throws" not in layout
 
 
 _OPTIONAL = {
@@ -266,13 +273,14 @@ def _elsewhere(faults: list[Fault], known: list[Fault]) -> list[Fault]:
         fault
         for fault in faults
         if not any(
-            _overlap(fault.path, place)
-            or (fault.code == "layout.throws-missing" and place[:1] == ("firing_order",))
+            _overlap(fault.path, place) or place[:1] == (_WANTING.get(fault.code),)
             for place in places
         )
     ]
 
 
+_WANTING = {"layout.throws-missing": "firing_order", "foundation.alone": "mounts"}
+"""Faults for want of a table, which one that is spoilt seems to be."""
 _MENDINGS = (9000, 9500)
 """Numbers that no cylinder of a mistaken file has, as far as one can tell."""
 
@@ -316,9 +324,17 @@ def in_file(tree: Tree, faults: list[Fault], *, explicit: bool) -> list[Fault]:
         path = fault.path if explicit else _short_place(tree, fault)
         if explicit and path[:1] == ("crankshaft",):
             path = ("shaft", *path[1:])
+        if explicit and path[:1] == ("balance_shaft",):
+            path = ("shaft", _without_throws(tree)[int(path[1])], *path[2:])
         shared = fault.cylinder is not None and not explicit
         placed.setdefault((path,) if shared else (path, fault.sentence), fault._replace(path=path))
     return list(placed.values())
+
+
+def _without_throws(tree: Tree) -> list[int]:
+    """Which shafts of an explicit file have no throws."""
+    shafts = enumerate(listed(tree.get("shaft", tree.get("shafts"))))
+    return [n for n, each in shafts if not (isinstance(each, dict) and each.get("throw"))]
 
 
 def _without_repeats(faults: list[Fault]) -> list[Fault]:

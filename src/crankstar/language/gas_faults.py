@@ -146,6 +146,28 @@ SENTENCES: dict[str, str | Plural] = {
         "{where}: {value} kg go up and down, more than a solid bar of steel as thick as the bore "
         "and as long as stroke and rod, {solid} kg; is the unit right?"
     ),
+    "doubt.piston-light": N_(
+        "{where}: {value} g go up and down, less than any piston with a bore of {bore} mm weighs; "
+        "is the unit right?"
+    ),
+    "doubt.turning-mass": N_(
+        "{where} is {value} kg, more than a solid bar of steel as thick as the bore and as long as "
+        "stroke and rod, {solid} kg; is the unit right?"
+    ),
+    "doubt.rod-long": N_(
+        "{where} is {value} crank radii; rods of engines have 2.5 to 7: is the unit right?"
+    ),
+    "doubt.rod-centre": N_(
+        "{where} is {value} mm, not between the ends of a rod of {length} mm; is the unit right?"
+    ),
+    "doubt.same-place": N_(
+        "cylinders {first} and {second} of a bank stand in the same place; are the positions right?"
+    ),
+    "doubt.unbalance": N_(
+        "{where} is {value} kg m, more than solid bars of steel as thick as the bores would have "
+        "on the crank pins, {solid} kg m; is the unit right?"
+    ),
+    "doubt.far": N_("{where} is {value} m away from an engine of {size} m; is the unit right?"),
     "doubt.bore-pitch": N_(
         "{where} is {value} mm, but the next cylinder of its bank is only {pitch} mm away; is the "
         "unit right?"

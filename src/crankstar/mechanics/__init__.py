@@ -27,6 +27,7 @@
 | `gear_wheels` | gear wheels between crankshafts: which meshes with which, and how large |
 | `central_rods` | rods of one crankpin in one plane, and where there are more than can be |
 | `mass_doubts` | the same of masses and bodies, without gas or speed |
+| `magnitudes` | values out of all proportion to the engine they are of |
 | `stiffness_doubts` | stiffnesses of crankshafts with which hardly any engine turns |
 | `doubts` | values that hardly any engine has: slips of unit and of thought |
 | `gas_torque` | gas torque of every chamber by order; the roll of the block with it |

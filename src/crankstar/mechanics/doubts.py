@@ -34,6 +34,7 @@ from crankstar.mechanics.friction import friction_of
 from crankstar.mechanics.gas import Cycle, computable, cycle
 from crankstar.mechanics.gear_wheels import wheel_doubts
 from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
+from crankstar.mechanics.magnitudes import magnitude_doubts
 from crankstar.mechanics.mass_doubts import (
     body_doubts,
     piston_doubts,
@@ -86,6 +87,7 @@ def doubts(engine: Engine) -> tuple[Fault, ...]:
     found = [*firing_doubts(engine), *stroke_doubts(engine)]
     found += [*size_doubts(engine), *rod_doubts(engine)]
     found += [*central_doubts(engine), *piston_doubts(engine), *scale_doubts(engine)]
+    found += [*magnitude_doubts(engine)]
     found += [*body_doubts(engine), *inertia_doubts(engine), *torsion_doubts(engine)]
     found += [*beam_doubts(engine), *wheel_doubts(engine)]
     gas = engine.gas
@@ -117,6 +119,7 @@ def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> 
     if "inertia" in uses:
         found += [*size_doubts(engine), *rod_doubts(engine)]
         found += [*piston_doubts(engine), *scale_doubts(engine), *inertia_doubts(engine)]
+        found += magnitude_doubts(engine)
     if "torsion" in uses:
         found += torsion_doubts(engine)
     if "bearings" in uses:

@@ -12,6 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
 from crankstar.options import points, remedies
 from crankstar.options import values as request
 from crankstar.options.refusals import RequestError, together
@@ -333,7 +334,7 @@ def new_name(job: Job, options: BalanceOptions) -> str:
         done.append(_("balance shafts placed"))
     if options.shafts is not None:
         done.append(_("balance shafts: {ratios}", ratios=options.shafts))
-    return ", ".join((name, *(words for words in done if f", {words}" not in name)))
+    return one_line(", ".join((name, *(words for words in done if f", {words}" not in name))))
 
 
 def _without_factor(name: str) -> str:

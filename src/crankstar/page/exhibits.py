@@ -25,6 +25,7 @@ from crankstar.language.glossary import terms
 from crankstar.language.kept import alike
 from crankstar.language.messages import _
 from crankstar.language.numbers import rpm_of
+from crankstar.language.quoting import one_line
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import Balance, balance, scales
 from crankstar.page import orders as vectors
@@ -108,7 +109,7 @@ def _distinguished(engines: Sequence[Engine], sources: Sequence[str]) -> list[En
         return list(engines)
     words = sources if len(set(sources)) == len(names) else range(1, len(names) + 1)
     return [
-        with_values(engine, name=f"{engine.name} ({word})")
+        with_values(engine, name=one_line(f"{engine.name} ({word})"))
         for engine, word in zip(engines, words, strict=True)
     ]
 

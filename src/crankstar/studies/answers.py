@@ -290,7 +290,7 @@ def torques(
         if running:
             rolls |= _evenness(each, again, irregularity)
         if sums:
-            return _inertia_sizes(each, again.speed) | rolls
+            return _components(each, again.speed) | rolls
         mean = float(gas_torque(again).mean.sum())
         plain = {("mean torque", None): mean, ("peak pressure", None): again.peak / 1e5}
         brake = brake_torque(again)
@@ -307,7 +307,7 @@ def torques(
         figures=figures,
         unit=lambda quantity, each: (
             _inertia_unit(found.speed, quantity, each)
-            if quantity in ("force", "couple")
+            if quantity.endswith(("force", "couple"))
             else units.get(quantity, "N*m")
         ),
         uses=("inertia", "gas", *(uneven if running else ())),
@@ -365,6 +365,23 @@ def _inertia_sizes(
     return found
 
 
+def _components(engine: Engine, speed: float | None) -> dict[Figure, float]:
+    """Force and couple by order, up and across, as a frame has them."""
+    sums = summed(balance(engine, speed=speed))
+    ways = {"vertical": spectra.vertical, "horizontal": spectra.horizontal}
+    return {
+        (f"{way} {name}", order): size
+        for name in ("force", "couple")
+        for way, component in ways.items()
+        for order, size in zip(
+            getattr(sums, name).orders.tolist(),
+            np.abs(component(getattr(sums, name))).tolist(),
+            strict=True,
+        )
+        if order <= USUAL_ORDERS
+    }
+
+
 def _pushed(
     engine: Engine, speed: float | None, reference: Reference | None = None
 ) -> Mapping[str, float]:
@@ -379,7 +396,8 @@ def _pushed(
 
 def _inertia_unit(speed: float | None, quantity: str, engine: Engine) -> str:
     units = balance(engine, speed=engine.speed if speed is None else speed).units
-    return {"force": units.force, "couple": units.couple}.get(quantity, units.moment)
+    kind = quantity.rpartition(" ")[2]  # of vertical force too
+    return {"force": units.force, "couple": units.couple}.get(kind, units.moment)
 
 
 def _by_order(name: str, signal: Spectrum) -> dict[Figure, float]:

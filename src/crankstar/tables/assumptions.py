@@ -110,12 +110,15 @@ def _told(
     lines = [*parts, *((_line(each), [each]) for each in doubtful)]
     rest = [each for each in found if each not in (*told, *doubtful)]
     whole = [line for status in FIRST for line in _together(rest, status)]
+    small = [each for each in rest if each.moved is not None]
+    least = max((each.effect for each in small), default=0.0)
+    last = [each for each in told[1:] if not _is_doubt(each) and each.effect < least]
     lines += [(_line(each), [each]) for each in told[:1]]
     lines += whole  # of what is not there at all nobody knows how much it matters
-    lines += [(_line(each), [each]) for each in told[1:]]
-    small = [each for each in rest if each.moved is not None]
+    lines += [(_line(each), [each]) for each in told[1:] if each not in last]
     if small:
         lines.append((_("Of less effect: {paths}.", paths=_paths(small)), small))
+    lines += [(_line(each), [each]) for each in last]
     lines += [line for status in LAST for line in _together(rest, status)]
     return lines
 

@@ -21,6 +21,10 @@ from crankstar.language.shown_units import shown
 FIGURES = {
     "force": N_("force of order {order}"),
     "couple": N_("couple of order {order}"),
+    "vertical force": N_("vertical force of order {order}"),
+    "horizontal force": N_("horizontal force of order {order}"),
+    "vertical couple": N_("moment M_V of order {order}"),
+    "horizontal couple": N_("moment M_H of order {order}"),
     "roll": N_("rolling moment of order {order}"),
     "roll with gas": N_("rolling moment with gas of order {order}"),
     "velocity": N_("velocity of order {order}, rms"),

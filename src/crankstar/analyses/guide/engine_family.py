@@ -28,6 +28,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Throw
 from crankstar.language.faults import Fault
 from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
 from crankstar.mechanics.guide_moments import MarineError
 from crankstar.remedy.end_weights import NothingToShareError
 from crankstar.stars.answer import answer_to
@@ -188,7 +189,7 @@ def with_cylinders(
     )
     return with_values(
         engine,
-        name=_("{engine}, {count} cylinders", engine=engine.name, count=count),
+        name=one_line(_("{engine}, {count} cylinders", engine=engine.name, count=count)),
         shafts=(shaft,),
         cylinders=cylinders,
         firing_order=tuple(order),

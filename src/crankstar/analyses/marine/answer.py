@@ -59,8 +59,8 @@ def answer(engine: Engine, question: Question) -> Answer:
             raise GasError(analysis.without_guide)
         out: dict[Figure, float] = {}
         for order in analysis.after.orders.tolist():
-            sizes = [analysis.after.moment(order, side) for side in ("V", "H")]
-            out["couple", order] = float(np.nanmax([0.0, *sizes]))
+            for name, side in (("vertical couple", "V"), ("horizontal couple", "H")):
+                out[name, order] = float(np.nan_to_num(analysis.after.moment(order, side)))
         return out | _guide_sizes(analysis.guide)
 
     whole = _analysed(engine, question)

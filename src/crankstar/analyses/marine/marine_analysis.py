@@ -19,6 +19,7 @@ from crankstar.analyses.marine.compensators import Compensator, compensators, wi
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
 from crankstar.mechanics.balance import scales
 from crankstar.mechanics.external_moments import USUAL, ExternalMoments, Wanted, external_moments
 from crankstar.mechanics.gas import Cycle, cycle_or_reason
@@ -184,7 +185,7 @@ def _name(engine: Engine, share: float | None, compensate: Sequence[int]) -> str
     if compensate:
         orders = ", ".join(map(str, compensate))
         added.append(_("compensators of order {orders}", orders=orders))
-    return ", ".join((engine.name, *added))
+    return one_line(", ".join((engine.name, *added)))
 
 
 def _power(found: Cycle | None) -> float | None:

@@ -12,6 +12,7 @@ from crankstar.analysis.tried_values import Figures
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
 
 LEFT = "unbalance left"
 """What is left in the engine with most, as a quantity."""
@@ -45,9 +46,11 @@ def built(result: Division) -> Sequence[Engine]:
     return [
         with_values(
             each.engine,
-            name=_("{engine}, parts matched, no. {number}", engine=each.engine.name, number=number)
-            if several
-            else _("{engine}, parts matched", engine=each.engine.name),
+            name=one_line(
+                _("{engine}, parts matched, no. {number}", engine=each.engine.name, number=number)
+                if several
+                else _("{engine}, parts matched", engine=each.engine.name)
+            ),
         )
         for number, each in enumerate(result.engines, 1)
     ]

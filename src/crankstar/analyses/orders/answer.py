@@ -13,6 +13,7 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.firing.numbering import with_order
 from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
 from crankstar.mechanics.gas import cycle
 from crankstar.options.refusals import of_row
 from crankstar.studies.chart_answers import firing
@@ -61,5 +62,5 @@ def fired(result: Listing, question: Question) -> Engine:
     """The engine with the order of a row. Raises RequestError."""
     firing = of_row("--row", question.row or 0, result.orders).firing
     words = _("fires {order}", order="-".join(map(str, firing.order)))
-    name = f"{result.engine.name}, {words}"
+    name = one_line(f"{result.engine.name}, {words}")
     return with_values(with_order(result.engine, firing), name=name)
