@@ -14,6 +14,7 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     command_text,
+    engine_suffix,
     mark_speed,
     once,
     option,
@@ -50,7 +51,9 @@ def balance(
     from crankstar.tables.ranges import ranged, resting
 
     load = once(partial(read_engine, engine, settings, estimate=estimate, speed=speed))
-    found, *_read = together(load, *readings(options, lambda: load().engine, speed=speed))
+    found, *_read = together(
+        load, partial(engine_suffix, output), *readings(options, lambda: load().engine, speed=speed)
+    )
     loaded, spread, own = found.engine, found.spread, found.balance_factor
     mark_speed(speed, loaded)
     with working(_("balancing ...")):

@@ -12,7 +12,7 @@ from crankstar.analysis.reader import Asked, asked, being_read, readings
 from crankstar.analysis.record import Analysis, Saves, Writes
 from crankstar.cli.options import (
     Looks,
-    engine_place,
+    engine_suffix,
     mark_load,
     mark_speed,
     numbered,
@@ -150,7 +150,7 @@ def _engine_places(writes: Writes, options: dict[str, Any], question: Any) -> No
     count = 1 if writes.count is None else writes.count.value(question)
     for place in numbered(options[writes.name], count):
         _refuse_same(spelt(writes), place, output)
-        engine_place(place, option=spelt(writes))
+        engine_suffix(place, option=spelt(writes))
 
 
 def _refuse_of_chain(

@@ -19,7 +19,7 @@ from crankstar.cli.options import (
     read_engine,
     together,
 )
-from crankstar.cli.output import complain, display, working, write
+from crankstar.cli.output import complain, display, working, writable, write
 from crankstar.language.messages import _
 from crankstar.options import points
 from crankstar.options import values as request
@@ -115,7 +115,10 @@ def _format(output: str | None, asked: str | None) -> str:
     """The format of the derivation. Raises RequestError."""
     if asked is not None:
         request.choice("--format", asked, [*DERIVATIONS.values()])
-    return format_of(output, DERIVATIONS, asked=asked)
+    form = format_of(output, DERIVATIONS, asked=asked)
+    if output is not None:
+        writable(output)
+    return form
 
 
 def _check_power(power: int | None) -> None:

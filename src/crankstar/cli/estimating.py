@@ -16,13 +16,14 @@ from crankstar.cli.options import (
     together,
     write_tree,
 )
+from crankstar.cli.output import writable_form
 from crankstar.cli.tabulating import give
 from crankstar.engine.quantities import VOLUME
 from crankstar.engine.weighed import EngineType
 from crankstar.files import changed, units
 from crankstar.files.catalog import tree_of
 from crankstar.options import values as request
-from crankstar.options.forms import TABLES, form_of
+from crankstar.options.forms import TABLES
 from crankstar.options.refusals import refusal
 
 
@@ -62,7 +63,7 @@ def estimate(
         return changed(tree, changes(), name=name)
 
     form, wanted, volume, (name, _own), _changes, tree, _suffix = together(
-        partial(form_of, None, TABLES, json=json, csv=csv),
+        partial(writable_form, None, TABLES, json=json, csv=csv),
         lambda: kind and request.choice("--type", kind, get_args(EngineType)),
         partial(_volume, displacement),
         there,

@@ -19,12 +19,11 @@ from crankstar.cli.options import (
     read_engine,
     together,
 )
-from crankstar.cli.output import complain, write, write_bytes
+from crankstar.cli.output import complain, writable_form, write, write_bytes
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, passage
 from crankstar.options import points
 from crankstar.options import values as request
-from crankstar.options.forms import form_of
 from crankstar.options.values import refusal
 from crankstar.tables.ranges import estimated_paths, listed
 
@@ -53,7 +52,7 @@ def export(
     ] = None,
 ) -> None:
     """Write an engine for another tool: a script (.py: EXUDYN, openTorsion, ROSS) or solids."""
-    read_form = once(partial(form_of, output, FORMS))
+    read_form = once(partial(writable_form, output, FORMS))
     load = once(
         partial(
             read_engine, engine, settings, estimate=estimate, speed=speed, chains=to in PROGRAMS

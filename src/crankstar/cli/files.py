@@ -9,7 +9,7 @@ from typing import Annotated, Any
 from cyclopts import Parameter
 
 from crankstar.cli.options import Output, option, read_engine, together
-from crankstar.cli.output import complain, display, is_file, write, write_bytes
+from crankstar.cli.output import complain, display, is_file, writable_form, write, write_bytes
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.files import EngineFileError, tree_of
@@ -18,7 +18,6 @@ from crankstar.files.read_files import STANDARD_INPUT
 from crankstar.files.tolerances import tolerances_of, wide
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
-from crankstar.options.forms import form_of
 from crankstar.options.values import RequestError, choice, refusal
 from crankstar.tables.scales import scales
 
@@ -180,7 +179,7 @@ def new(
             raise refusal("-o", output, "it already exists; --overwrite replaces it")
 
     _layout, form, _old = together(
-        read_layout, partial(form_of, output, ("toml", "xlsx")), refuse_old
+        read_layout, partial(writable_form, output, ("toml", "xlsx")), refuse_old
     )
     if form == "toml":
         write(STARTERS[layout], output)
@@ -196,5 +195,5 @@ def schema(*, output: Output = None) -> None:
     from crankstar.files import schema as file_schema
     from crankstar.tables.machine import json_text
 
-    form_of(output, ("json",))
+    writable_form(output, ("json",))
     write(json_text(file_schema()), output)

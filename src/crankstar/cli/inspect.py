@@ -32,7 +32,7 @@ from crankstar.cli.options import (
     together,
     write_tree,
 )
-from crankstar.cli.output import complain, display, working
+from crankstar.cli.output import complain, display, working, writable_form
 from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give, resting_on, words_for
 from crankstar.engine.records import GREATEST_CYLINDERS
@@ -41,7 +41,7 @@ from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import points
 from crankstar.options import values as request
-from crankstar.options.forms import TABLES, form_of, named
+from crankstar.options.forms import TABLES, named
 from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ def show(
 
     loaded, form = together(
         partial(read_engine, engine, settings),
-        partial(engine_suffix, output) if explicit else partial(form_of, output, TABLES),
+        partial(engine_suffix, output) if explicit else partial(writable_form, output, TABLES),
     )
     if explicit:
         write_tree(carried(part_by_part(loaded.engine), loaded.tree), output)
@@ -124,7 +124,7 @@ def analyze(
     from crankstar.tables import analysis as tables
     from crankstar.tables.ranges import ranged
 
-    read_form = once(partial(form_of, output, TABLES, json=json, csv=csv))
+    read_form = once(partial(writable_form, output, TABLES, json=json, csv=csv))
     if speeds is not None:
         single = {"--speed": speed, "--theta": theta, "--vectors": vectors, "--by": by}
         over_speeds(
@@ -239,7 +239,7 @@ def compare(
 
     loads = [once(partial(read, number)) for number in range(len(names))]
     form, asked, _orders, *loaded = together(
-        partial(form_of, output, TABLES, json=json, csv=csv),
+        partial(writable_form, output, TABLES, json=json, csv=csv),
         partial(request.speed, speed),
         partial(request.orders, orders, []),
         *loads,

@@ -14,7 +14,7 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter, Token
 
-from crankstar.cli.output import complain
+from crankstar.cli.output import complain, writable
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS
 from crankstar.files import engine_of, keys_of
@@ -193,12 +193,17 @@ def write_engine(
 
 
 def engine_suffix(place: str | None, *, option: str = "-o") -> str:
-    """How the name of an engine file ends, empty without one. Raises RequestError for others."""
+    """How the name of an engine file ends, empty without one.
+
+    Raises RequestError for others, OutputError where it cannot be written.
+    """
     from crankstar.options.refusals import refusal
 
     suffix = "" if place is None else Path(place).suffix.lower()
     if suffix not in ("", ".toml", ".json", ".xlsx"):
         raise refusal(option, place, "the name must end in .toml, .json or .xlsx")
+    if place is not None:
+        writable(place, option=option)
     return suffix
 
 
@@ -212,15 +217,6 @@ def numbered(place: str, count: int) -> list[str]:
         return [place]
     path = Path(place)
     return [str(path.with_name(f"{path.stem}-{n}{path.suffix}")) for n in range(1, count + 1)]
-
-
-def engine_place(place: str | None, *, option: str = "-o") -> None:
-    """Refuse, before long work, a name under which no engine can be written."""
-    from crankstar.cli.output import writable
-
-    engine_suffix(place, option=option)
-    if place is not None:
-        writable(place, option=option)
 
 
 def write_tree(tree: Mapping[str, Any], place: str | None, *, option: str = "-o") -> None:

@@ -8,7 +8,7 @@ import stat
 import sys
 import tempfile
 import textwrap
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from io import StringIO
 from pathlib import Path
@@ -16,7 +16,7 @@ from typing import Any, NoReturn
 
 from crankstar.language.messages import N_, MessageError, _
 from crankstar.language.quoting import CONTROL, one_line
-from crankstar.options.forms import STANDARD_OUTPUT
+from crankstar.options.forms import STANDARD_OUTPUT, form_of
 
 PIPED = 140
 """Columns where there is no terminal."""
@@ -123,6 +123,14 @@ def writable(place: str, *, option: str = "-o") -> None:
             _refuse(place, N_("there is no such directory"), option)
         if not os.access(place if mode is not None else Path(place).resolve().parent, os.W_OK):
             _refuse(place, WRITE_PROTECTED, option)
+
+
+def writable_form(place: str | None, forms: Sequence[str], **flags: bool) -> str:
+    """`form_of` of a file that can be written. Raises RequestError, OutputError."""
+    form = form_of(place, forms, **flags)
+    if place is not None:
+        writable(place)
+    return form
 
 
 def _refuse_read(place: str, mode: int | None, option: str) -> None:

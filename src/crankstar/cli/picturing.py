@@ -24,7 +24,7 @@ from crankstar.cli.options import (
     read_engine,
     together,
 )
-from crankstar.cli.output import complain, working, write_result
+from crankstar.cli.output import complain, working, writable, write_result
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import _
@@ -118,7 +118,7 @@ def plot(
     }
     known = drawing.CHARTS.get(chart)
     chains = known is None or known.of_chains
-    read_suffix = once(partial(chart_request.suffix, output, drawing.SUFFIXES))
+    read_suffix = once(partial(_suffix, output, drawing.SUFFIXES))
     load = once(
         partial(read_engine, engine, settings, estimate=estimate, speed=speed, chains=chains)
     )
@@ -158,6 +158,14 @@ def plot(
     write_result(content, output, usual_place(engine, chart, kind=suffix))
     for line in made.chart.notes:
         complain(line)
+
+
+def _suffix(output: str | None, possible: tuple[str, ...]) -> str:
+    """How the picture is written. Raises RequestError, OutputError where it cannot be written."""
+    suffix = chart_request.suffix(output, possible)
+    if output is not None:
+        writable(output)
+    return suffix
 
 
 def _refuse_beside(figure: Any, beside: Sequence[str] | None) -> None:
