@@ -147,6 +147,48 @@ def test_a_couple_that_vanishes_inside_a_range_is_found() -> None:
     assert min(size for _x, size in tried.sizes(("couple", 1.0))) < 1e-6
 
 
+@pytest.mark.parametrize("jump", [0.3, 0.67, 1.42, 1.9])
+def test_both_sides_of_a_jump_are_found(jump: float) -> None:
+    """1 - 0.3 x falls to a jump of 0.5, and falls again."""
+    engine, at, key = load("i4"), {"x": 1.0}, ("force", 1.0)
+
+    def vary(value: float) -> Engine:
+        at["x"] = value
+        return engine
+
+    def figures(_each: Engine) -> dict[tuple[str, float | None], float]:
+        return {key: 1 - 0.3 * at["x"] + 0.5 * (at["x"] > jump)}
+
+    tried = Tried(at=vary, figures=figures, now={}, ends=(0.0, 2.0), value=None)
+    tried.add_extremes(key, top=1.0)
+    tried.add_jump(key, top=1.0)
+    sizes = [size for _x, size in tried.sizes(key)]
+    assert max(sizes) == pytest.approx(max(1.0, 1.5 - 0.3 * jump), abs=0.3 * 0.02)
+    assert min(sizes) == pytest.approx(min(1 - 0.3 * jump, 0.9), abs=0.3 * 0.02)
+
+
+def test_a_curve_without_a_jump_is_tried_only_a_little_more() -> None:
+    engine, at, key = load("i4"), {"x": 1.0}, ("force", 1.0)
+
+    def vary(value: float) -> Engine:
+        at["x"] = value
+        return engine
+
+    for curve in (np.exp, np.square, lambda x: 1 / (1.05 - x), lambda x: abs(x - 0.4)):
+        tried = Tried(
+            at=vary,
+            figures=lambda _each, curve=curve: {key: float(curve(at["x"]))},
+            now={},
+            ends=(0.0, 1.0),
+            value=None,
+        )
+        top = max(size for _x, size in tried.sizes(key))
+        tried.add_extremes(key, top=top)
+        before = len(tried.known)
+        tried.add_jump(key, top=top)
+        assert len(tried.known) <= before + 6
+
+
 def test_what_turns_in_the_middle_of_a_range_has_its_crankpins_too() -> None:
     engine = load("audi-25-tfsi")
     own = of(engine, amplitudes(engine), "cylinder.rotating_mass")

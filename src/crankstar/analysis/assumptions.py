@@ -246,6 +246,7 @@ def _varied(
             key, effect, top = _most(tried, now, least, answer.aims)
         if effect >= TOLD:
             tried.add_extremes(key, top=top)
+            tried.add_jump(key, top=top)
     (quantity, order), effect, _top = _most(tried, now, least, answer.aims)
     sizes = [size for _x, size in tried.sizes((quantity, order))]
     change = Moved(

@@ -11,7 +11,9 @@ Between the ends of a range a figure may be greater or smaller than at both. Tri
 * for the figure that moves most, the vertex of a parabola through its extreme and the neighbours,
   up to ROUNDS times: of f^2 for the minimum, exact for the absolute value of what is linear in x,
   and of 1 / f^2 for the maximum, exact for a single resonance in its stiffness; where that promises
-  nothing, the middle of a wide gap beside the extreme.
+  nothing, the middle of a wide gap beside the extreme;
+* for that figure, both sides of a jump, to NEAR of the range, where its slope between two of these
+  values is far from those between the others.
 """
 
 from __future__ import annotations
@@ -49,6 +51,10 @@ WIDE = 0.2
 """Share of the range from which a gap beside an extreme is divided where no parabola has one."""
 NEAR = 0.01
 """Share of the range within which the last value that makes an engine is known."""
+SMALL_JUMP, STEEP = 0.02, 1.5
+"""Of the greatest, what a jump is at least; and how much its slope differs, of those elsewhere."""
+SMOOTH = 0.5
+"""The change in one half over that in the other from which a curve does not jump between them."""
 SAME = 1e-6
 """Share by which natural frequencies must differ at both ends for anything to meet in between."""
 
@@ -179,6 +185,37 @@ class Tried:
                 self.add([] if more is None else [more])
                 if len(self.known) == len(sizes):
                     break
+
+    def add_jump(self, key: Figure, *, top: float) -> None:
+        """Try both sides of a jump of a figure, as where another assumption is made beyond it.
+
+        Where between two values that were tried its slope is far from those elsewhere, the half
+        with the jump is halved again; a curve that is only steep there has it in both halves.
+        """
+        sizes = self.sizes(key)
+        if len(sizes) < POINTS:
+            return
+        x, f = np.array(sizes).T
+        slopes = np.diff(f) / np.diff(x)
+        apart = np.abs(slopes - np.median(slopes))
+        at = int(np.argmax(apart))
+        others = np.abs(np.delete(slopes, at))
+        if abs(f[at + 1] - f[at]) < SMALL_JUMP * top or apart[at] < STEEP * others.max():
+            return
+        (a, before), (b, after) = sizes[at], sizes[at + 1]
+        while b - a > NEAR * (x[-1] - x[0]):
+            middle = (a + b) / 2
+            self.add([middle])
+            if middle not in self.known:
+                return
+            here = self.known[middle].get(key, 0.0)
+            left, right = abs(here - before), abs(after - here)
+            if min(left, right) > SMOOTH * max(left, right):
+                return
+            if left > right:
+                b, after = middle, here
+            else:
+                a, before = middle, here
 
 
 def _why(error: EngineError | MessageError) -> str:
