@@ -9,6 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from tests.commands import Run
 from tests.texts import problems
@@ -17,6 +18,10 @@ import crankstar
 from crankstar.files import engine_of, tree_of
 
 pytestmark = pytest.mark.quick
+
+WRONG: Any = {}
+HUGE: Any = 10**400
+KEYS: Any = {"name": "x", 1: 2}
 
 FIVE = """
 name = "five"
@@ -172,3 +177,27 @@ def test_of_less_effect_is_what_moves_less_than_what_stands_above(run: Run, tmp_
     assert less
     assert sized
     assert max(effects[path] for path in less) <= min(effects[path] for path in sized) + 1e-9
+
+
+def test_an_array_without_dimensions_is_its_number() -> None:
+    name = "audi-25-tfsi"
+    box: Any = np.array
+    assert crankstar.vees(box(6)).document == crankstar.vees(6).document
+    one, other = (crankstar.grade(mass=5.0, speed=300.0, grade=each) for each in (box(6.3), 6.3))
+    assert one.document == other.document
+    with pytest.raises(TypeError, match="orders takes numbers such as"):
+        crankstar.balance(name, orders=box(5.0))
+
+
+@pytest.mark.parametrize(
+    ("call", "told"),
+    [
+        (lambda: crankstar.vees(WRONG), "cylinders takes no dict"),
+        (lambda: crankstar.grade(mass=HUGE, speed=300.0), "mass"),
+        (lambda: crankstar.balance(KEYS), "one with the key 1"),
+        (lambda: crankstar.correct(runs=np.array(5.0)), "runs takes the name of a CSV file"),
+    ],
+)
+def test_what_python_is_given_wrong_is_told(call: Callable[[], object], told: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=told):
+        call()

@@ -26,6 +26,16 @@ def is_number(given: Any) -> bool:
     return isinstance(given, Real) and not isinstance(given, bool)
 
 
+def unboxed(given: Any) -> Any:
+    """The number of an array without dimensions; anything else as it is.
+
+    >>> import numpy as np
+    >>> unboxed(np.array(5.0)), unboxed([5.0])
+    (5.0, [5.0])
+    """
+    return given.item() if getattr(given, "ndim", None) == 0 else given
+
+
 def check_number(argument: str, given: Any) -> None:
     """Raises TypeError for what is no number, ValueError for one that is not finite."""
     if not is_number(given):

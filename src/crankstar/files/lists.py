@@ -19,6 +19,7 @@ from operator import attrgetter
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from crankstar.engine.arguments import unboxed
 from crankstar.files.errors import on_one_screen
 from crankstar.files.kinds import kind_of
 from crankstar.files.read_files import note
@@ -177,6 +178,7 @@ def list_given(given: Any, *, name: str) -> Listed:
     rows: Any = given
     if hasattr(given, "to_dict"):
         rows = given.to_dict("records") if hasattr(given, "columns") else None  # not a Series
+    rows = unboxed(rows)
     listed = isinstance(rows, Iterable) and not isinstance(rows, bytes | Mapping)
     lines: list[Any] = [*rows] if listed else [None]
     if not all(isinstance(line, Mapping) for line in lines):

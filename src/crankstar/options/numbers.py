@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Mapping
 from math import inf
 from numbers import Integral
@@ -9,6 +10,7 @@ from typing import Any
 
 from crankstar.engine.arguments import check_number as check_number  # with the other numbers
 from crankstar.engine.arguments import is_number as is_number
+from crankstar.engine.arguments import unboxed
 from crankstar.engine.quantities import INERTIA, MASS, POWER, PRESSURE, SPEED, Quantity
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
@@ -110,6 +112,7 @@ def power(argument: str, given: Any) -> float:
 
 def positive(argument: str, given: Any, quantity: Quantity, example: str) -> float:
     """A value above nought in SI, or text with its unit."""
+    given = unboxed(given)
     if isinstance(given, str):
         from crankstar.files import units
 
@@ -118,7 +121,7 @@ def positive(argument: str, given: Any, quantity: Quantity, example: str) -> flo
         except ValueFaultError as error:
             raise ValueError(error.at(argument)) from None
     elif is_number(given):
-        number = float(given)
+        number = float(min(max(given, -sys.float_info.max), sys.float_info.max))
     else:
         raise TypeError(
             _(
@@ -253,6 +256,7 @@ def check_highest(argument: str, given: Any) -> None:
 
 def orders(given: Any) -> tuple[float, ...]:
     """Crank orders, a list of numbers above 0. Raises ValueError, TypeError."""
+    given = unboxed(given)
     listed = given if isinstance(given, Iterable) and not isinstance(given, str) else None
     numbers = None if listed is None else [*listed]
     if numbers is None or not all(map(is_number, numbers)):

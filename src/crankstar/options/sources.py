@@ -117,11 +117,16 @@ def _tree(engine: EngineLike, asking: str) -> tuple[str, dict[str, Any]]:
         return tree_of_keys(engine)
     if isinstance(engine, str | Path):
         return tree_of(engine)
+    odd = (
+        next((key for key in engine if not isinstance(key, str)), None)
+        if isinstance(engine, Mapping)
+        else None
+    )
     raise TypeError(
         _(
             "{function} takes an Engine, a name of the catalog, a path or a dict of keys, not "
             "{given}",
             function=asking,
-            given=given(engine),
+            given=given(engine) if odd is None else _("one with the key {key}", key=given(odd)),
         )
     )

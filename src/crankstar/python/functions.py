@@ -14,6 +14,7 @@ from typing import Any, cast, get_type_hints
 from crankstar.analysis.reader import Asked, asked
 from crankstar.analysis.record import Analysis
 from crankstar.analysis.registry import analysis
+from crankstar.engine.arguments import unboxed
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.language.messages import MessageError, _
@@ -233,13 +234,17 @@ def _reading(
     one: Asked, arguments: Mapping[str, Any], source: Engine | Chain | None
 ) -> Callable[[Mapping[str, Any]], Any]:
     """What reads one argument, from the values of the fields that it depends on."""
-    value, reader = arguments.get(one.name), one.reader
+    value, reader = unboxed(arguments.get(one.name)), one.reader
     engine = (source,) if reader.of_source else ()
 
     def read(beside: Mapping[str, Any]) -> Any:
         if value is None:
             return one.default
-        several = reader.follows or OPTIONS[reader.option].takes == "several texts"
+        several = (
+            reader.number is not None
+            if reader.follows
+            else OPTIONS[reader.option].takes == "several texts"
+        )
         if isinstance(value, Mapping) and not several:
             raise TypeError(_("{argument} takes no dict", argument=one.name))
         try:
