@@ -121,7 +121,8 @@ def positive(argument: str, given: Any, quantity: Quantity, example: str) -> flo
         except ValueFaultError as error:
             raise ValueError(error.at(argument)) from None
     elif is_number(given):
-        number = float(min(max(given, -sys.float_info.max), sys.float_info.max))
+        number = float(given) if abs(given) <= sys.float_info.max else inf
+        check_number(argument, number)
     else:
         raise TypeError(
             _(
