@@ -938,7 +938,7 @@ def test_a_language_that_the_terminal_lacks_letters_for_is_doubted_in_ascii(
     line = f"C check {file} --language {language}"
     result = shell(line, tmp_path, LC_ALL="C", PYTHONIOENCODING="ascii", PYTHONUTF8="0")
     assert result.code == 0
-    assert f"ascii, cannot show the language {language}; set PYTHONUTF8=1" in result.err
+    assert f"ascii, cannot show the language {language}; set PYTHONIOENCODING=utf-8" in result.err
     assert shell(line, tmp_path, PYTHONUTF8="1").err == ""
 
 

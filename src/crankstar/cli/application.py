@@ -200,13 +200,15 @@ def _doubt_encoding() -> None:
         NAMES[language()].encode(encoding)
     except UnicodeEncodeError:
         wanted = language()
+        setting = "PYTHONIOENCODING=utf-8" if "PYTHONIOENCODING" in os.environ else "PYTHONUTF8=1"
         with spoken(LANGUAGES[0]):
             complain(
                 _(
                     "crankstar: the encoding of the terminal, {encoding}, cannot show the language "
-                    "{language}; set PYTHONUTF8=1, or take --language en",
+                    "{language}; set {setting}, or take --language en",
                     encoding=encoding,
                     language=wanted,
+                    setting=setting,
                 )
             )
 

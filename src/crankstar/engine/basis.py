@@ -10,6 +10,7 @@ from pydantic import ConfigDict, Field
 
 from crankstar.engine.cylinder_parts import required_without_parts
 from crankstar.engine.quantities import (
+    GREATEST_RELATIVE,
     Angle,
     Length,
     Line,
@@ -54,7 +55,7 @@ class Sizes(Record):
     bore: Size | None = Field(default=None, description="cylinder diameter")
     stroke: Size | None = Field(default=None, description="twice the crank radius")
     rod_length: Size | None = Field(default=None, description="connecting rod between centres")
-    rod_ratio: Annotated[Number, Field(gt=1)] | None = Field(
+    rod_ratio: Annotated[Number, Field(gt=1, le=GREATEST_RELATIVE)] | None = Field(
         default=None,
         description="rod length over crank radius, l/r, instead of rod_length; 4 without either",
     )
