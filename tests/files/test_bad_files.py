@@ -401,18 +401,11 @@ def test_a_rod_too_short_for_one_cylinder_is_told_where_the_file_says_so() -> No
     ]
 
 
-def test_a_rod_longer_than_any_is_refused() -> None:
-    assert list(told(spoilt(SHORT, cylinder__rod_length=None, cylinder__rod_ratio=1e9))) == [
-        "cylinder.rod_length"
-    ]
-    tree = spoilt(SHORT)
-    del tree["cylinder"]["rod_length"]
-    assert (
-        "too long for an engine"
-        in told({**tree, "cylinder": {**tree["cylinder"], "rod_ratio": 1e300}})[
-            "cylinder.rod_length"
-        ]
-    )
+@pytest.mark.parametrize("ratio", [1e9, 1e300])
+def test_a_rod_longer_than_any_is_refused(ratio: float) -> None:
+    told_of = told(spoilt(SHORT, cylinder__rod_length=None, cylinder__rod_ratio=ratio))
+    assert list(told_of) == ["cylinder.rod_ratio"]
+    assert "at most 1e+06" in told_of["cylinder.rod_ratio"]
 
 
 @pytest.mark.parametrize("length", ["1 mm", "46 mm", "68.5 mm"])
