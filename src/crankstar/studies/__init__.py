@@ -17,6 +17,7 @@
 | `gas_alone` | what a file lacks for its gas or the inertia beside it: a bore, masses, a speed |
 | `assumed_doubts` | doubts, tried at what may be meant |
 | `assumed_values` | what an engine file leaves out or does not give for certain, with its range |
+| `figures_by_order` | figures of an answer by order, and their units |
 | `answer_parts` | answers about fewer quantities, and several as one |
 | `response_answers` | what shakes a block with faults, by figures |
 | `answers` | the figures of each analysis, of which the record says how far they may move |

@@ -14,13 +14,10 @@ frequencies. `rests_on` varies what the file lacks and says which figure of them
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 
-import numpy as np
-
-from crankstar import spectra
 from crankstar.analysis.assumptions import Answer, Assumption, Uses, moved
 from crankstar.analysis.changed_values import with_drive_inertia
 from crankstar.analysis.registry import added, analyses
@@ -29,14 +26,12 @@ from crankstar.engine.basis import BALANCE_FACTOR
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, MessageError, _
 from crankstar.language.numbers import number, rpm_of
-from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.gas import Cycle, cycle, cycle_or_reason
 from crankstar.mechanics.gas_torque import brake_torque, gas_torque
 from crankstar.mechanics.lacking import lacking_keys
 from crankstar.mechanics.operating_points import operating_state
-from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
-from crankstar.spectra import Spectrum
+from crankstar.mechanics.remains import USUAL_ORDERS
 from crankstar.studies.answer_parts import (
     TURNING,
     gas_of,
@@ -49,6 +44,14 @@ from crankstar.studies.answer_parts import (
 from crankstar.studies.assumed_doubts import doubted_weight
 from crankstar.studies.assumed_loads import of_load
 from crankstar.studies.assumed_values import assumed_values
+from crankstar.studies.figures_by_order import (
+    by_order,
+    components,
+    inertia_sizes,
+    inertia_unit,
+    least_pushed,
+    rolls_of,
+)
 from crankstar.studies.gas_alone import gas_alone, lacking_gas, usual_speeds, with_speed
 
 MakeCycle = Callable[[Engine], Cycle | None]
@@ -85,13 +88,13 @@ def amplitudes(
         speed = operating_state(engine, point=point).speed
 
     def figures(each: Engine) -> Figures:
-        inertia = _inertia_sizes(each, speed, reference, highest)
+        inertia = inertia_sizes(each, speed, reference, highest)
         if without is None or not both:
             return inertia
-        return inertia | _rolls("roll with gas", each, cycle(each, point=point, speed=speed))
+        return inertia | rolls_of("roll with gas", each, cycle(each, point=point, speed=speed))
 
     def unit(quantity: str, each: Engine) -> str:
-        return "N*m" if quantity == "roll with gas" else _inertia_unit(speed, quantity, each)
+        return "N*m" if quantity == "roll with gas" else inertia_unit(speed, quantity, each)
 
     lacking = [] if gas or without is not None else _lacking_roll(engine, point, speed)
     choices = [*lacking, *of_load(engine, without if both else None)]
@@ -103,7 +106,7 @@ def amplitudes(
         unit=unit,
         uses=("inertia", "gas") if both else ("inertia",),
         gas=without if both else None,
-        least=lambda each: _pushed(each, speed, reference),
+        least=lambda each: least_pushed(each, speed, reference),
         without_gas=usual if both else without or usual,
         gasless="" if gas or lacking or (both and without is not None) else IN_ROLL,
         why_gasless=why or short,
@@ -118,12 +121,12 @@ def _lacking_roll(engine: Engine, point: str, speed: float | None) -> list[Assum
     """
 
     def rolls(each: Engine) -> Figures:
-        return _rolls("roll", each, cycle(each, point=point, speed=speed))
+        return rolls_of("roll", each, cycle(each, point=point, speed=speed))
 
     def inertia(each: Engine) -> Figures:
         if speed is None and each.speed is None:
             return {}
-        sizes = _inertia_sizes(each, speed)
+        sizes = inertia_sizes(each, speed)
         return {key: size for key, size in sizes.items() if key[0] == "roll"}
 
     lacking = lacking_gas(engine, rolls, IN_ROLL, speed=speed, point=point)
@@ -132,17 +135,6 @@ def _lacking_roll(engine: Engine, point: str, speed: float | None) -> list[Assum
     in_roll = Answer(figures=inertia, unit=lambda _quantity, _engine: "N*m")
     found = moved(engine, [lacking], in_roll) or [lacking]
     return [replace(each, vary=None, figures=None) for each in found]
-
-
-def _rolls(
-    name: str, engine: Engine, found: Cycle, *, one_frame: bool = False
-) -> dict[Figure, float]:
-    """The rolling moment of gas and inertia by order; of `one_frame` with the driven machine."""
-    from crankstar.dynamics.load_reaction import on_one_frame
-    from crankstar.studies.gas_results import roll_of
-
-    roll = roll_of(engine, found)
-    return _by_order(name, on_one_frame(roll, engine, found) if one_frame else roll)
 
 
 def compared(
@@ -208,7 +200,7 @@ def _of_torque(engine: Engine, speed: float | None) -> list[Answer]:
     def figures(each: Engine) -> Figures:
         from crankstar.studies.gas_results import torque_of
 
-        return _by_order("torque", torque_of(each, cycle(each, speed=speed)))
+        return by_order("torque", torque_of(each, cycle(each, speed=speed)))
 
     made = Answer(
         figures=figures,
@@ -248,19 +240,19 @@ def outlook(
 
     def figures(each: Engine) -> Figures:
         again = cycle(each, point=point, speed=speed)
-        inertia = _inertia_sizes(each, speed, reference, highest)
+        inertia = inertia_sizes(each, speed, reference, highest)
         plain = {key: size for key, size in inertia.items() if key[0] != "roll"}
-        return plain | _rolls("roll", each, again)
+        return plain | rolls_of("roll", each, again)
 
     def unit(quantity: str, each: Engine) -> str:
-        return "N*m" if quantity == "roll" else _inertia_unit(speed, quantity, each)
+        return "N*m" if quantity == "roll" else inertia_unit(speed, quantity, each)
 
     return Answer(
         figures=figures,
         unit=unit,
         uses=("inertia", "gas"),
         gas=found,
-        least=lambda each: _pushed(each, speed, reference),
+        least=lambda each: least_pushed(each, speed, reference),
         choices=[*gas_alone(engine, found, figures), *of_load(engine, found)],
     )
 
@@ -286,11 +278,11 @@ def torques(
 
     def figures(each: Engine) -> Figures:
         again = make(each)
-        rolls = _rolls("roll", each, again, one_frame=sums)
+        rolls = rolls_of("roll", each, again, one_frame=sums)
         if running:
             rolls |= _evenness(each, again, irregularity)
         if sums:
-            return _components(each, again.speed) | rolls
+            return components(each, again.speed) | rolls
         mean = float(gas_torque(again).mean.sum())
         plain = {("mean torque", None): mean, ("peak pressure", None): again.peak / 1e5}
         brake = brake_torque(again)
@@ -306,7 +298,7 @@ def torques(
     return Answer(
         figures=figures,
         unit=lambda quantity, each: (
-            _inertia_unit(found.speed, quantity, each)
+            inertia_unit(found.speed, quantity, each)
             if quantity.endswith(("force", "couple"))
             else units.get(quantity, "N*m")
         ),
@@ -345,65 +337,3 @@ def bobweights(engine: Engine, *, factor: float, assumed: bool = False) -> Answe
         given=("cylinder.throw_mass",),
         choices=[half] if assumed else [],
     )
-
-
-def _inertia_sizes(
-    engine: Engine,
-    speed: float | None,
-    reference: Reference | None = None,
-    highest: float = USUAL_ORDERS,
-) -> dict[Figure, float]:
-    """Force, couple and rolling moment by order."""
-    own = engine.speed if speed is None else speed
-    sums = summed(balance(engine, speed=own, reference=reference))
-    found: dict[Figure, float] = {}
-    for name in ("force", "couple", "roll"):
-        spectrum = getattr(sums, name)
-        for order, size in zip(spectrum.orders.tolist(), sizes(spectrum).tolist(), strict=True):
-            if order <= highest:
-                found[name, order] = size
-    return found
-
-
-def _components(engine: Engine, speed: float | None) -> dict[Figure, float]:
-    """Force and couple by order, up and across, as a frame has them."""
-    sums = summed(balance(engine, speed=speed))
-    ways = {"vertical": spectra.vertical, "horizontal": spectra.horizontal}
-    return {
-        (f"{way} {name}", order): size
-        for name in ("force", "couple")
-        for way, component in ways.items()
-        for order, size in zip(
-            getattr(sums, name).orders.tolist(),
-            np.abs(component(getattr(sums, name))).tolist(),
-            strict=True,
-        )
-        if order <= USUAL_ORDERS
-    }
-
-
-def _pushed(
-    engine: Engine, speed: float | None, reference: Reference | None = None
-) -> Mapping[str, float]:
-    """A small share of what all parts push together: what is hardly there does not lead."""
-    own = engine.speed if speed is None else speed
-    result = balance(engine, speed=own, reference=reference)
-    return {
-        name: MINOR * float(pushed(getattr(result, name)).max(initial=0.0))
-        for name in ("force", "couple")
-    }
-
-
-def _inertia_unit(speed: float | None, quantity: str, engine: Engine) -> str:
-    units = balance(engine, speed=engine.speed if speed is None else speed).units
-    kind = quantity.rpartition(" ")[2]  # of vertical force too
-    return {"force": units.force, "couple": units.couple}.get(kind, units.moment)
-
-
-def _by_order(name: str, signal: Spectrum) -> dict[Figure, float]:
-    waves = np.abs(spectra.amplitude(signal))
-    return {
-        (name, order): size
-        for order, size in zip(signal.orders.tolist(), waves.tolist(), strict=True)
-        if 0 < order <= 2 * USUAL_ORDERS
-    }
