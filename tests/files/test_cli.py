@@ -679,7 +679,7 @@ def test_faults_of_engines_and_speed_are_reported_together(
     [
         ("folder", "it is a directory"),
         (".", "it is a directory"),
-        ("none/out.txt", "No such file or directory"),
+        ("none/out.txt", "there is no such directory"),
         ("mine.toml/out.txt", "Not a directory"),
         ("/dev/full", "No space left on device"),
         ("loop", "Too many levels of symbolic links"),
@@ -687,7 +687,7 @@ def test_faults_of_engines_and_speed_are_reported_together(
         ("n" * 300, "File name too long"),
         ("a\0b", "a file cannot have this name"),
         ("/proc/out.txt", ""),
-        ("\x1b[31m/out.txt", "No such file or directory"),
+        ("\x1b[31m/out.txt", "there is no such directory"),
     ],
 )
 def test_output_to_an_unwritable_place_is_refused(

@@ -12,7 +12,6 @@ import re
 from collections.abc import Sequence
 from contextlib import suppress
 from itertools import pairwise
-from pathlib import Path
 
 from crankstar.cli.output import LOST, OutputError, is_file, writable
 from crankstar.files.read_files import STANDARD_INPUT
@@ -142,7 +141,7 @@ def told_beside(error: MessageError, words: Sequence[str]) -> str:
     told = [str(error)]
     if not isinstance(error, OutputError):
         for option, place in _written(words)[1]:
-            if Path(place).is_dir():
+            if os.path.isdir(place):  # noqa: PTH112  # Path.is_dir raises of impossible names
                 continue  # some write into one
             try:
                 writable(place, option=option)
