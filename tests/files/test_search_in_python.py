@@ -78,3 +78,11 @@ def test_a_row_that_is_not_there_is_refused() -> None:
             found.crank(wrong)
     with pytest.raises(ValueError, match="front, stars"):
         found.plot("rose")  # pyright: ignore[reportArgumentType]
+
+
+def test_progress_is_told_to_the_end() -> None:
+    noted: list[Any] = []
+    found = crankstar.search(7, cycle="two-stroke", minimise=["M1"], tell=noted.append)
+    assert noted
+    assert noted[-1].done == noted[-1].blocks
+    assert found.answer.certificate.complete

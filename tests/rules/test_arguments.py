@@ -6,6 +6,7 @@ import inspect
 import math
 import re
 import tomllib
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -57,6 +58,7 @@ FAR: Any = 1e300
 UNHASHABLE: Any = []
 ODD_OVER: Any = ["balance_factor=0..1", 1]
 CONTNUOUS: Any = "contnuous"
+SOME: Any = np.array([1.0, 2.0])
 
 
 def functions() -> list[str]:
@@ -303,6 +305,16 @@ def test_what_are_no_orders_is_refused(name: str, orders: Any, words: str) -> No
             lambda i4: crankstar.bending_moment(i4, model=CONTNUOUS),
             "no model of a crankshaft; give one of determinate, continuous",
         ),
+        *(
+            (partial(call, **{name: SOME}), f"{name} takes a name, not a ndarray")
+            for call, name in (
+                (crankstar.bearing_loads, "model"),
+                (crankstar.bending_moment, "shaft"),
+                (crankstar.cycle, "point"),
+            )
+        ),
+        (lambda _i4: crankstar.search(5, workers=SOME), "workers is from 1 to 1024, not a ndarray"),
+        (lambda _i4: crankstar.search(5, tell=SOME), "tell takes a function that is called"),
         (
             lambda i4: crankstar.bending_moment(i4, shaft="rear"),
             'there is no shaft "rear"; the shafts are "crank"',

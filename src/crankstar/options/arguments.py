@@ -200,7 +200,7 @@ def _check_sweep(function: str, given: dict[str, Any]) -> None:
                     given=_named(odd[0]),
                 )
             )
-    _check_watch(given.get("watch", ()))
+        _check_watch(given.get("watch", ()))
     if "sweep" not in given:
         return
     from crankstar.studies.sweep import Sweep
@@ -372,6 +372,14 @@ def _check_flag(argument: str, given: Any) -> None:
         )
 
 
+def _check_name(argument: str, given: Any) -> None:
+    """Raises TypeError for what is neither text nor None."""
+    if given is not None and not isinstance(given, str):
+        raise TypeError(
+            _("{argument} takes a name, not {given}", argument=argument, given=quoted(given))
+        )
+
+
 MEASURED: Mapping[str, Callable[[str, Any], Any]] = {
     **dict.fromkeys(("imep", "bmep", "peak_pressure"), pressure),
     "flywheel": inertia,
@@ -393,6 +401,7 @@ CHECKS: Mapping[str, Callable[[str, Any], None]] = {
     **dict.fromkeys(("factor", "share"), check_number),
     **dict.fromkeys(("up", "right"), check_place),
     **dict.fromkeys(("bare", "estimate", "motored", "relatives"), _check_flag),
+    **dict.fromkeys(("model", "point", "shaft"), _check_name),
     "highest": check_highest,
     "samples": check_samples,
 }

@@ -140,14 +140,14 @@ def search(
     changes: Mapping[str, Any] | None = None,
     estimate: bool = False,
     workers: int | None = None,
-    watch: Callable[[Progress], None] | None = None,
+    tell: Callable[[Progress], None] | None = None,
 ) -> Found:
     """Better cranks: all arrangements of evenly spaced throws, searched with proof.
 
     `about` is the number of cylinders, or an engine in line (itself, name, path, keys), with
     `changes` by key path, at `speed` (rad/s), by default that of its file; `estimate` fills in
     what its file leaves out. The goals and limits are those of `crankstar search`, as text or as
-    lists and dicts. `watch` is called with the Progress; so many `workers` are processes, which a
+    lists and dicts. `tell` is called with the Progress; so many `workers` are processes, which a
     script starts under `if __name__ == "__main__"`. Raises SearchError with every fault of what is
     asked.
 
@@ -178,7 +178,7 @@ def search(
     source, pace = _source(about, changes, speed, estimate=estimate)
     with named():
         wanted = search_of(source, words, speed=pace)
-        answer = _answer(wanted, workers, watch)
+        answer = _answer(wanted, workers, tell)
     return Found(answer, wanted.engine)
 
 
@@ -261,18 +261,9 @@ def _source(
     return found, found.speed if speed is None else speed
 
 
-def _answer(
-    wanted: Search, workers: int | None, watch: Callable[[Progress], None] | None
-) -> Answer:
+def _answer(wanted: Search, workers: int | None, tell: Callable[[Progress], None] | None) -> Answer:
     """The answer, by so many processes or in this one."""
-    if workers is not None and not 1 <= workers <= GREATEST_WORKERS:
-        raise ValueError(
-            _(
-                "workers is from 1 to {most}, not {given}",
-                most=GREATEST_WORKERS,
-                given=given(workers),
-            )
-        )
+    _check_workers(workers)
     try:
         from crankstar.options.search import whole
         from crankstar.stars import executors, halves
@@ -282,4 +273,17 @@ def _answer(
     question = wanted.question
     halves.check(question)
     with executors.processes(workers) if workers else nullcontext() as pool:
-        return whole(wanted, answer_to(question, workers=pool, watch=watch))
+        return whole(wanted, answer_to(question, workers=pool, watch=tell))
+
+
+def _check_workers(workers: Any) -> None:
+    """Raises ValueError for workers of no possible number."""
+    counted = isinstance(workers, Integral) and not isinstance(workers, bool)
+    if workers is not None and not (counted and 1 <= workers <= GREATEST_WORKERS):
+        raise ValueError(
+            _(
+                "workers is from 1 to {most}, not {given}",
+                most=GREATEST_WORKERS,
+                given=given(workers),
+            )
+        )
