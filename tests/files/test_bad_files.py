@@ -529,6 +529,8 @@ def test_duplicate_cylinder_numbers_are_refused() -> None:
     fault = next(fault for fault in twice if fault.path == ("layout",))
     assert fault.code == "layout.number-repeated"
     assert fault.values == {"number": 7, "times": 2}
+    longer = faults(SHORT.replace("[2, 4, 6, 8]", "[2, 4, 6, 8, 8]"))
+    assert [fault.code for fault in longer] == ["layout.number-repeated"]
 
 
 def test_two_shafts_of_one_name_are_refused() -> None:

@@ -9,7 +9,7 @@ not known is named.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import pi, radians
@@ -179,10 +179,7 @@ def _misplaced(basis: Basis, places: list[Place]) -> Iterator[Fault]:
         if sizes.rod_length is not None and sizes.rod_ratio is not None:
             yield Fault((*path, "rod_ratio"), "rod_ratio.beside-length")
     counts = Counter(place.number for place in places)
-    for number, times in sorted(counts.items()):
-        if times > 1:
-            values: dict[str, Any] = {"number": number, "times": times}
-            yield Fault(("layout",), "layout.number-repeated", values)
+    yield from repeated_numbers(counts.elements())
     overridden = Counter(other.number for other in basis.cylinders)
     for index, other in enumerate(basis.cylinders):
         here = ("cylinders", index, "number")
@@ -191,6 +188,16 @@ def _misplaced(basis: Basis, places: list[Place]) -> Iterator[Fault]:
             yield Fault(here, "override.no-such-cylinder", values)
         elif overridden[other.number] > 1:
             yield Fault(here, "override.repeated", {"value": other.number})
+
+
+def repeated_numbers(numbers: Iterable[int]) -> list[Fault]:
+    """The cylinders of a layout that it has more than once."""
+    counts = Counter(numbers)
+    return [
+        Fault(("layout",), "layout.number-repeated", {"number": number, "times": times})
+        for number, times in sorted(counts.items())
+        if times > 1
+    ]
 
 
 def _assumed(basis: Basis) -> dict[str, Provenance]:

@@ -10,7 +10,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from crankstar.engine.arrangement import Place, ShaftPlace, assembled
+from crankstar.engine.arrangement import Place, ShaftPlace, assembled, repeated_numbers
 from crankstar.engine.basis import Basis
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Angle, Length, Line, Ordinal, Pitch, Position, SpeedRatio
@@ -113,10 +113,14 @@ def arranged(
 ) -> Engine:
     """Banks on crankshafts, placed pin by pin."""
     places: list[Place] = []
-    faults: list[Fault] = []
+    faults = repeated_numbers(
+        number for crank in cranks for bank in crank.banks for number in bank.cylinders
+    )
+    repeated = bool(faults)
     for shaft, crank in enumerate(cranks):
         at = ("cranks", shaft) if len(cranks) > 1 and not sharing_chambers else ()
-        faults += _bank_faults(("layout", *at), crank, positions)
+        own = _bank_faults(("layout", *at), crank, positions)
+        faults += [each for each in own if not repeated or each.code not in OF_COUNTS]
         if not faults:
             places += _row_places(
                 shaft,
@@ -146,6 +150,15 @@ def arranged(
     return assembled(
         basis, places, shafts, pitch=pitch, pitch_needed=longest > 1 and positions is None
     )
+
+
+OF_COUNTS = (
+    "layout.banks-unlike",
+    "layout.throws-of-pins",
+    "layout.throws-of-cylinders",
+    "layout.positions-count",
+)
+"""Faults that may come from a cylinder that is listed twice."""
 
 
 def _least_gap(positions: Sequence[float]) -> float | None:

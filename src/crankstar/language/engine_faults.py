@@ -266,7 +266,7 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is given beside rod_length, from which it follows; keep one of the two"
     ),
     "layout.number-repeated": N_(
-        "{where} has cylinder {number} {times} times; number each cylinder once"
+        "{where}: the number {number} stands {times} times; number each cylinder once"
     ),
     "override.no-such-cylinder": N_(
         "{where} is {value}, and there is no such cylinder; the layout has {numbers}"
