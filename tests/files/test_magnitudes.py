@@ -8,7 +8,10 @@ import pytest
 
 import crankstar
 from crankstar.files import engine_of, tree_of
+from crankstar.files.catalog import load
 from crankstar.mechanics.magnitudes import magnitude_doubts
+from crankstar.mechanics.mass_doubts import rod_doubts
+from crankstar.studies.assumed_doubts import doubtful
 
 pytestmark = pytest.mark.quick
 
@@ -83,3 +86,23 @@ def test_a_slip_is_told_where_the_file_has_it() -> None:
 @pytest.mark.parametrize("name", crankstar.names())
 def test_no_engine_of_the_catalog_is_out_of_proportion(name: str) -> None:
     assert list(magnitude_doubts(crankstar.load(name))) == []
+
+
+@pytest.mark.parametrize(
+    ("changes", "paths"),
+    [
+        ({"cylinder.rotating_mass": "600 kg"}, ["cylinder.rotating_mass"]),
+        ({"cylinder.rod_length": "80 mm"}, ["cylinder.rod_ratio"]),
+        ({"cylinders": [{"number": 2, "rod_length": "80 mm"}]}, ["cylinders[2].rod_ratio"]),
+        (
+            {"cylinders": [{"number": 2, "reciprocating_mass": "0.65 g"}]},
+            ["cylinders[2].reciprocating_mass"],
+        ),
+    ],
+)
+def test_a_doubt_names_all_cylinders_only_where_they_have_the_value_alike(
+    changes: dict[str, Any], paths: list[str]
+) -> None:
+    engine = load("audi-25-tfsi", changes=changes)
+    found = doubtful(engine, [*magnitude_doubts(engine), *rod_doubts(engine)])
+    assert [each.path for each in found] == paths

@@ -168,17 +168,19 @@ NO_BORE = N_("its size needs cylinder.bore")
 
 NO_FIRING = N_("its torque needs firing_order")
 """The same of one without a firing order."""
+NO_UNITS = N_("its share needs masses, sizes and a speed")
+"""The same of one without masses or sizes, or of an answer without a speed."""
 
 
 def usual_gas(engine: Engine, *, speed: float | None) -> tuple[Cycle | None, str]:
     """The usual cycle of an engine whose file has no gas, or why there is none.
 
-    None and no reason where the file has gas, or the answer no unit that it could have.
+    None and no reason where the file has gas.
     """
-    if engine.gas is not None or {"mass", "radius"} & {*engine.relative}:
+    if engine.gas is not None:
         return None, ""
-    if speed is None and engine.speed is None:
-        return None, ""
+    if {"mass", "radius"} & {*engine.relative} or (speed is None and engine.speed is None):
+        return None, NO_UNITS
     if any(cylinder.bore is None for cylinder in engine.cylinders):
         return None, NO_BORE
     if not computable(engine):

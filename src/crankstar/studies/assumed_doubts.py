@@ -19,6 +19,7 @@ from crankstar.analysis.tried_values import Figures
 from crankstar.engine.engine import Engine
 from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.quantities import GRAVITY
+from crankstar.engine.records import Cylinder
 from crankstar.language.faults import Fault, where
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.mass_doubts import body_doubts
@@ -34,7 +35,31 @@ OF_RODS = ("doubt.rod-without-inertia", "doubt.rod-inertia")
 def doubtful(engine: Engine, doubts: Sequence[Fault]) -> Iterator[Assumption]:
     """What an answer rests on that is doubted."""
     yield from _rod_inertias(engine, [each for each in doubts if each.code in OF_RODS])
-    yield from (_doubt(engine, each) for each in doubts if each.code not in OF_RODS)
+    others = (_of_all(engine, each) for each in doubts if each.code not in OF_RODS)
+    told = {each.sentence: each for each in others}
+    yield from (_doubt(engine, each) for each in told.values())
+
+
+def _of_all(engine: Engine, fault: Fault) -> Fault:
+    """A doubt on a value of one cylinder; on that of all where all have it alike."""
+    table, *rest = fault.path[:1] + fault.path[2:] or ("",)
+    if table != "cylinders" or not rest:
+        return fault
+    values = [_value(engine, each, rest) for each in engine.cylinders]
+    alike = values[0] is not None and all(each == values[0] for each in values)
+    return fault._replace(path=("cylinder", *rest), cylinder=None) if alike else fault
+
+
+def _value(engine: Engine, cylinder: Cylinder, keys: Sequence[str | int]) -> Any:
+    """A value of a cylinder or of its throw, by the keys of a file below the cylinder; or none."""
+    first = keys[0]
+    if first == "rod_ratio":
+        return cylinder.rod_length / engine.throw(cylinder).radius
+    assert isinstance(first, str)  # noqa: S101  # a table has no entries by number
+    owner: Any = cylinder if hasattr(cylinder, first) else engine.throw(cylinder)
+    for key in keys:
+        owner = getattr(owner, str(key), None)
+    return owner
 
 
 def doubted_weight(engine: Engine, speed: float | None) -> list[Assumption]:

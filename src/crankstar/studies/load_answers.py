@@ -176,8 +176,8 @@ def _unburnt(
 
 
 def _why_gasless(engine: Engine, speed: float | None) -> str:
-    """Why loads are without gas, or how they have it; nothing where there can be none."""
+    """Why loads are without gas, or how they have it."""
     if engine.gas is not None:
         return gas_of(engine, speed=speed)[1] or GAS_OPTION
     known = computable(engine) and not {"mass", "radius"} & {*engine.relative}
-    return USUAL_OPTION if known else ""
+    return USUAL_OPTION if known else usual_gas(engine, speed=speed)[1]

@@ -47,7 +47,7 @@ def felt(
     built = reduce(with_fault, faults, engine)
     burning = fired(engine, faults)
     gas, why = gas_of(burning, point=point, speed=speed, weaker=lost_combustion(faults))
-    usual = usual_gas(burning, speed=speed)[0]
+    usual, short = usual_gas(burning, speed=speed)
     left = None if usual is None else usual_load(usual, figures, IN_VIBRATION)
     if left is None:
         left = lacking_gas(burning, figures, IN_VIBRATION, speed=speed, point=point)
@@ -61,7 +61,7 @@ def felt(
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
         gasless="" if left else IN_VIBRATION,
-        why_gasless=why,
+        why_gasless=why or short,
         choices=[*([left] if left else []), *of_load(built, gas)],
         tunings=tunings,
     )

@@ -104,7 +104,7 @@ def on_mounts(
         loads = borne(block, settled(block)[1])
         return {f"{LOAD_OF}{own.name}": float(np.abs(loads).max()) for own in block.mounts}
 
-    usual = usual_gas(engine, speed=speed)[0] if places else None
+    usual, short = usual_gas(engine, speed=speed) if places else (None, "")
     left = None if usual is None else usual_load(usual, with_gas, IN_VIBRATION)
     if places and left is None:
         left = lacking_gas(engine, with_gas, IN_VIBRATION, speed=speed, point=point)
@@ -114,7 +114,7 @@ def on_mounts(
         uses=("inertia", "mounts", *(("gas",) if gas is not None else ())),
         gas=gas,
         gasless="" if left else IN_VIBRATION,
-        why_gasless=gasless,
+        why_gasless=gasless or short,
         choices=[*([left] if left else []), *of_load(engine, gas)],
         least=least,
         tunings=[]
