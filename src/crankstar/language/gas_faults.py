@@ -106,12 +106,12 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "doubt.no-cycle": N_("{where}: {message}"),
     "doubt.cycle": N_(
-        "{where} is four-stroke, as it is where a file gives none, and the stroke is {ratio} times "
+        "{where} is four-stroke, given or by default, and the stroke is {ratio} times "
         "the bore; only two-stroke engines with crossheads have more than {most}: give {where} = "
         '"two-stroke" if it is one'
     ),
     "doubt.cycle-of-stroke": N_(
-        "{where} is four-stroke, as it is where a file gives none, and no four-stroke engine has a "
+        "{where} is four-stroke, given or by default, and no four-stroke engine has a "
         "stroke of {stroke} mm, more than {most} mm: give {where} = "
         '"two-stroke" if it is one'
     ),

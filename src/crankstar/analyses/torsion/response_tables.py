@@ -114,16 +114,17 @@ def _sections(
     """Shafts with their torque over the cycle and the sum of the amplitudes of all orders."""
     chain = own.chain
     with_stress = chain.stressed
+    sums = _("sum of amplitudes") if speeds is None else _("sum of amplitudes there")
     columns = [
         Column(_("shaft"), kind="text", key="name", label=True),
         *([] if speeds is None else [Column(_("at speed"), "rpm", key="speed_rpm")]),
         Column(_("torque"), "N*m", key="torque"),
-        Column(_("sum of amplitudes"), "N*m", key="torque_sum"),
+        Column(sums, "N*m", key="torque_sum"),
     ]
     if with_stress:
         columns += [
             Column(_("shear stress"), "MPa", key="stress", fixed=True),
-            Column(_("sum of amplitudes"), "MPa", key="stress_sum", fixed=True),
+            Column(sums, "MPa", key="stress_sum", fixed=True),
         ]
     rows: list[tuple[Value, ...]] = []
     for index in chain.along:
