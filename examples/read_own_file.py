@@ -21,7 +21,7 @@ def main() -> dict[str, float]:
     Also the shorter firing interval (deg).
     """
     engine = crankstar.load(FILE)
-    sums = crankstar.total(crankstar.balance(engine, speed=engine.speed))
+    sums = crankstar.total(crankstar.balance(engine))
     return {
         "force 1": spectra.peak(spectra.selected(sums.force, 1)).value,
         "force 2": spectra.peak(spectra.selected(sums.force, 2)).value,

@@ -24,7 +24,7 @@ class Shake(NamedTuple):
 
 def shake(name: str) -> Shake:
     """The two numbers by which a V8 is known."""
-    sums = crankstar.total(crankstar.balance(crankstar.load(name)))
+    sums = crankstar.total(crankstar.balance(name))
     second, first = spectra.selected(sums.force, 2), spectra.selected(sums.couple, 1)
     of_one_piston = motion.piston_harmonics(crank_radius=1, rod_length=4)[2].real
     force = spectra.ellipse(second.forward[0], second.backward[0]).semi_major / of_one_piston

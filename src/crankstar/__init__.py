@@ -49,23 +49,19 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from crankstar.derive import family, signs
     from crankstar.dynamics.bearings import BearingLoads, Bending
-    from crankstar.dynamics.uneven import Running, driven, flywheel_for
-    from crankstar.dynamics.whirl import whirl
+    from crankstar.dynamics.uneven import Running
     from crankstar.engine.engine import Engine
     from crankstar.engine.records import Cylinder, Rod, Shaft, Throw, Weight
     from crankstar.files import EngineFileError
-    from crankstar.files.catalog import load, names
     from crankstar.language.faults import EngineError
     from crankstar.language.messages import MessageError
-    from crankstar.mechanics.balance import Balance, grouped, of_parts, total
+    from crankstar.mechanics.balance import Balance
     from crankstar.mechanics.excitation import Reference, Totals
-    from crankstar.mechanics.gas import Cycle, cycle
-    from crankstar.mechanics.gas_torque import GasTorque, gas_torque
+    from crankstar.mechanics.gas import Cycle
+    from crankstar.mechanics.gas_torque import GasTorque
     from crankstar.mechanics.mechanism import Mechanism
-    from crankstar.mechanics.side_thrust import SideThrust, side_thrust
-    from crankstar.page.widget import widget
+    from crankstar.mechanics.side_thrust import SideThrust
     from crankstar.python import records as records
     from crankstar.python.analyses import (
         bearings,
@@ -90,43 +86,53 @@ if TYPE_CHECKING:
         vees,
         verdict,
     )
-    from crankstar.python.derivations import derivation
+    from crankstar.python.public import (
+        balance,
+        bearing_loads,
+        bending_moment,
+        compare,
+        cycle,
+        derivation,
+        driven,
+        family,
+        flywheel_for,
+        gas_torque,
+        grouped,
+        load,
+        names,
+        of_parts,
+        search,
+        side_thrust,
+        signs,
+        sweep,
+        total,
+        watched,
+        whirl,
+        widget,
+        with_balance_shaft,
+        with_counterweights,
+    )
     from crankstar.python.results import Result
-    from crankstar.python.searches import Found, search
-    from crankstar.python.sums import balance, bearing_loads, bending_moment
-    from crankstar.remedy.counterweights import with_counterweights
-    from crankstar.remedy.shafts import with_balance_shaft
-    from crankstar.studies.sweep import sweep, watched
-    from crankstar.tables.comparison import compare
+    from crankstar.python.searches import Found
 
 __version__ = "0.1.0"
 
 _HOMES = {
-    "dynamics.whirl": ("whirl",),
-    "dynamics.uneven": ("Running", "driven", "flywheel_for"),
     "dynamics.bearings": ("BearingLoads", "Bending"),
-    "derive": ("family", "signs"),
+    "dynamics.uneven": ("Running",),
     "engine.engine": ("Engine",),
     "engine.records": ("Cylinder", "Rod", "Shaft", "Throw", "Weight"),
     "files": ("EngineFileError",),
-    "files.catalog": ("load", "names"),
     "language.faults": ("EngineError",),
     "language.messages": ("MessageError",),
-    "mechanics.balance": ("Balance", "grouped", "of_parts", "total"),
+    "mechanics.balance": ("Balance",),
     "mechanics.excitation": ("Reference", "Totals"),
-    "mechanics.gas": ("Cycle", "cycle"),
-    "mechanics.gas_torque": ("GasTorque", "gas_torque"),
+    "mechanics.gas": ("Cycle",),
+    "mechanics.gas_torque": ("GasTorque",),
     "mechanics.mechanism": ("Mechanism",),
-    "mechanics.side_thrust": ("SideThrust", "side_thrust"),
-    "page.widget": ("widget",),
-    "python.derivations": ("derivation",),
+    "mechanics.side_thrust": ("SideThrust",),
     "python.results": ("Result",),
-    "python.searches": ("Found", "search"),
-    "python.sums": ("balance", "bearing_loads", "bending_moment"),
-    "remedy.counterweights": ("with_counterweights",),
-    "remedy.shafts": ("with_balance_shaft",),
-    "studies.sweep": ("sweep", "watched"),
-    "tables.comparison": ("compare",),
+    "python.searches": ("Found",),
 }
 """The module of each public name. All are loaded on first use: a command line that is interrupted
 while numpy is being loaded ends quietly, since it is running before."""
@@ -207,17 +213,18 @@ __all__ = [
 def __getattr__(name: str) -> "Any":
     """Load a public name on first use; an analysis of any package is a function of its name."""
     from importlib import import_module
-    from types import FunctionType
 
-    for module, public in _HOMES.items():
-        if name in public:
-            value = getattr(import_module(f"crankstar.{module}"), name)
-            if isinstance(value, FunctionType):
-                value = import_module("crankstar.options.arguments").read(value)
-            globals()[name] = value
+    for module, classes in _HOMES.items():
+        if name in classes:
+            globals()[name] = value = getattr(import_module(f"crankstar.{module}"), name)
             return value
     if name in _MODULES:
         return import_module(f"crankstar.{_MODULES[name]}")
+    if name in __all__:
+        public = import_module("crankstar.python.public")
+        if name in public.NAMES:
+            globals()[name] = value = getattr(public, name)
+            return value
     if not name.startswith("_"):
         from crankstar.engine.packages import PackageError
         from crankstar.python.functions import function

@@ -20,6 +20,7 @@ import crankstar.mechanics.balance
 import crankstar.remedy
 from crankstar.engine.copies import with_values
 from crankstar.mechanics.excitation import Reference
+from crankstar.python import public
 from crankstar.tables.comparison import told_apart
 
 pytestmark = pytest.mark.quick
@@ -560,3 +561,15 @@ def test_torsion_reads_speeds_as_people_give_them() -> None:
         crankstar.torsion(five, speed=6000)
     with pytest.raises(ValueError, match="each must be greater than 0"):
         crankstar.torsion(five, orders=[-1])
+
+
+def test_signatures_have_the_types_that_are_read() -> None:
+    """An engine by its name, a speed with its unit: what is documented is no error of types."""
+    asked = inspect.signature(crankstar.cycle).parameters
+    types = {name: asked[name].annotation for name in ("engine", "speed", "off", "point")}
+    wanted = ("EngineLike", "float | str | None", "Iterable[int] | int | str", "str")
+    assert tuple(types.values()) == wanted
+    for name in public.NAMES:
+        function = getattr(crankstar, name)
+        for each in inspect.signature(function).parameters.values():
+            assert not {"Engine", "Reference"} & {each.annotation}, (name, each)

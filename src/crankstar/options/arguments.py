@@ -33,11 +33,9 @@ from crankstar.options.numbers import (
     is_number,
     lacking,
     orders,
-    point,
     pressure,
     share_of,
     speed,
-    speeds,
 )
 
 Result = TypeVar("Result")
@@ -81,12 +79,30 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
             elif argument in CHECKS:
                 CHECKS[argument](argument, value)
         if engine is not None:
-            for argument, place in (("reference", _reference), ("planes", _planes), ("at", _at)):
+            for argument, place in (("reference", _reference), ("planes", _planes)):
                 if given.get(argument) is not None:
                     given[argument] = place(given[argument], engine)
         return function(*bound.args, **bound.kwargs)
 
+    vars(reading)["__signature__"] = _as_read(name, asked)
     return reading
+
+
+def _as_read(function: str, asked: Signature) -> Signature:
+    """A signature with the types that are read, as its editor and its reader see them."""
+    return asked.replace(
+        parameters=[
+            each.replace(annotation=_taken(function, each)) for each in asked.parameters.values()
+        ]
+    )
+
+
+def _taken(function: str, asked: Parameter) -> str:
+    """The type of an argument, as source text."""
+    own = str(asked.annotation)
+    kept = function in READ_FILES and asked.name in ENGINES
+    taken = own if kept else TAKES.get(asked.name, own)
+    return f"{taken} | None" if own.endswith("None") and taken != own else taken
 
 
 def _miscalled(name: str, asked: Signature, error: TypeError) -> str:
@@ -109,9 +125,6 @@ def _read_engines(
         for argument in ENGINES & given.keys():
             if argument != "beside" or given[argument] is not None:
                 check_engine(name, given[argument])
-    elif "source" in given:
-        given["source"] = source = _loaded(given["source"], name)
-        return source if isinstance(source, Engine) else None
     elif "engine" in given:
         named = given["engine"]
         given["engine"] = engine = _engine(name, named)
@@ -350,20 +363,6 @@ def _reference(given: Any, engine: Engine) -> Reference:
     )
 
 
-def _at(given: Any, engine: Engine) -> tuple[float, float, float]:
-    """A point of the block: up, right, z in metres, or as text. Raises ValueError, TypeError."""
-    if not isinstance(given, str):
-        return point(given)
-    from crankstar.options import points
-    from crankstar.options.refusals import RequestError
-
-    try:
-        there = points.block_point(given, engine)
-    except RequestError as error:
-        raise ValueError(str(error).replace("--at", "at")) from None
-    return point(None) if there is None else there
-
-
 def _check_flag(argument: str, given: Any) -> None:
     """Raises TypeError for what is neither True nor False."""
     if not isinstance(given, bool):
@@ -388,9 +387,19 @@ MEASURED: Mapping[str, Callable[[str, Any], Any]] = {
     "weaker": lacking,
 }
 """The arguments that are quantities, by name: their readers."""
+TAKES: Mapping[str, str] = {
+    **dict.fromkeys(("engine", "engines"), "EngineLike"),
+    **dict.fromkeys(("speed", "imep", "bmep", "peak_pressure", "flywheel"), "float | str"),
+    "irregularity": "float | str",
+    "reference": "Reference | float | str",
+    "orders": "Iterable[float]",
+    "planes": "Iterable[float | str]",
+    "off": "Iterable[int] | int | str",
+    "weaker": "Mapping[int, float | str]",
+}
+"""What arguments of these names may be, where they are read; in names of this module."""
 READERS: Mapping[str, Callable[[Any], Any]] = {
     "speed": speed,
-    "speeds": speeds,
     "orders": orders,
     "changes": _changes,
     "tell": _tell,
@@ -400,7 +409,7 @@ READERS: Mapping[str, Callable[[Any], Any]] = {
 CHECKS: Mapping[str, Callable[[str, Any], None]] = {
     **dict.fromkeys(("factor", "share"), check_number),
     **dict.fromkeys(("up", "right"), check_place),
-    **dict.fromkeys(("bare", "estimate", "motored", "relatives"), _check_flag),
+    **dict.fromkeys(("bare", "estimate", "motored"), _check_flag),
     **dict.fromkeys(("model", "point", "shaft"), _check_name),
     "highest": check_highest,
     "samples": check_samples,

@@ -10,4 +10,5 @@
 | `searches` | the search for crank stars, and what it found |
 | `functions` | the function of each analysis, its arguments read as people write them |
 | `analyses` | the functions of the analyses, with their types in a stub |
+| `public` | the other functions, with the types that they read in a stub |
 """

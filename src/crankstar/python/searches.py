@@ -279,7 +279,7 @@ def _answer(wanted: Search, workers: int | None, tell: Callable[[Progress], None
 def _check_workers(workers: Any) -> None:
     """Raises ValueError for workers of no possible number."""
     counted = isinstance(workers, Integral) and not isinstance(workers, bool)
-    if workers is not None and not (counted and 1 <= workers <= GREATEST_WORKERS):
+    if workers is not None and not (counted and 1 <= int(workers) <= GREATEST_WORKERS):
         raise ValueError(
             _(
                 "workers is from 1 to {most}, not {given}",
