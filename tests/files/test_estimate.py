@@ -370,7 +370,7 @@ def test_sentences_give_the_range_of_each_number() -> None:
         lambda engine: verdict_document(engine, verdict(engine, relatives=False)), ends, ends.engine
     )
     (table,) = document.tables
-    force = next(str(row[1]) for row in table.rows if row[0] == "force")
+    force = next(str(row[-1]) for row in table.rows if row[0] == "force")
     assert force.startswith("No primary or secondary force. Force of order 6: about ")
     assert "estimated) N, vertical." in force
     assert not any("\ue000" in str(cell) for row in table.rows for cell in row)
