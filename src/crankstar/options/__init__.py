@@ -20,6 +20,7 @@
 | `holes` | a hole that is drilled, or the slug in it |
 | `numbers` | numbers of the public functions as people give them: speeds, orders, places |
 | `cycles` | whether a cycle is one, of the engine beside it |
+| `varied` | what a sweep varies and watches, as people give it |
 | `arguments` | the arguments of the public functions as people give them |
 | `forms` | the form in which a result is written |
 | `words` | the options of a search as typed |

@@ -7,7 +7,7 @@ something else is refused with a sentence that says what to give.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from numbers import Real
@@ -37,9 +37,9 @@ from crankstar.options.numbers import (
     share_of,
     speed,
 )
+from crankstar.options.varied import check_sweep
 
 Result = TypeVar("Result")
-PAIR = 2
 READ_FILES = {"load", "widget"}
 """Functions that read engine files themselves."""
 ENGINES = {"name", "engine", "beside"}
@@ -68,7 +68,7 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
         engine = _read_engines(name, given, asked.parameters)
         if "result" in given:
             _check_balance(name, given["result"])
-        _check_sweep(name, given)
+        check_sweep(name, given)
         if "Cycle" in str(getattr(asked.parameters.get("cycle"), "annotation", "")):
             check_cycle(name, given)
         for argument, value in given.items():
@@ -191,81 +191,6 @@ def _check_balance(function: str, given: Any) -> None:
             given=_named(given),
         )
     )
-
-
-def _check_sweep(function: str, given: dict[str, Any]) -> None:
-    """Raises TypeError for what is varied or watched and cannot be; lists values that are made."""
-    if "over" in given:
-        over = given["over"]
-        if isinstance(over, Mapping):
-            made = {
-                path: [*each] if isinstance(each, Iterator) else each for path, each in over.items()
-            }
-            _check_values(made)
-            given["over"], over = made, [*made]
-        texts = over if isinstance(over, list | tuple) else [over]
-        odd = [text for text in texts if not isinstance(text, str)]
-        if odd:
-            raise TypeError(
-                _(
-                    'over takes text such as "balance_factor=0..1/11", a list of two such texts, '
-                    "or a dict of values by key path, not {given}",
-                    given=_named(odd[0]),
-                )
-            )
-        _check_watch(given.get("watch", ()))
-    if "sweep" not in given:
-        return
-    from crankstar.studies.sweep import Sweep
-
-    if not isinstance(given["sweep"], Sweep):
-        raise TypeError(
-            _(
-                "{function} takes a Sweep, as crankstar.sweep gives it, not {given}",
-                function=function,
-                given=_named(given["sweep"]),
-            )
-        )
-    if not isinstance(given["what"], str):
-        raise TypeError(
-            _('what takes a quantity such as "force", not {given}', given=_named(given["what"]))
-        )
-    if given.get("order") is not None:
-        check_number("order", given["order"])
-
-
-def _check_values(over: Mapping[Any, Any]) -> None:
-    """Raises TypeError for values of a number that are neither numbers nor text."""
-    for path, values in over.items():
-        listed = isinstance(values, Iterable) and not isinstance(values, bytes | Mapping)
-        if not listed or not all(isinstance(each, str) or is_number(each) for each in values):
-            raise TypeError(
-                _(
-                    'over takes a list of numbers or text such as "0..1/11" for {path}, not '
-                    "{given}",
-                    path=seen(str(path)),
-                    given=_named(values),
-                )
-            )
-
-
-def _check_watch(watch: Any) -> None:
-    """Raises TypeError for what is no list of names, each alone or with an order."""
-    listed = isinstance(watch, Iterable) and not isinstance(watch, bytes | Mapping)
-    names = [watch] if isinstance(watch, str) or not listed else [*watch]
-    pairs = [each if isinstance(each, tuple) else (each, 1) for each in names]
-    if not all(
-        len(pair) == PAIR and isinstance(pair[0], str) and is_number(pair[1]) for pair in pairs
-    ):
-        listed = False
-    if not listed:
-        raise TypeError(
-            _(
-                'watch takes names such as ["force", "couple.pitch"], each alone or with an order, '
-                'as in ("force", 2), not {given}',
-                given=_named(watch),
-            )
-        )
 
 
 def _changes(given: Any) -> Mapping[str, Any]:

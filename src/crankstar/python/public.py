@@ -4,7 +4,7 @@ The stub beside this module has their types, which `python tools/signatures.py` 
 
 >>> from crankstar.python.public import load, total
 >>> load("v2-90").name
-'90 deg V-twin, one crank pin'
+'V-twin, 90 deg, one crank pin'
 """
 
 from __future__ import annotations
