@@ -88,6 +88,7 @@ def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
     from crankstar.mechanics.magnitudes import magnitude_doubts
     from crankstar.mechanics.mass_doubts import body_doubts, piston_doubts, rod_doubts, size_doubts
     from crankstar.mechanics.stiffness_doubts import beam_doubts
+    from crankstar.mechanics.usual_values import oil_doubts
 
     rods = any(cylinder.rod is not None for cylinder in engine.cylinders)
     if engine.gas is engine.drive is engine.torsion is None and not rods:
@@ -95,7 +96,7 @@ def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
         own = [*firing_doubts(engine), *size_doubts(engine), *rod_doubts(engine)]
         own += [*central_doubts(engine), *piston_doubts(engine), *body_doubts(engine)]
         own += magnitude_doubts(engine)
-        own += beam_doubts(engine)
+        own += [*beam_doubts(engine), *oil_doubts(engine)]
     else:
         from crankstar.dynamics.uneven_doubts import doubts_of_points
         from crankstar.mechanics.doubts import doubts

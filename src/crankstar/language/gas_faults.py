@@ -52,6 +52,10 @@ SENTENCES: dict[str, str | Plural] = {
     "doubt.ratio": N_(
         "{where} is {value}; hardly any engine has less than {least} or more than {greatest}"
     ),
+    "doubt.usual": N_(
+        "{where} is {value} {unit}; hardly any engine has less than {least} {unit} or more than "
+        "{greatest} {unit}"
+    ),
     "doubt.gamma": N_("{where} is {value}; the gas in a cylinder has 1.2 to 1.42"),
     "doubt.scavenging": N_(
         "{where} is {intake} bar and the exhaust has {exhaust} bar; the charge of a two-stroke "
@@ -193,6 +197,10 @@ SENTENCES: dict[str, str | Plural] = {
     "doubt.flywheel": N_(
         "{where} is {value} kg m², less than the pistons and rods have, {moving} kg m²: crankshaft "
         "and flywheel together have more"
+    ),
+    "doubt.great-flywheel": N_(
+        "{where} is {value} kg m², {times} times that of the pistons and rods; hardly any engine "
+        "has more than {most} times: is the unit right?"
     ),
     "doubt.drive-chain": N_(
         "{where} is {value} kg m², and the masses of [torsion] together have {chain} kg m² at the "

@@ -29,6 +29,7 @@
 | `mass_doubts` | the same of masses and bodies, without gas or speed |
 | `magnitudes` | values out of all proportion to the engine they are of |
 | `stiffness_doubts` | stiffnesses of crankshafts with which hardly any engine turns |
+| `usual_values` | values of combustion, oil and materials that hardly any engine has |
 | `doubts` | values that hardly any engine has: slips of unit and of thought |
 | `gas_torque` | gas torque of every chamber by order; the roll of the block with it |
 | `external_moments` | force and moment of each order about a point, over the power |

@@ -14,6 +14,7 @@ computed from (`value_doubts`), of the cycle itself (`cycle_doubts`), of the mom
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
+from functools import partial
 from itertools import pairwise
 from math import degrees, isclose, pi
 from typing import Any
@@ -46,6 +47,12 @@ from crankstar.mechanics.mass_doubts import (
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError, own_speed
 from crankstar.mechanics.stiffness_doubts import beam_doubts, twist_doubts
+from crankstar.mechanics.usual_values import (
+    GREATEST_FLYWHEEL,
+    combustion_doubts,
+    material_doubts,
+    oil_doubts,
+)
 
 Path = tuple[str | int, ...]
 GREATEST_SPARK_RATIO = 16.0
@@ -76,8 +83,8 @@ LEAST_COURSE = 0.01
 """Of the greatest load of a course its mean: a cylinder of an engine has more. Our judgement."""
 INERTIA_SPREAD = 2.5
 """Factor by which a moment of inertia may miss that of two masses at the ends of the rod."""
-
-
+OF_FLYWHEEL = ("doubt.flywheel", "doubt.great-flywheel")
+"""Doubts of the inertia of the drive by that of rods and pistons."""
 FIRED = {"inertia", "gas", "valves", "firing"}
 """Uses of an engine that depend on when its cylinders fire: its throws are made for that."""
 
@@ -89,7 +96,7 @@ def doubts(engine: Engine) -> tuple[Fault, ...]:
     found += [*central_doubts(engine), *piston_doubts(engine), *scale_doubts(engine)]
     found += [*magnitude_doubts(engine)]
     found += [*body_doubts(engine), *inertia_doubts(engine), *torsion_doubts(engine)]
-    found += [*beam_doubts(engine), *wheel_doubts(engine)]
+    found += [*beam_doubts(engine), *wheel_doubts(engine), *oil_doubts(engine)]
     gas = engine.gas
     if gas is not None:
         loaded = any(getattr(gas, name) is not None for name in LOADS) or not gas.points
@@ -123,7 +130,7 @@ def doubts_of(engine: Engine, uses: Collection[str], computed: Cycle | None) -> 
     if "torsion" in uses:
         found += torsion_doubts(engine)
     if "bearings" in uses:
-        found += beam_doubts(engine)
+        found += [*beam_doubts(engine), *oil_doubts(engine)]
     if "mounts" in uses:
         found += body_doubts(engine)
     if {"running", "sized"} & {*uses}:
@@ -205,6 +212,7 @@ def value_doubts(
     gamma = given.get("gamma")
     if gamma is not None and not GAMMAS[0] <= gamma <= GAMMAS[1]:
         yield Fault(_key(engine, path, "gamma"), "doubt.gamma", {"value": gamma})
+    yield from combustion_doubts(given, partial(_key, engine, path))
     for key in MEAN_PRESSURES:
         load = given.get(key)
         if load is not None and 0 < load < LEAST_LOAD:
@@ -296,6 +304,7 @@ def torsion_doubts(engine: Engine) -> Iterator[Fault]:
         yield from _length_doubts(engine, own.dimensions)
     if own is not None:
         yield from twist_doubts(engine, own)
+    yield from material_doubts(engine)
     if own is None or not own.inertia or {"mass", "radius"} & set(engine.relative):
         return
     carried = carried_inertias(engine).tolist()
@@ -343,6 +352,13 @@ def inertia_doubts(engine: Engine) -> Iterator[Fault]:
         if drive.inertia < LEAST_FLYWHEEL * moving:
             values = {"value": drive.inertia, "moving": float(f"{moving:.2g}")}
             yield Fault(("drive", "inertia"), "doubt.flywheel", values)
+        elif drive.inertia > GREATEST_FLYWHEEL * moving:
+            values = {
+                "value": drive.inertia,
+                "times": float(f"{drive.inertia / moving:.2g}"),
+                "most": GREATEST_FLYWHEEL,
+            }
+            yield Fault(("drive", "inertia"), "doubt.great-flywheel", values)
         yield from _chain_doubts(engine, drive.inertia)
 
 

@@ -37,7 +37,7 @@ from crankstar.engine.torsion import LOSS_FACTOR, STEEL
 from crankstar.language.faults import Fault
 from crankstar.language.messages import N_
 from crankstar.mechanics.chain_inertia import APART, chain_inertia
-from crankstar.mechanics.doubts import doubts_of
+from crankstar.mechanics.doubts import OF_FLYWHEEL, doubts_of
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import gas_torque
 from crankstar.studies.assumed_doubts import doubtful
@@ -161,7 +161,7 @@ def _doubts(engine: Engine, answer: Answer) -> list[Fault]:
     if runs and answer.gas is not None:
         uneven = uneven_doubts(engine, answer.gas, generating="set" in answer.uses)
     turns = (runs and not uneven) or "torsion" in answer.uses
-    return [*uneven, *(each for each in found if turns or each.code != "doubt.flywheel")]
+    return [*uneven, *(each for each in found if turns or each.code not in OF_FLYWHEEL)]
 
 
 def _not_modelled(engine: Engine) -> Iterator[Assumption]:
