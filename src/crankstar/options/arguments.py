@@ -19,7 +19,6 @@ from crankstar.engine.quantities import POSITION
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.quoting import given as quoted
-from crankstar.language.quoting import seen
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.options.cycles import check_cycle
@@ -37,7 +36,7 @@ from crankstar.options.numbers import (
     share_of,
     speed,
 )
-from crankstar.options.varied import check_sweep
+from crankstar.options.varied import check_sweep, named
 
 Result = TypeVar("Result")
 READ_FILES = {"load", "widget"}
@@ -155,7 +154,7 @@ def check_engine(function: str, given: Any) -> None:
             _(
                 "{function} takes a name of the catalog or the path of an engine file, not {given}",
                 function=function,
-                given=_named(given),
+                given=named(given),
             )
         )
     _loaded(given, function)
@@ -176,10 +175,6 @@ def _engine(function: str, given: Any) -> Engine:
     return engine_named(given, function)
 
 
-def _named(given: Any) -> str:
-    return f"Engine {seen(given.name)}" if isinstance(given, Engine) else quoted(given)
-
-
 def _check_balance(function: str, given: Any) -> None:
     """Raises TypeError if it is no Balance."""
     if isinstance(given, Balance):
@@ -188,7 +183,7 @@ def _check_balance(function: str, given: Any) -> None:
         _(
             "{function} takes a Balance, not {given}; write {function}(crankstar.balance(engine))",
             function=function,
-            given=_named(given),
+            given=named(given),
         )
     )
 

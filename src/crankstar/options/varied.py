@@ -5,12 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.quoting import given as quoted
 from crankstar.language.quoting import seen
 from crankstar.options.numbers import check_number, is_number
 
 PAIR = 2
+
+
+def named(given: Any) -> str:
+    """What was given, as a sentence names it: an engine by its name."""
+    return f"Engine {seen(given.name)}" if isinstance(given, Engine) else quoted(given)
 
 
 def check_sweep(function: str, given: dict[str, Any]) -> None:
@@ -30,7 +36,7 @@ def check_sweep(function: str, given: dict[str, Any]) -> None:
                 _(
                     'over takes text such as "balance_factor=0..1/11", a list of two such texts, '
                     "or a dict of values by key path, not {given}",
-                    given=quoted(odd[0]),
+                    given=named(odd[0]),
                 )
             )
         _check_watch(given.get("watch", ()))
@@ -43,12 +49,12 @@ def check_sweep(function: str, given: dict[str, Any]) -> None:
             _(
                 "{function} takes a Sweep, as crankstar.sweep gives it, not {given}",
                 function=function,
-                given=quoted(given["sweep"]),
+                given=named(given["sweep"]),
             )
         )
     if not isinstance(given["what"], str):
         raise TypeError(
-            _('what takes a quantity such as "force", not {given}', given=quoted(given["what"]))
+            _('what takes a quantity such as "force", not {given}', given=named(given["what"]))
         )
     if given.get("order") is not None:
         check_number("order", given["order"])
@@ -64,7 +70,7 @@ def _check_values(over: Mapping[Any, Any]) -> None:
                     'over takes a list of numbers or text such as "0..1/11" for {path}, not '
                     "{given}",
                     path=seen(str(path)),
-                    given=quoted(values),
+                    given=named(values),
                 )
             )
 
@@ -83,6 +89,6 @@ def _check_watch(watch: Any) -> None:
             _(
                 'watch takes names such as ["force", "couple.pitch"], each alone or with an order, '
                 'as in ("force", 2), not {given}',
-                given=quoted(watch),
+                given=named(watch),
             )
         )
