@@ -102,6 +102,7 @@ def test_its_layout_is_one_of_engine_files(installed: dict[str, str], tmp_path: 
     assert 'did you mean "step"' in refused.stderr + refused.stdout
 
 
+@pytest.mark.release
 def test_its_export_is_named_by_to(installed: dict[str, str], tmp_path: Path) -> None:
     place = tmp_path / "places.csv"
     made = run(

@@ -137,6 +137,7 @@ def test_an_analysis_of_another_package_is_a_command_and_a_section_of_the_report
     assert "mean piston speed" in written
 
 
+@pytest.mark.release
 @pytest.mark.usefixtures("added")
 def test_one_that_fails_is_named_with_its_package(
     run: Run, monkeypatch: pytest.MonkeyPatch

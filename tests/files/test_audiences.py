@@ -30,7 +30,7 @@ WHOLE = {
 """What is only for machines: a table of its own, or a heading."""
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_table_of_two_forms_is_shown_once_to_each(run: Run, tmp_path: Path, command: str) -> None:
     words = COMMANDS[command]

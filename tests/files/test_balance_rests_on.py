@@ -52,6 +52,7 @@ def _balanced(run: Run, folder: Path, **gas: str) -> str:
     return " ".join(run("balance", str(path)).out.split())
 
 
+@pytest.mark.release
 def test_rows_with_gas_name_the_gas_that_they_assume(run: Run, tmp_path: Path) -> None:
     """At both ends of the intake pressure the row is that of a file with this pressure."""
     said = _balanced(run, tmp_path)

@@ -152,6 +152,7 @@ def test_a_heavier_piston_adds_its_share_of_force(run: Run) -> None:
     assert "cylinder 2 weak by 20 %, piston 1 lighter by 20 g" in text
 
 
+@pytest.mark.release
 def test_a_cut_without_gas_in_the_file_is_told_by_a_usual_cycle(run: Run) -> None:
     """As `torque --off` tells it: the same roll of order 0.5; what is assumed is said."""
     told = run("fault", "cold.toml", "--cut", "3", "--orders", "0.5,1").out
@@ -384,6 +385,7 @@ def test_both_pistons_of_a_chamber_lose_its_combustion_once(refused: Refused, ru
     assert rolls[0] == pytest.approx(rolls[1])
 
 
+@pytest.mark.release
 def test_a_reading_that_stands_twice_is_one(run: Run, refused: Refused, tmp_path: Path) -> None:
     """Two measurements differ: their mean is better known, by the root of two; a copy is none."""
     noisy(tmp_path, share=0.01)
@@ -399,6 +401,7 @@ def test_a_reading_that_stands_twice_is_one(run: Run, refused: Refused, tmp_path
     assert run("diagnose", "four.toml", "again.csv").code == 0
 
 
+@pytest.mark.release
 def test_python_takes_a_frame_and_rows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The weight that is missing in the engine that was measured is found, whatever holds it."""
     import pandas

@@ -14,7 +14,7 @@ DRIVEN = "--set", "gas.imep=0.5 bar", "--set", "gas.friction_pressure=1 bar"
 NO_WORK = "gas and friction leave no work that the load could take"
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("command", ["genset", "torque"])
 def test_a_driven_engine_has_its_course_left_out_once_and_in_the_record(
     run: Run, command: str

@@ -20,6 +20,7 @@ throws = ["0 deg"]
 """
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("size", "path", "power"), [("bore", "stroke", 1), ("stroke", "bore", 3)])
 def test_the_force_goes_with_the_size_as_it_must(
     size: str, path: str, power: int, run: Run, tmp_path: Path

@@ -73,7 +73,7 @@ def test_an_inertia_torque_goes_with_the_square_of_an_estimated_speed(
     assert (low, high) == (pytest.approx(1 / 1.2**2, rel=1e-3), pytest.approx(1.2**2, rel=1e-3))
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize("verb", ["torque", "analyze"])
 @pytest.mark.parametrize(("text", "path"), [(FIVE, "cylinder.bore"), (THREE, "speed")])
 def test_no_range_is_promised_of_a_bore_or_a_speed(

@@ -83,6 +83,7 @@ def test_torsion_is_that_of_the_engine_written_with_as_many_cylinders(
         assert row["torsion_sum"] == pytest.approx(wanted, abs=1e-9)
 
 
+@pytest.mark.release
 def test_without_a_chain_a_straight_shape_counts_and_says_so(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "seven.toml"
     place.write_text(toml(marine_engine()))

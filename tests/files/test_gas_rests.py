@@ -295,6 +295,7 @@ def test_a_point_at_the_speed_of_the_file_goes_along() -> None:
     assert (moved.quantity, [moved.low, moved.high]) == ("mean torque", pytest.approx(mean))
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("bore", "told"), [("81.8 mm", 0), ("70 mm", 1)])
 def test_how_unlike_chambers_share_the_heat_is_said(
     run: Run, tmp_path: Path, bore: str, told: int

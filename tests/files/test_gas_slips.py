@@ -388,6 +388,7 @@ def test_a_doubt_of_a_point_names_the_key_where_it_stands() -> None:
     assert found["doubt.small-load"] == ("gas", "point", 0, "imep")
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("key", ["intake_pressure", "exhaust_pressure"])
 def test_pressures_beside_a_trace_are_said_to_be_of_the_file_or_measured(
     key: str, run: Run

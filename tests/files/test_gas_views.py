@@ -121,6 +121,7 @@ def test_the_roll_on_the_same_mounts_has_all_that_alternates(run: Run, four: str
         assert amplitudes(told, what="roll_on_same_mounts") == amplitudes(told, what="roll")
 
 
+@pytest.mark.release
 def test_genset_and_torque_print_one_roll_of_a_generating_set(run: Run) -> None:
     place = str(CASES / "genset-four.toml")
     told, found = (answer(run, verb, place) for verb in ("torque", "genset"))
@@ -133,7 +134,7 @@ def test_genset_and_torque_print_one_roll_of_a_generating_set(run: Run) -> None:
     assert min(sums) == 2.0
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("fault", [("--off", "3"), ("--weaker", "3=10%")])
 def test_a_weak_cylinder_shakes_a_generating_set_in_half_orders(
     run: Run, fault: tuple[str, str]

@@ -240,7 +240,7 @@ SINGLE: dict[str, Any] = {
 """Its mounts resonate between 600 and 3000 rpm, at other speeds once they are others."""
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("aim", ["force", "velocity", "mounts", "rms force", "rms velocity"])
 def test_resonances_of_the_best_mounts_count_wherever_they_are(aim: Any) -> None:
     """Judged at 12,000 speeds; a search that knows those of the old mounts alone finds worse."""

@@ -321,7 +321,7 @@ def test_a_saved_engine_never_replaces_what_is_read(
     assert Path(own).read_text() == before
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("options", "said"),
     [

@@ -258,7 +258,7 @@ def test_a_doubtful_mass_of_the_block_is_tried_at_that_of_cars() -> None:
     assert doubt["moves"]["low"] < doubt["moves"]["high"]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(("mass", "doubted"), [(185, True), (120, False), (800, True)])
 def test_the_mass_of_a_motorcycle_is_no_mass_of_its_engine(
     run: Run, tmp_path: Path, mass: int, *, doubted: bool

@@ -130,6 +130,7 @@ def test_chart_page_and_figures_leave_it_out() -> None:
     assert figures["transmissibility", None] == pytest.approx(np.nanmax(over.transmissibility))
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("aim", ["force", "rms mounts", "roll"])
 def test_the_best_mounts_rest_first_on_what_moves_their_aim(
     run: Run, tmp_path: Path, aim: str

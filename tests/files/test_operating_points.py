@@ -169,6 +169,7 @@ def test_a_command_between_two_points_is_the_one_at_the_load_between_them(
     assert "idle 75 %, full 25 %" in " ".join(text.split())
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("figure", ["torque", "pressure", "side-thrust"])
 def test_a_figure_of_gas_names_the_points_between_which_it_is(
     run: Run, files: tuple[str, str, str], figure: str

@@ -89,6 +89,7 @@ def test_a_mode_shape_takes_the_place_of_the_even_twist(run: Run) -> None:
     assert rigid == pytest.approx(4)
 
 
+@pytest.mark.release
 def test_an_engine_that_twists_weighs_orders_in_its_own_mode(run: Run, six: str) -> None:
     arguments = ("orders", six, "--minimise", "twist", "--orders", "0.5,1.5")
     rows = json.loads(run(*arguments, "--json").out)["orders"]
@@ -132,6 +133,7 @@ def test_orders_are_sorted_by_the_stress_that_each_makes(
     assert peak == pytest.approx(values[0], rel=0.02)
 
 
+@pytest.mark.release
 def test_orders_are_sorted_by_the_load_on_the_bearings(run: Run, six: str) -> None:
     rows = json.loads(run("orders", six, "--minimise", "bearings", "--json").out)["orders"]
     values = [row["bearings"] for row in rows]

@@ -23,7 +23,7 @@ SPARK = 14.0
 """The greatest compression ratio of an engine that is taken to ignite by sparks."""
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("count", [13, 49])
 def test_from_which_value_on_the_engine_ignites_by_itself(count: int, run: Run) -> None:
     """The indicated torque of a brake load has the friction of the ignition in it.

@@ -40,6 +40,7 @@ bore_pitch = "90 mm"
 LAG = "layout.cranks[2].lag"
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("over", "gap"), [("0..180 deg/3", 0), ("180..0 deg/3", 2)])
 def test_a_value_that_cannot_fire_is_named(tmp_path: Path, run: Run, over: str, gap: int) -> None:
     """Both pistons are at dead centre together at 0 deg; the torque of two pulses elsewhere.

@@ -118,6 +118,7 @@ def test_a_star_times_its_harmonic_is_the_amplitude(run: Run, tmp_path: Path) ->
         assert unit * harmonic * vertical == pytest.approx(amplitude, rel=3e-3)
 
 
+@pytest.mark.release
 def test_a_crankshaft_without_a_flywheel_says_so_with_what_one_would_change(
     run: Run, tmp_path: Path
 ) -> None:
@@ -136,6 +137,7 @@ def test_a_crankshaft_without_a_flywheel_says_so_with_what_one_would_change(
     assert "torsion.disc" not in run("torsion", written(tmp_path / "w.toml", text + disc)).out
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("limit", "told"), [("400 MPa", True), ("1 MPa", False)])
 def test_a_limit_that_no_stress_passes_is_told(
     run: Run, tmp_path: Path, limit: str, told: bool

@@ -155,6 +155,7 @@ def test_a_sweep_of_the_speed_takes_each_speed_alone() -> None:
     assert curve.values == pytest.approx(wanted)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("engine", "what", "order", "words"),
     [

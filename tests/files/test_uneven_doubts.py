@@ -69,6 +69,7 @@ def test_the_doubt_says_how_uneven_and_what_would_be_usual() -> None:
     assert fault.values["enough"] == pytest.approx(100 * swing / TURNING**2 - moving, rel=0.02)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("command", "parts"), [("genset", 100), ("torque", 30)])
 def test_genset_and_torque_try_it(command: str, parts: int, run: Run, tmp_path: Path) -> None:
     swing, moving = _swing()

@@ -286,6 +286,7 @@ def test_where_the_roll_has_its_gas_the_verdict_does_not_say_that_it_is_left_out
     assert "gas.point" not in run("verdict", "i4").out
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("units", ["si", "us", "kN, kN m"])
 def test_both_ends_of_a_range_are_in_one_unit(run: Run, units: str) -> None:
     said = " ".join(run("analyze", "audi-25-tfsi", "--units", units).out.split())
@@ -401,6 +402,7 @@ def test_a_pressure_that_is_assumed_moves_the_roll_beside_which_it_stands(
     assert sorted((own.moved.low, own.moved.high)) == pytest.approx(sorted(sizes[1:]), rel=1e-6)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("verb", ["analyze", "bearings", "torsion"])
 def test_gas_that_cannot_be_computed_says_what_would_put_it_in(
     run: Run, verb: str, tmp_path: Path
@@ -436,6 +438,7 @@ def test_half_of_what_turns_is_not_all_of_it(given: str, missing: str) -> None:
     assert not {"cylinder.rotating_mass", "cylinder.throw_mass"} & paths
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("command", ["analyze", "verdict", "bearings", "balance", "torque"])
 def test_a_rod_that_hardly_any_engine_has_is_doubted_everywhere(run: Run, command: str) -> None:
     """Rod length over stroke taken for that over crank radius: 2.2 times the secondary force."""
@@ -447,6 +450,7 @@ def test_a_rod_that_hardly_any_engine_has_is_doubted_everywhere(run: Run, comman
     assert "rod_ratio is 3.26" in rests
 
 
+@pytest.mark.release
 def test_the_charge_of_a_part_load_reaches_down_to_a_closed_throttle() -> None:
     """Down to about the pressure at which all of the air of the load burns."""
     sizes = {"cylinder.reciprocating_mass": "500 g", "gas": {"imep": "3 bar"}}

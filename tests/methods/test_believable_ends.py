@@ -108,6 +108,7 @@ def test_no_end_is_doubted(base: dict[str, Any], point: str, path: str) -> None:
         assert {each.code for each in point_doubts(changed, again)} <= known, end
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("base", [FOUR, {**TWO, "gas": {"bmep": "10 bar"}}])
 def test_a_friction_beyond_its_correlation_has_a_size(base: dict[str, Any]) -> None:
     engine = engine_with(base)

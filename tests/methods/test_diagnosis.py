@@ -247,6 +247,7 @@ def uncertain(velocities: Complex, seed: int, *, share: float, floor: float = 0.
     return velocities + size * noise
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("fault", "share"),
     [

@@ -85,6 +85,7 @@ def test_no_figure_falls_back_to_none(name: str) -> None:
         made.figures(ship(intake_pressure=f"{LIMIT + 0.05} bar"))
 
 
+@pytest.mark.release
 def test_a_range_ends_at_the_last_value_that_makes_an_engine() -> None:
     own = ship()
     found = of(rests_on(own, outlook(own)), "gas.intake_pressure")

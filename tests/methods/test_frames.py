@@ -92,7 +92,7 @@ def test_a_frame_by_part_names_each_part() -> None:
         assert complex_of(own) == pytest.approx(result.force.backward[row], rel=1e-12)
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize("name", NAMES)
 def test_a_data_set_has_part_and_order_and_survives_netcdf(name: str, tmp_path: Path) -> None:
     result = at_speed(name)

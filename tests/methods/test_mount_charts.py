@@ -55,7 +55,7 @@ def test_each_row_of_the_modes_is_the_energy_of_a_mode(ground: Any) -> None:
     assert f"{found.modes[0].frequency:.3g} Hz" in drawn
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("quantity", "factor"), [("velocity", 1e3), ("displacement", 1e6), ("force", 1.0)]
 )

@@ -20,6 +20,7 @@ def shown(engine: Engine) -> tuple[Exhibit, list[float]]:
     return own, [size * own.units.inertia.factor for size in own.whirl.inertia]
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ["parallel-twin-180", "bmw-g650", "bmw-r1200"])
 def test_moments_of_inertia_in_m_r2_are_those_of_a_file_with_masses_over_its_m_r2(
     name: str,

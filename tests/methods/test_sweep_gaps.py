@@ -26,6 +26,7 @@ COMPRESSED = 12**1.3
 """Bar: p r^gamma, less than which no peak can be."""
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("first", "last", "best_at"), [(10, 60, 30), (30, 60, 30)])
 def test_beside_a_gap_is_no_end_of_the_range(first: float, last: float, best_at: float) -> None:
     values = np.arange(first, last + 1, 10.0)

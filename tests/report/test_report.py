@@ -257,7 +257,7 @@ def test_values_that_nobody_vouches_for_are_marked_beside_them() -> None:
     assert "<dt>Swept volume</dt><dd>2480.4 cm³</dd>" in page  # pi/4 * 8.25² * 9.28 * 5
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["v8-cross-plane", "audi-25-tfsi"])
 def test_derivations_are_there_with_what_is_proved_to_be_zero(name: str) -> None:
     engine = crankstar.load(name)

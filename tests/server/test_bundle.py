@@ -5,10 +5,12 @@ from __future__ import annotations
 import gzip
 import re
 
+import pytest
 from tests.front_end import BUNDLE
 from tests.web.serving import Server
 
 
+@pytest.mark.release
 def test_the_script_of_the_page_is_kept_under_the_address_that_the_page_names(
     server: Server,
 ) -> None:

@@ -29,7 +29,7 @@ def test_the_explicit_form_of_an_engine_is_the_same_engine(server: Server) -> No
         assert one["strokes"] == other["strokes"]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("more", [{}, {"factor": 0.5, "weights": "webs", "shafts": "needed"}])
 def test_a_fitted_engine_keeps_the_sources_of_its_file(
     server: Server, more: dict[str, Any]

@@ -129,6 +129,7 @@ def test_an_interrupt_that_the_parent_ignores_does_not_end_it() -> None:
         signal.signal(signal.SIGINT, before)
 
 
+@pytest.mark.release
 def test_who_interrupts_until_it_ends_is_told_no_more() -> None:
     with serving("i4", alone=True) as server:
         awaited(lambda: interrupted(server.process))

@@ -58,6 +58,7 @@ def test_the_slider_of_the_crank_angle_moves_a_figure(
     )
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["spectrum", "forces"])
 def test_a_figure_without_a_crank_angle_has_no_slider(
     name: str, page: Page, tmp_path: Path
@@ -66,6 +67,7 @@ def test_a_figure_without_a_crank_angle_has_no_slider(
     assert page.locator("input").count() == 0
 
 
+@pytest.mark.release
 def test_one_slider_moves_all_engines_side_by_side(page: Page, tmp_path: Path) -> None:
     engines = [crankstar.load("v8-flat-plane"), crankstar.load("i4")]
     opened(page, charts.side_by_side(engines, "hodograph", order=2), tmp_path)

@@ -120,7 +120,7 @@ def numbers(picture: Measured) -> set[int]:
     return out
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize(
     "name",
     [

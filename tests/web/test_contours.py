@@ -95,6 +95,7 @@ def labels_of(picture: Measured) -> list[tuple[float, float, float]]:
     ]
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     "theme", ["light", *(pytest.param(one, marks=pytest.mark.release) for one in ("dark", "print"))]
 )
@@ -145,7 +146,7 @@ def gaps(picture: Measured, ring: tuple[float, float, float, float]) -> list[flo
     ]
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.release
 @pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize(
     "over", [["balance_factor=0.5..1", "speed=1000..6000 rpm"], ["balance_factor=0.5..1"]]

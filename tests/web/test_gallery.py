@@ -165,6 +165,7 @@ def test_the_mistakes_of_a_file_that_is_chosen_are_told(browser: Browser, server
     assert [told for told in complaints if "422" not in told] == []
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("path", "status"),
     [

@@ -20,6 +20,7 @@ GREATEST = 2_000_000
 Build = Callable[..., Path]
 
 
+@pytest.mark.release
 def test_the_file_of_a_v12_is_small_and_opens(tmp_path: Path, page: Page) -> None:
     place = tmp_path / "v12.html"
     with pytest.raises(SystemExit) as left:
@@ -32,6 +33,7 @@ def test_the_file_of_a_v12_is_small_and_opens(tmp_path: Path, page: Page) -> Non
     assert handle(page, "theta") == 90
 
 
+@pytest.mark.release
 def test_without_scripts_it_says_what_it_needs(browser: Browser, built_page: Build) -> None:
     context = browser.new_context(java_script_enabled=False)
     try:

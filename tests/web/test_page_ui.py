@@ -180,6 +180,7 @@ def test_loads_with_gas_are_those_of_the_first_operating_point(
     expect(page.get_by_role("heading", name="Wear of journals and pins")).to_be_visible()
 
 
+@pytest.mark.release
 def test_figures_follow_the_crank_angle(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS, figures=True), "a=0&of=couple")
     tab(page, "Forces")

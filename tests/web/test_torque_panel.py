@@ -203,6 +203,7 @@ def rolled(engine: Engine, degrees: float, off: tuple[int, ...] = ()) -> float:
     return float(np.real(spectra.value(whole, math.radians(degrees))))
 
 
+@pytest.mark.release
 def test_the_values_at_the_crank_angle_are_those_of_the_pressure(
     built_page: Build, page: Page
 ) -> None:

@@ -89,6 +89,7 @@ def cell(page: Page, expression: str, index: int = 0) -> Any:
     )
 
 
+@pytest.mark.release
 def test_it_opens_as_the_traits_say_and_goes_where_python_says(show: Show, page: Page) -> None:
     show("v8-cross-plane", theta=77.0, state="camera=front&tab=verdict")
     assert cell(page, "[page.theta, page.playing]") == [77, False]
