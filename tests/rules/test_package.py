@@ -7,8 +7,11 @@ import os
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from statistics import quantiles
+from typing import NamedTuple
 
 import pytest
 
@@ -27,11 +30,6 @@ ROOMS = pytest.mark.parametrize(
 GREATEST_BODY, USUAL_BODY = 60, 30
 
 
-def functions(path: Path) -> list[ast.FunctionDef]:
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    return [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
-
-
 def body_lines(function: ast.FunctionDef) -> int:
     first = (
         function.body[1:]
@@ -41,30 +39,53 @@ def body_lines(function: ast.FunctionDef) -> int:
     return (function.end_lineno or 0) - first[0].lineno + 1
 
 
+class Survey(NamedTuple):
+    """What the sources show: lines of each function, what has no docstring, numbers in a row."""
+
+    lengths: dict[str, int]
+    silent: list[str]
+    swappable: list[str]
+
+
+@cache
+def survey() -> Survey:
+    """Every module read once for all tests."""
+    out = Survey({}, [], [])
+    for path in MODULES:
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        out.silent.extend(silent(path, tree))
+        for function in ast.walk(tree):
+            if isinstance(function, ast.FunctionDef):
+                name = f"{path.stem}.{function.name}"
+                out.lengths[name] = body_lines(function)
+                if not function.name.startswith("_") and numbers_in_a_row(function) > 1:
+                    out.swappable.append(name)
+    return out
+
+
+def silent(path: Path, tree: ast.Module) -> Iterator[str]:
+    if not ast.get_docstring(tree):
+        yield path.name
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
+            overload = "overload" in map(ast.unparse, node.decorator_list)
+            if not overload and not ast.get_docstring(node):
+                yield f"{path.name}: {node.name}"
+
+
+def numbers_in_a_row(function: ast.FunctionDef) -> int:
+    plain = [ast.unparse(a.annotation) for a in function.args.args if a.annotation]
+    return sum(name in ("float", "ArrayLike", "complex") for name in plain)
+
+
 def test_functions_are_short() -> None:
-    lengths = {
-        f"{path.stem}.{function.name}": body_lines(function)
-        for path in MODULES
-        for function in functions(path)
-    }
+    lengths = survey().lengths
     assert {name: lines for name, lines in lengths.items() if lines > GREATEST_BODY} == {}
     assert quantiles(lengths.values(), n=10)[-1] <= USUAL_BODY
 
 
 def test_every_public_function_and_class_says_what_it_is() -> None:
-    silent: list[str] = []
-    for path in MODULES:
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-        if not ast.get_docstring(tree):
-            silent.append(path.name)
-        public = [
-            node
-            for node in tree.body
-            if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_")
-            if "overload" not in map(ast.unparse, node.decorator_list)
-        ]
-        silent += [f"{path.name}: {node.name}" for node in public if not ast.get_docstring(node)]
-    assert silent == []
+    assert survey().silent == []
 
 
 def test_the_map_in_the_package_docstring_names_every_module_and_no_other() -> None:
@@ -176,19 +197,10 @@ def test_lock_files_and_sources_name_no_address_to_install_from() -> None:
 
 def test_physics_arguments_are_keyword_only() -> None:
     """Two numbers of one type side by side can be swapped; they must be named."""
-    swappable: list[str] = []
-    for path in MODULES:
-        for function in functions(path):
-            if function.name.startswith("_"):
-                continue
-            plain = [ast.unparse(a.annotation) for a in function.args.args if a.annotation]
-            numeric = [name for name in plain if name in ("float", "ArrayLike", "complex")]
-            if len(numeric) > 1:
-                swappable.append(f"{path.stem}.{function.name}")
     # `ellipse` and `greatest` (forward, backward) are the law |f| + |b|, the same either way but
     # for the sense; `number(value, largest)` is text.
     symmetric = {"spectra.ellipse", "bounds.greatest"}
-    assert set(swappable) <= {*symmetric, "numbers.number", "numbers.wave"}
+    assert {*survey().swappable} <= {*symmetric, "numbers.number", "numbers.wave"}
 
 
 def test_records_are_copied_with_changes_in_one_place_only():
