@@ -130,6 +130,11 @@ def test_a_number_of_cylinders_is_told_what_sets_it(head: str, place: str) -> No
     }
 
 
+def test_a_key_with_letters_exchanged_is_told_as_that_one() -> None:
+    wanted = 'is not a key of an engine file; did you mean "wiebe_a"?'
+    assert told(f"{SHORT}\n[gas]\nwiebea_ = 5\n")["gas.wiebea_"] == wanted
+
+
 def test_an_unknown_key_deep_inside_is_told_with_its_place() -> None:
     text = SHORT.replace('bearing = "-45', 'baering = "-45')
     assert told(text) == {

@@ -197,7 +197,9 @@ class Tried:
             return
         x, f = np.array(sizes).T
         slopes = np.diff(f) / np.diff(x)
-        apart = np.abs(slopes - np.median(slopes))
+        ordered = np.sort(slopes)
+        middle = (ordered[(slopes.size - 1) // 2] + ordered[slopes.size // 2]) / 2
+        apart = np.abs(slopes - middle)  # np.median would load masked arrays
         at = int(np.argmax(apart))
         others = np.abs(np.delete(slopes, at))
         if abs(f[at + 1] - f[at]) < SMALL_JUMP * top or apart[at] < STEEP * others.max():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from functools import partial
 from types import ModuleType
 from typing import TYPE_CHECKING, Annotated, Any
@@ -100,6 +100,7 @@ class _Reading:
         self.source = once(self._source)
         self.speed = once(partial(request.speed, given["--speed"]))
         self.deviations = once(self._deviations)
+        self.bank = once(self._bank)
 
     def read(self) -> Line:
         """All of it. Raises MistakesError with every mistake."""
@@ -114,6 +115,7 @@ class _Reading:
             partial(in_options, self._wanted),
             partial(request.within, "--row", self.form.row, most=GREATEST_ROW),
             partial(self.work.check, self.form.output),
+            self.bank,
             self._check_output,
             self._check_words,
         )
@@ -150,6 +152,12 @@ class _Reading:
 
         return None if self.form.uneven is None else deviations(self.form.uneven)
 
+    def _bank(self) -> bool:
+        """That the bank angle can be read, if there is one."""
+        if self.more.bank is not None:
+            request.degrees("--bank", self.more.bank)
+        return True
+
     def _paper(self) -> Any:
         if self.kind() in PICTURES:
             request.refuse_unused({"--judge": self.more.judge}, beside=_("a picture"))
@@ -179,7 +187,10 @@ class _Reading:
         if self.sequences:
             from crankstar.options.sequences import sequences_of
 
-            return None if source is None else sequences_of(source[0], self.words, self.more)
+            if source is None:
+                return None
+            more = self.more if or_none(self.bank) else replace(self.more, bank=None)
+            return sequences_of(source[0], self.words, more)
         from crankstar.options import search as options
 
         if source is None:

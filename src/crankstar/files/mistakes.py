@@ -322,7 +322,10 @@ OTHER_NAMES = {
 
 def _near(key: str, keys: list[str]) -> str | None:
     meant = OTHER_NAMES.get(key.lower())
-    return meant if meant in keys else next(iter(get_close_matches(key[:60], keys, 1, 0.6)), None)
+    if meant in keys:
+        return meant
+    turned = [each for each in keys if sorted(each) == sorted(key)]  # two letters exchanged
+    return next(iter([*turned, *get_close_matches(key[:60], keys, 1, 0.6)]), None)
 
 
 def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: int) -> Tree:

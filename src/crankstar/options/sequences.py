@@ -63,7 +63,7 @@ def sequences_of(about: int | Engine, words: SearchWords, more: SequenceWords) -
     """
     engine = about if isinstance(about, Engine) else None
     faults = Faults()
-    shaft = _shaft(about, words, more, faults)
+    shaft = _shaft(about, words, more, faults) or _in_line(about)
     if shaft is None:
         raise SearchError(faults)
     asked = _Asked(shaft, words, more, faults, engine)
@@ -132,6 +132,13 @@ def _shaft(
     return None
 
 
+def _in_line(about: int | Engine) -> Shaft | None:
+    """One on which the other words can be read where that which is asked for cannot be."""
+    with suppress(SearchError):
+        return None if isinstance(about, Engine) else shaft_of(about, cycle="four-stroke")
+    return None
+
+
 class _Asked:
     """Goals and caps that the words name, on a shaft."""
 
@@ -169,7 +176,7 @@ class _Asked:
     def goals(self) -> list[Goal]:
         """The goals, by default those of the first two couples that differ, and the twist."""
         out: list[Goal] = []
-        names = listed(self.words.minimise or "") or list(USUAL_GOALS)
+        names = self._names("minimise", self.words.minimise) or list(USUAL_GOALS)
         for name in names:
             with self.faults.at("minimise"):
                 if name == TWIST or name in SPELLINGS:
@@ -191,7 +198,7 @@ class _Asked:
     def caps(self) -> list[Cap]:
         """The limits on what the star decides, and what must vanish."""
         out: list[Cap] = []
-        for name in listed(self.words.zero or ""):
+        for name in self._names("zero", self.words.zero):
             with self.faults.at("zero"):
                 out.append(Cap(self._sum(name)))
         for text in self.words.limit:
@@ -203,6 +210,13 @@ class _Asked:
                     raise error("", "unit-needs-engine", name=bound.measure.name, unit="m r ω² a")
                 out.append(Cap(self._of(bound.measure), bound.greatest))
         return out
+
+    def _names(self, path: str, text: str | None) -> list[str]:
+        """What stands between the commas of an option; nothing, which is a fault, without any."""
+        names = listed(text or "")
+        if text is not None and not names:
+            self.faults.add(path, "none-named")
+        return names
 
     def neighbours_at_most(self) -> int | None:
         """How many neighbours may fire in succession; None where any number may."""
