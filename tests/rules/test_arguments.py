@@ -573,3 +573,13 @@ def test_signatures_have_the_types_that_are_read() -> None:
         function = getattr(crankstar, name)
         for each in inspect.signature(function).parameters.values():
             assert not {"Engine", "Reference"} & {each.annotation}, (name, each)
+
+
+NONE: Any = None
+
+
+def test_none_leaves_an_argument_out_that_is_never_none() -> None:
+    assert crankstar.cycle("audi-25-tfsi", off=NONE).imep == crankstar.cycle("audi-25-tfsi").imep
+    assert crankstar.compare("i4", "i6", orders=NONE) == crankstar.compare("i4", "i6")
+    with pytest.raises(TypeError, match="planes takes places along the shaft"):
+        crankstar.with_balance_shaft("i4", ratio=2, planes=NONE)

@@ -63,7 +63,7 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
             bound = asked.bind(*args, **kwargs)
         except TypeError as error:
             raise TypeError(_miscalled(name, asked, error)) from None
-        given = bound.arguments
+        given = bound.arguments = _without_nothing(bound.arguments, asked)
         engine = _read_engines(name, given, asked.parameters)
         if "result" in given:
             _check_balance(name, given["result"])
@@ -85,6 +85,19 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
 
     vars(reading)["__signature__"] = _as_read(name, asked)
     return reading
+
+
+def _without_nothing(given: Mapping[str, Any], asked: Signature) -> dict[str, Any]:
+    """Arguments without those that are None where None means nothing: they are left out."""
+
+    def is_left_out(each: Parameter) -> bool:
+        return each.default not in (None, Parameter.empty) and "None" not in str(each.annotation)
+
+    return {
+        name: value
+        for name, value in given.items()
+        if value is not None or not is_left_out(asked.parameters[name])
+    }
 
 
 def _as_read(function: str, asked: Signature) -> Signature:
