@@ -32,8 +32,12 @@ from crankstar.mechanics.balance import (
 )
 from crankstar.spectra import Spectrum
 
-TOLERANCE = 1e-11
-"""Of the largest part; a moment counts at least as the largest force at the longest arm."""
+TOLERANCE = 4e-11
+"""Of the largest part; a moment counts at least as the largest force at the longest arm.
+
+Rods hardly longer than the crank have 180 orders, forward and backward, of each of which 1e-13 may
+be left out as rounding of the series (`motion.NOISE`), and at one angle all may add up.
+"""
 
 KNOWN = engines(known=True)
 ONE_SHAFT = engines(known=True, max_shafts=1)
