@@ -44,10 +44,10 @@ quick: $(READY) front-end
 unit: $(READY)
 	$(BIN)/pytest -q $(WORKERS) -m "quick and not release"
 
-# The gate. Of its first line the longest come first, so that no core waits.
+# The gate. Of its first line the longest come first, beside what is fetched, so that no core waits.
 test: $(READY) front-end
-	@$(MAKE) --no-print-directory -j 2 pyright unit docs vitest style chromium poppler
-	$(BIN)/pytest -n 2 --dist worksteal -m "not quick and not release"
+	@$(MAKE) --no-print-directory -j 3 chromium pyright docs poppler vitest style
+	$(BIN)/pytest -n 2 --dist worksteal -m "not release"
 
 # Everything, with random numbers that are others each time: `make release SEED=...` repeats them.
 release: SEED ?= $(shell od -An -N3 -tu4 /dev/urandom | tr -d ' ')
