@@ -50,11 +50,11 @@ SENTENCES: dict[str, str | Plural] = {
         'give gas.ignition = "spark"'
     ),
     "doubt.ratio": N_(
-        "{where} is {value}; hardly any engine has less than {least} or more than {greatest}"
+        "{where} is {value}; hardly any engine has less than {least} or more than {most}"
     ),
     "doubt.usual": N_(
         "{where} is {value} {unit}; hardly any engine has less than {least} {unit} or more than "
-        "{greatest} {unit}"
+        "{most} {unit}"
     ),
     "doubt.gamma": N_("{where} is {value}; the gas in a cylinder has 1.2 to 1.42"),
     "doubt.scavenging": N_(

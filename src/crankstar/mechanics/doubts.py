@@ -48,7 +48,7 @@ from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError, own_speed
 from crankstar.mechanics.stiffness_doubts import beam_doubts, twist_doubts
 from crankstar.mechanics.usual_values import (
-    GREATEST_FLYWHEEL,
+    HEAVIEST_FLYWHEEL,
     combustion_doubts,
     material_doubts,
     oil_doubts,
@@ -196,7 +196,7 @@ def value_doubts(
         bound = {"value": ratio, "bound": LEAST_DIESEL_RATIO}
         yield Fault(_key(engine, path, "compression_ratio"), "doubt.diesel-ratio", bound)
     elif ratio is not None and not RATIOS[0] <= ratio <= RATIOS[1]:
-        bounds = {"value": ratio, "least": RATIOS[0], "greatest": RATIOS[1]}
+        bounds = {"value": ratio, "least": RATIOS[0], "most": RATIOS[1]}
         yield Fault(_key(engine, path, "compression_ratio"), "doubt.ratio", bounds)
     kinds: dict[str, Mapping[str, Ignition]] = {"process": {"diesel": "compression"}}
     kinds["friction"] = {"diesel": "compression", "spark-ignition": "spark"}
@@ -352,11 +352,11 @@ def inertia_doubts(engine: Engine) -> Iterator[Fault]:
         if drive.inertia < LEAST_FLYWHEEL * moving:
             values = {"value": drive.inertia, "moving": float(f"{moving:.2g}")}
             yield Fault(("drive", "inertia"), "doubt.flywheel", values)
-        elif drive.inertia > GREATEST_FLYWHEEL * moving:
+        elif drive.inertia > HEAVIEST_FLYWHEEL * moving:
             values = {
                 "value": drive.inertia,
                 "times": float(f"{drive.inertia / moving:.2g}"),
-                "most": GREATEST_FLYWHEEL,
+                "most": HEAVIEST_FLYWHEEL,
             }
             yield Fault(("drive", "inertia"), "doubt.great-flywheel", values)
         yield from _chain_doubts(engine, drive.inertia)

@@ -47,7 +47,7 @@ MODULUS = Usual(20e9, 120e9, "GPa", 1e9)
 """Shear moduli: cast iron has 40 GPa and more, steel 80."""
 STRENGTH = Usual(150e6, 2500e6, "MPa", 1e6)
 """Tensile strengths of cast iron and of the best steel."""
-GREATEST_FLYWHEEL = 3000.0
+HEAVIEST_FLYWHEEL = 3000.0
 """Inertia of the drive over that of rods and pistons; flywheels of slow single cylinders: 500."""
 
 
@@ -118,7 +118,7 @@ def _outside(path: Path, value: float, usual: Usual) -> Iterator[Fault]:
     """That a value is below or above what engines have."""
     if usual.low <= value <= usual.high:
         return
-    numbers = {"value": value, "least": usual.low, "greatest": usual.high}
+    numbers = {"value": value, "least": usual.low, "most": usual.high}
     written = {key: float(f"{each / usual.factor:.6g}") for key, each in numbers.items()}
     if usual.unit:
         yield Fault(path, "doubt.usual", written | {"unit": usual.unit.replace("*", " ")})
