@@ -7,6 +7,7 @@
 | `formula` | formulas as trees |
 | `evaluation` | their values, in floats or in balls |
 | `styles` | a fraction, a root or a power in text, LaTeX and MathML |
+| `digits` | the digits of a number that are certain |
 | `typeset` | formulas in print |
 | `radicals` | exact numbers in their shortest form |
 | `enclosure` | harmonics of any rod to fifty digits with a proved bound |

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
+from crankstar.derive.algebra.digits import figures, finite
 from crankstar.derive.algebra.formula import (
     LONG,
     UNIT,
@@ -41,8 +42,6 @@ from crankstar.derive.algebra.formula import (
 )
 from crankstar.derive.algebra.styles import LATEX, MATHML, TEXT, Style
 
-GREATEST_PLACES = 30
-"""Places behind the point at most, however small a decimal is."""
 TINY = 1e-6
 """Decimals below this are written with a power of ten."""
 
@@ -95,52 +94,6 @@ def negative(formula: Formula) -> bool:
     if isinstance(formula, Sum):
         return negative(formula.terms[0])
     return _printed(formula, TEXT).negative
-
-
-NARROW = 1e-6
-"""Share of the last figure within which a number is known that may be rounded to it."""
-NEAR_UNIT = 0.1
-"""The same of a whole number, none of whose figures were certain if it were cut."""
-
-
-def figures(decimal: Decimal) -> str | None:
-    """The digits of a decimal that are certain, at most as many as it asks for.
-
-    `-0.8516` is cut, not rounded.
-
-    An enclosure of zero that is not zero is written as 0. Of a number of which not even the first
-    digit is certain, these are the places at which it certainly has none, or None, if it has more
-    than units.
-
-    >>> figures(Decimal(arb(5e-10, 0.7e-10))), figures(Decimal(arb(5, 0.7)))
-    ('0.000000000', None)
-    """
-    ball = decimal.ball
-    if ball.contains(0):
-        return "0"
-    most = max(0, min(decimal.digits - 1 - floor(log10(float(abs(ball).mid()))), GREATEST_PLACES))
-    for places in range(most, -1, -1):
-        scaled = abs(ball) * 10**places
-        # Cut; or rounded where it is known to be so near to a round number that a cut is undecided.
-        near = NARROW if places else NEAR_UNIT
-        for start in (scaled, *([scaled + arb(0.5)] if scaled.rad() < near else [])):
-            low, high = start.lower().floor(), start.upper().floor()
-            if low == high:
-                shown = _pointed(int(low.unique_fmpz()), places)
-                return shown if ball > 0 else f"-{shown}"
-    return None
-
-
-def _pointed(whole: int, places: int) -> str:
-    """A whole number over 10**places as a decimal."""
-    digits = str(whole).rjust(places + 1, "0")
-    return digits if places == 0 else f"{digits[:-places]}.{digits[-places:]}"
-
-
-def _finite(size: Fraction) -> str | None:
-    """A fraction of at most six decimal places as it is, None where it has more."""
-    places = next((n for n in range(7) if 10**n % size.denominator == 0), None)
-    return None if places is None else _pointed(int(size * 10**places), places)
 
 
 @lru_cache(maxsize=1 << 14)
@@ -220,8 +173,8 @@ def _degrees(formula: Degrees, style: Style) -> Printed:
     number = _printed(inner, style)
     if isinstance(inner, Rational) and inner.value.denominator > 1:
         size = abs(inner.value)
-        finite = _finite(size)
-        shown = Printed(style.figures.format(finite)) if finite else _decimal(_ball(size), style)
+        whole = finite(size)
+        shown = Printed(style.figures.format(whole)) if whole else _decimal(_ball(size), style)
         number = shown._replace(negative=number.negative)
     body = style.degrees.format(_held(number, Binding.FACTOR, style))
     return Printed(body, Binding.PRODUCT, number.negative)
@@ -320,7 +273,7 @@ def _front(size: Fraction, constants: Sequence[Formula], style: Style, *, alone:
     if not constants:
         if size == 1:
             return Printed("")
-        short = None if style.stacked or size.denominator > 20 else _finite(size)
+        short = None if style.stacked or size.denominator > 20 else finite(size)
         whole = _number(size, style) if short is None else Printed(short)
     else:
         shown = "".join(_printed(factor, style).body for factor in constants)
