@@ -20,7 +20,7 @@ from crankstar.analysis.document import Document, Ranged, Table
 from crankstar.engine.engine import Engine
 from crankstar.files.box import spread
 from crankstar.files.estimate import estimated
-from crankstar.language.kept import alike, as_given, in_turn, of_any
+from crankstar.language.alike import alike, as_given, in_turn, of_any
 from crankstar.mechanics.balance import balance
 from crankstar.studies.sweep import swept
 from crankstar.tables import amplitudes, balance_orders, over_speeds

@@ -23,13 +23,14 @@ from crankstar.charts.resting import FOOT
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.files.box import ranges, scaled, spread
-from crankstar.language.kept import values_kept
+from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.remains import summed
 from crankstar.options.balancing import BalanceOptions, balanced
 from crankstar.remedy.counterweights import without_counterweights
-from crankstar.tables.ranges import ranged, sentence
+from crankstar.tables.laid import sentence
+from crankstar.tables.ranges import ranged
 from crankstar.tables.remedies import balancing_sheet
 
 
@@ -358,12 +359,12 @@ def test_figures_of_a_report_are_in_the_chosen_units(run: Run) -> None:
 
 
 def test_numbers_keep_their_range_where_words_differ_at_a_corner() -> None:
-    with values_kept():
-        own = f"Force {number(2.0)} N, up. Couple {number(5.0)} N m, to the left."
-        like = [
-            f"Force {number(size)} N, up. Couple {number(2 * size)} N m, to the {side}."
-            for size, side in ((2.5, "left"), (1.0, "left"), (4.0, "right"))
-        ]
+    said = "Force {force} N, up. Couple {couple} N m, to the {side}."
+    own = _(said, force=number(2.0), couple=number(5.0), side="left")
+    like = [
+        _(said, force=number(size), couple=number(2 * size), side=side)
+        for size, side in ((2.5, "left"), (1.0, "left"), (4.0, "right"))
+    ]
     assert sentence(own, like) == (
         "Force about 2 (1 to 4, estimated) N, up. Couple about 5 (2 to 8, estimated) N m, "
         "to the left (estimated)."
@@ -371,8 +372,7 @@ def test_numbers_keep_their_range_where_words_differ_at_a_corner() -> None:
 
 
 def test_a_sentence_that_others_lack_is_marked_once() -> None:
-    with values_kept():
-        own = f"A weight of {number(2.0)} g, at the front."
+    own = _("A weight of {mass} g, at the front.", mass=number(2.0))
     assert sentence(own, ["", ""]) == "A weight of 2 g, at the front (estimated)."
 
 

@@ -14,10 +14,10 @@ from tests.files.test_estimate_one_range import TWIN
 import crankstar
 from crankstar.engine.gas import Gas
 from crankstar.engine.proportions import inferred, look_of
-from crankstar.language.kept import values_kept
+from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.mechanics.operating_points import ignition
-from crankstar.tables.ranges import sentence, sentences
+from crankstar.tables.laid import sentence, sentences
 
 SHAFTS = (
     "Secondary couple: removed by balance shafts at 2 and -2 times crank speed, with opposite "
@@ -67,9 +67,9 @@ def test_a_comparison_has_the_range_of_an_estimated_rod(run: Run) -> None:
 
 
 def test_parts_of_a_sentence_that_others_lack_are_marked_once() -> None:
-    with values_kept():
-        own = f"Force {number(2.0)} N, removed by shafts, with opposite weights."
-        like = [f"Force {number(size)} N, removed by weights." for size in (2.5, 1.0)]
+    own = _("Force {force} N, removed by shafts, with opposite weights.", force=number(2.0))
+    removed = "Force {force} N, removed by weights."
+    like = [_(removed, force=number(size)) for size in (2.5, 1.0)]
     assert sentence(own, like) == (
         "Force about 2 (1 to 2.5, estimated) N, removed by shafts, with opposite weights "
         "(estimated)."
@@ -77,9 +77,9 @@ def test_parts_of_a_sentence_that_others_lack_are_marked_once() -> None:
 
 
 def test_a_sentence_is_found_where_other_masses_say_more_before_it() -> None:
-    with values_kept():
-        own = [f"The force is {number(2.0)} N.", "It is vertical."]
-        like = [["A couple remains.", f"The force is {number(3.0)} N.", "It is vertical."]] * 2
+    said = "The force is {force} N."
+    own = [_(said, force=number(2.0)), "It is vertical."]
+    like = [["A couple remains.", _(said, force=number(3.0)), "It is vertical."]] * 2
     assert sentences(own, like) == (
         "The force is about 2 (2 to 3, estimated) N.",
         "It is vertical.",

@@ -20,7 +20,7 @@ from crankstar.files.catalog import tree_of
 from crankstar.files.estimate import estimated
 from crankstar.studies.best_value import best
 from crankstar.studies.sweep import sweep, watched
-from crankstar.tables.ranges import real_range
+from crankstar.tables.number_ranges import real_range
 from crankstar.tables.sweep_ranges import MOST_VALUES, bands
 
 OVER = "balance_factor=0..1/15"

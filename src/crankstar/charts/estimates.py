@@ -3,7 +3,7 @@
 `over_ranges` names the engines over whose ranges figures are drawn in a context, as `drawn_on`
 names their room. A force, couple or moment at a crank angle is linear in each estimated value while
 the others are held, so that it lies between its values at the corners; its peak and the semi-axes
-of its path are bounded as in `tables.ranges`.
+of its path are bounded as in `tables.number_ranges`.
 """
 
 from __future__ import annotations
@@ -16,12 +16,13 @@ from crankstar import spectra
 from crankstar.analysis.document import Ranged
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.kept import values_kept
 from crankstar.language.messages import _
 from crankstar.mechanics import bounds
+from crankstar.mechanics.bounds import bounds_kept
 from crankstar.spectra import Spectrum
 from crankstar.tables.cells import rough
-from crankstar.tables.ranges import estimated_paths, number_range
+from crankstar.tables.number_ranges import number_range
+from crankstar.tables.ranges import estimated_paths
 
 _SPREADS: ContextVar[tuple[Spread, ...]] = ContextVar("spreads", default=())
 
@@ -68,7 +69,7 @@ def size_range(own: complex, others: Sequence[complex]) -> tuple[float, float] |
 
 def peak_range(spectrum: Spectrum, others: Sequence[Spectrum]) -> tuple[float, float] | None:
     """The lowest and the highest peak over a turn; None where it is known."""
-    with values_kept():
+    with bounds_kept():
         own, *ends = [bounds.peak(each).value for each in (spectrum, *others)]
     return size_range(own, ends)
 
@@ -85,7 +86,7 @@ def length_ranges(spectrum: Spectrum, others: Sequence[Spectrum]) -> list[tuple[
     """The range of the greatest length of each order of a spectrum, none where there is none."""
     if not others:
         return []
-    with values_kept():
+    with bounds_kept():
         sizes = [
             [bounds.size(each, order) for each in (spectrum, *others)] for order in spectrum.orders
         ]

@@ -43,7 +43,7 @@ def balance(
     """Balance an engine with counterweights and balance shafts; print what remains."""
     from crankstar.analysis.document import remarks
     from crankstar.derive import documents
-    from crankstar.language.kept import values_kept
+    from crankstar.language.alike import refusals_marked
     from crankstar.mechanics.remains import OPTIMISED
     from crankstar.options.balancing import balanced, new_name, readings
     from crankstar.remedy import needs
@@ -57,7 +57,7 @@ def balance(
     loaded, spread, own = found.engine, found.spread, found.balance_factor
     mark_speed(speed, loaded)
     with working(_("balancing ...")):
-        with values_kept() if spread else nullcontext():  # a refusal is marked as estimated
+        with refusals_marked() if spread else nullcontext():
             job = balanced(loaded, options, speed=speed, own_factor=own)
         make = partial(balanced, options=options, speed=speed, own_factor=own, like=job)
         sheet = ranged(lambda each: remedies.balancing_sheet(make(each)), spread, loaded)

@@ -2,8 +2,9 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `written` | text that keeps the numbers in it apart from its words |
 | `messages` | sentences in the reader's language, from gettext catalogs |
-| `kept` | numbers that keep their values, sizes with what bounds them, for ranges |
+| `alike` | analyses of several engines that say the same things, for ranges |
 | `numbers` | numbers, amplitudes, units and durations as text |
 | `units` | the units that are read and shown, with their factors |
 | `quoting` | text from outside, quoted on one printable line |

@@ -27,6 +27,7 @@ from crankstar.language import (
 )
 from crankstar.language.messages import MessageError, Plural, _, _n
 from crankstar.language.quoting import one_line
+from crankstar.language.written import joined
 
 SENTENCES: dict[str, str | Plural] = {
     **engine_faults.SENTENCES,
@@ -78,7 +79,7 @@ class EngineError(MessageError):
 
     def __init__(self, faults: Sequence[Fault]) -> None:
         self.faults = list(faults)
-        super().__init__("\n".join(fault.sentence for fault in self.faults))
+        super().__init__(joined("\n", (fault.sentence for fault in self.faults)))
 
 
 class ValueFaultError(MessageError):

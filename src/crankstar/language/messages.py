@@ -15,6 +15,8 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from crankstar.language.written import filled, joined
+
 CATALOGS = Path(__file__).with_name("catalogs")
 DOMAIN = "crankstar"
 LANGUAGES = ("en", "ja", "ru")
@@ -93,7 +95,7 @@ def _filled(sentence: str, values: Mapping[str, object]) -> str:
                 sentence = re.sub(f"(?<={WIDE.pattern}) (?={place})", "", sentence)
             if WIDE.match(text[-1:]):
                 sentence = re.sub(f"(?<={place}) (?={WIDE.pattern})", "", sentence)
-    return sentence.format(**values)
+    return filled(sentence, values)
 
 
 def passage(sentences: Iterable[str]) -> str:
@@ -102,7 +104,10 @@ def passage(sentences: Iterable[str]) -> str:
     >>> passage(["No primary force.", "", "No couple of any order."])
     'No primary force. No couple of any order.'
     """
-    return " ".join(filter(None, sentences)).replace("。 ", "。")
+    texts: list[str] = []
+    for each in filter(None, sentences):
+        texts += [" ", each] if texts and not texts[-1].endswith("。") else [each]
+    return joined("", texts)
 
 
 class MessageError(ValueError):

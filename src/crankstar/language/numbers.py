@@ -9,8 +9,8 @@ from typing import overload
 
 import numpy as np
 
-from crankstar.language.kept import CLOSING, MIDDLE, OPENING, are_kept, value_text
 from crankstar.language.messages import _n
+from crankstar.language.written import Number, joined
 
 RPM = 30 / pi
 """Revolutions per minute in a radian per second."""
@@ -18,15 +18,15 @@ NEGLIGIBLE = 1e-9
 """A number smaller than this share of the largest beside it is written as 0."""
 
 
-def number(value: complex, largest: float = 0.0, *, digits: int = 5) -> str:
+def number(value: complex, largest: float = 0.0, *, digits: int = 5) -> Number:
     """A number to five figures, if possible without an exponent; 0 if negligible to `largest`.
 
-    Of a complex amplitude the absolute value, with the range of the amplitude (`tables.ranges`).
+    Of a complex amplitude the absolute value, whose range is the amplitude's (`number_ranges`).
 
     >>> number(66450.2), number(66450.2, digits=4), number(1e-7)
     ('66450', '66450', '1e-07')
     """
-    own = value
+    own = value if isinstance(value, float | complex) else float(value)
     value = abs(value) if isinstance(value, complex) else float(value)
     if abs(value) <= NEGLIGIBLE * largest or value == 0:
         own, text = 0.0, "0"
@@ -34,7 +34,7 @@ def number(value: complex, largest: float = 0.0, *, digits: int = 5) -> str:
         text = f"{value:.0f}"
     else:
         text = f"{value:.{digits}g}"
-    return f"{OPENING}{value_text(own)}{MIDDLE}{text}{CLOSING}" if are_kept() else text
+    return Number(text, own)
 
 
 @overload
@@ -83,7 +83,8 @@ def wave(value: complex, largest: float = 0.0) -> str:
     if size <= NEGLIGIBLE * largest or size == 0:
         return "0"
     phase = round(degrees(np.angle(value)), 2)
-    return f"{number(size)} ∠ {0.0 if phase == 0 else 180.0 if phase == -180 else phase:g}°"
+    phase = 0.0 if phase == 0 else 180.0 if phase == -180 else phase
+    return joined("", [number(size), f" ∠ {phase:g}°"])
 
 
 def bearing_text(vector: complex) -> str:

@@ -12,11 +12,12 @@ from contextvars import ContextVar
 from functools import lru_cache
 from typing import NamedTuple
 
-from crankstar.language.kept import in_turn
+from crankstar.language.alike import in_turn
 from crankstar.language.messages import N_, MessageError, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.language.quoting import seen
 from crankstar.language.units import as_weight, measured, spelt
+from crankstar.language.written import joined
 
 PREFIXED = {
     "force": ("N", "kN", "MN"),
@@ -324,4 +325,4 @@ def quantity_text(value: complex, unit: str, *, beside: float = 0.0) -> str:
     """
     said = shown(unit, max(abs(value), abs(beside)))
     words = number(value * said.factor, beside * said.factor)
-    return f"{words} {unit_text(said.unit)}" if said.unit else words
+    return joined(" ", filter(None, [words, unit_text(said.unit)]))

@@ -1,24 +1,71 @@
-"""Greatest values of a spectrum which, where values are kept, say how low they can come.
+"""Greatest values of a spectrum which, where bounds are kept, say how low they can come.
 
 The greatest value of an order over a turn is |forward| + |backward|, and no less than any of its
 components; the peak of all orders is no less than the vector at any crank angle. Each of these is
-linear in every estimated value while the others are held (`language.kept.Size`).
+linear in every estimated value while the others are held (`Size`).
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import Literal
 
 import numpy as np
 
 from crankstar import spectra
-from crankstar.language.kept import Size, are_kept, bounded
+from crankstar.language.alike import are_laid
 from crankstar.spectra import Complex, Peak, Real, Spectrum
 
 ANGLES = np.arange(24) * (2 * np.pi / 24)
 """Crank angles at which a peak is bounded."""
 HIGHEST = 8
 """The last order that bounds a peak."""
+_KEPT: ContextVar[bool] = ContextVar("bounds kept", default=False)
+
+
+class Size(float):
+    """A size that is nowhere below the sum of the absolute values in any row of its `bounds`.
+
+    These [row, part] are complex amplitudes, each linear in every estimated value while the others
+    are held: of a greatest value its two turning vectors together, its vertical part alone; of a
+    peak over a turn the vector at any one crank angle.
+    """
+
+    bounds: Complex
+
+    def __new__(cls, value: float, bounds: Complex) -> Size:
+        """The size with its bounds."""
+        size = super().__new__(cls, value)
+        size.bounds = bounds
+        return size
+
+    def __mul__(self, factor: float) -> Size:
+        """The size in another unit."""
+        return Size(float(self) * factor, self.bounds * factor)
+
+    __rmul__ = __mul__
+
+
+@contextmanager
+def bounds_kept() -> Iterator[None]:
+    """Have sizes that are computed within carry what bounds them."""
+    token = _KEPT.set(True)
+    try:
+        yield
+    finally:
+        _KEPT.reset(token)
+
+
+def are_kept() -> bool:
+    """Whether sizes carry what bounds them, as those do of which ranges are found."""
+    return _KEPT.get() or are_laid()
+
+
+def bounded(value: float, rows: Sequence[Sequence[complex]] | Complex) -> float:
+    """The value as a Size with these bounds while bounds are kept, else as it is."""
+    return Size(value, np.asarray(rows, complex)) if are_kept() else float(value)
 
 
 def length(amplitude: complex) -> float:

@@ -15,7 +15,7 @@ from crankstar.analysis.document import Document, Ranged, Table, Value
 from crankstar.dynamics.bearings import BearingError, BearingLoads, bearing_loads
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.kept import alike
+from crankstar.language.alike import alike
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, unit_text
 from crankstar.mechanics.gas import Cycle, cycle
@@ -26,7 +26,7 @@ from crankstar.page.records import BearingNumbers, Bearings, LoadShown
 from crankstar.spectra import Spectrum
 from crankstar.tables.cells import ranged_text
 from crankstar.tables.conversion import in_units
-from crankstar.tables.ranges import merged
+from crankstar.tables.laid import merged
 
 SMALL = 1e-4
 """Share of the greatest order below which an order is not sent."""

@@ -20,9 +20,9 @@ from crankstar.engine.copies import throws_of_weights, with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread, spread
 from crankstar.firing.strokes import WorkingCycle, working_cycle
+from crankstar.language.alike import alike
 from crankstar.language.faults import EngineError
 from crankstar.language.glossary import terms
-from crankstar.language.kept import alike
 from crankstar.language.messages import _
 from crankstar.language.numbers import rpm_of
 from crankstar.language.quoting import one_line
@@ -57,7 +57,8 @@ from crankstar.studies.load_answers import first_load
 from crankstar.tables import headings, remedies
 from crankstar.tables.assumptions import assumption_lines
 from crankstar.tables.conditions import can_be_estimated, unit_sentence, unit_sizes
-from crankstar.tables.ranges import estimated_paths, merged, ranged_lines
+from crankstar.tables.laid import merged
+from crankstar.tables.ranges import estimated_paths, ranged_lines
 
 
 def exhibition(

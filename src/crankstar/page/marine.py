@@ -8,12 +8,12 @@ from crankstar.analyses.marine.large_engines import ship_engine, ship_parts
 from crankstar.analysis.document import Document
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.kept import alike
+from crankstar.language.alike import alike
 from crankstar.language.messages import _
 from crankstar.page.printed import printed
 from crankstar.page.records import ChartKey
 from crankstar.page.unit_records import Table
-from crankstar.tables.ranges import merged
+from crankstar.tables.laid import merged
 
 FIGURE = "guide-moments"
 

@@ -12,16 +12,15 @@ from crankstar import spectra
 from crankstar.analysis.document import Ranged
 from crankstar.dynamics import whirl
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import values_kept
 from crankstar.language.numbers import NEGLIGIBLE, number, wave
 from crankstar.mechanics.balance import Balance
-from crankstar.mechanics.bounds import greatest, length
+from crankstar.mechanics.bounds import bounds_kept, greatest, length
 from crankstar.mechanics.remains import Sums, ranked
 from crankstar.page.records import Pair, PartForce, Quantity, Row, Sum, Vectors, Whirl
 from crankstar.spectra import Complex, Spectrum
 from crankstar.tables.cells import ranged_text
+from crankstar.tables.number_ranges import number_range
 from crankstar.tables.paths import shape
-from crankstar.tables.ranges import number_range
 
 MINUS = "\N{MINUS SIGN}"
 ROUNDED = 7
@@ -154,7 +153,7 @@ def _rows(
     if not vector:
         largest = max(_largest(sums.roll), _largest(sums.torque))
     chosen = spectra.selected(spectrum, orders)
-    with values_kept():
+    with bounds_kept():
         own, *others = [
             _sizes(spectra.selected(getattr(each, quantity), orders), vector=vector)
             for each in (sums, *ends)

@@ -31,8 +31,8 @@ import numpy as np
 from crankstar import spectra
 from crankstar.dynamics.bearings import Model, bearing_shares, shaft_forces
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import bounded
 from crankstar.mechanics.balance import default_reference, scales, unit_unbalance
+from crankstar.mechanics.bounds import bounded
 from crankstar.mechanics.excitation import Reference, part_spectra, rolling_moment, total
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.pin_loads import pin_loads

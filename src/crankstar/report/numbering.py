@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from crankstar.language.messages import N_, _, _n
+from crankstar.language.written import capitalised
 from crankstar.tables.html import text
 
 SECTION = re.compile(r'<section id="([\w-]+)"><h2>(.*?)</h2>(.*?)(?=<section id=|\Z)', re.DOTALL)
@@ -69,7 +70,7 @@ def _references(before: dict[str, int], after: dict[str, int]) -> Iterator[str]:
         parts.append(text(name(len(ends))).replace(LINKS, links))
     if parts:
         joined = ", ".join(parts)
-        yield _("{text}.", text=f"{joined[0].upper()}{joined[1:]}")
+        yield _("{text}.", text=capitalised(joined))
 
 
 LINKS = "\ue000"

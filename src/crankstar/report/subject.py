@@ -13,7 +13,7 @@ from crankstar.analyses.verdict.ranges import ranged_facts
 from crankstar.analysis.document import Document, Remarks, Table
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.kept import alike
+from crankstar.language.alike import alike
 from crankstar.mechanics import remains
 from crankstar.page.records import Scene
 from crankstar.page.scene import scene
@@ -22,7 +22,7 @@ from crankstar.studies.answers import rests_on, summary
 from crankstar.studies.load_answers import first_load
 from crankstar.tables.analysis import Analysis, analysis
 from crankstar.tables.assumptions import assumption_lines
-from crankstar.tables.ranges import merged
+from crankstar.tables.laid import merged
 
 Quantity = Literal["force", "couple"]
 MOST = 4

@@ -10,7 +10,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.analysis.document import Column, Table, Value
-from crankstar.language.kept import as_given, of_any
+from crankstar.language.alike import as_given, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.page.orders import free_response as free

@@ -14,6 +14,8 @@
 | `moved_figures` | the figure that an assumption moves most, in words |
 | `assumptions` | what an answer rests on, as sentences |
 | `resting_derivations` | what the newtons of a derivation rest on |
+| `number_ranges` | the range of a number or an amplitude that rests on estimates |
+| `laid` | documents and sentences of several engines laid upon each other, with ranges |
 | `ranges` | analyses of estimated engines: each number with its range |
 | `estimates` | what `estimate` fills in |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |

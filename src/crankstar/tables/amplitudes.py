@@ -14,10 +14,9 @@ import numpy as np
 from crankstar import spectra
 from crankstar.analysis.document import ROW_UNIT, Column, Document, Kind, Table
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import are_kept
 from crankstar.language.numbers import rpm_of
 from crankstar.mechanics.balance import Balance, Grouping, grouped, total
-from crankstar.mechanics.bounds import lengths
+from crankstar.mechanics.bounds import are_kept, lengths
 from crankstar.mechanics.excitation import Totals
 from crankstar.mechanics.labelled import AXIAL, columns
 from crankstar.mechanics.remains import orders_turning, summed

@@ -18,7 +18,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.analysis.document import Column, Document, Remarks, Table, remarks
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import of_any
+from crankstar.language.alike import of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, order_text
 from crankstar.mechanics.balance import Balance, Grouping, balance, grouped

@@ -16,11 +16,12 @@ from crankstar import spectra
 from crankstar.analysis.document import Column, Table, Value
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import first_harmonic
-from crankstar.language.kept import as_given, bounded, of_any
+from crankstar.language.alike import as_given, of_any
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import NEGLIGIBLE, order_text
 from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Units
+from crankstar.mechanics.bounds import bounded
 from crankstar.mechanics.remains import Sums, ranked
 from crankstar.spectra import Spectrum
 from crankstar.tables.paths import shape

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import degrees
 
 from crankstar.language.messages import N_, _
+from crankstar.language.written import capitalised
 from crankstar.remedy import Best, Limit, aim_name, aim_text
 
 BEARINGS = {
@@ -26,7 +27,7 @@ def certificate(best: Best, *, speed: float | None = None) -> list[str]:
         return aim_text(best.aim, value, best.engine, speed, beside=best.before)
 
     values = {
-        "aim": f"{aim[:1].upper()}{aim[1:]}",
+        "aim": capitalised(aim),
         "value": told(best.value),
         "before": told(best.before),
         "bound": told(best.bound),

@@ -11,7 +11,7 @@ from crankstar.analysis.assumptions import Assumption
 from crankstar.analysis.document import ROW_UNIT, Column, Document, Ranged, Table, Value, remarks
 from crankstar.analysis.registry import added, analyses
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import of_any, plain
+from crankstar.language.alike import of_any
 from crankstar.language.messages import _, spoken
 from crankstar.language.numbers import NEGLIGIBLE, rpm_of
 from crankstar.mechanics.balance import Balance
@@ -348,7 +348,7 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
     title = ", ".join(compared.names)
     tables = (Table("", heads, tuple(rows), key="amplitudes"), _engine_rows(compared))
     with spoken("en"):
-        head = plain(_speed_head(compared))
+        head = _speed_head(compared)
     return Document(title, tables, facts | ({"at_speed": head} if head else {}))
 
 
@@ -400,7 +400,7 @@ def _engine_rows(compared: _Compared) -> Table:
         rows: list[tuple[Value, ...]] = [
             (
                 name,
-                plain(_fires(own.engine)),
+                _fires(own.engine),
                 rpm_of(result.speed),
                 rpm_of(own.engine.speed),
                 len(unverified(own.engine)),

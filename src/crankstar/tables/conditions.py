@@ -7,6 +7,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.proportions import TWO_MASSES, inferred, look_of
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import RPM, number
+from crankstar.language.written import joined
 from crankstar.mechanics.balance import Balance, unit_mass
 from crankstar.mechanics.lacking import KEYS, SIZES, is_explicit, lacking_keys, pitch_key
 from crankstar.tables.scales import scales
@@ -154,7 +155,7 @@ def _point(engine: Engine, result: Balance) -> str:
     """The reference point: its z, and its place in the clock plane where that matters."""
     point = result.reference
     across, along = scales(engine)[:2]
-    place = f"z = {along.text(point.z)}"
+    place = joined("", ["z = ", along.text(point.z)])
     if point.up or point.right:
         return _(
             "{place}, {up} up, {right} right of the crank axis",
@@ -183,6 +184,8 @@ def unit_sizes(engine: Engine, result: Balance) -> str:
     if not several and not result.units.couple.endswith("*a"):
         del sizes["a"]
     known = [
-        f"{letter} = {size}" for letter, (key, size) in sizes.items() if key not in engine.relative
+        joined(" = ", [letter, size])
+        for letter, (key, size) in sizes.items()
+        if key not in engine.relative
     ]
-    return _("{text}.", text=", ".join(known)) if known else ""
+    return _("{text}.", text=joined(", ", known)) if known else ""

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given, in_turn, of_any
+from crankstar.language.alike import as_given, in_turn, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance

@@ -10,7 +10,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.analysis.document import Column, Table, Value
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import of_any
+from crankstar.language.alike import of_any
 from crankstar.language.messages import _
 from crankstar.language.numbers import rpm_of
 from crankstar.mechanics.gas import Cycle, cycle

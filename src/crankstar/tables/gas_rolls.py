@@ -13,7 +13,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given, of_any
+from crankstar.language.alike import as_given, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import RPM, number, order_text
 from crankstar.language.shown_units import quantity_text

@@ -15,7 +15,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.analysis.document import ROW_UNIT, Column, Document, Table, Value, remarks
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import of_any
+from crankstar.language.alike import of_any
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import RPM, order_text
 from crankstar.mechanics.balance import Balance, balance

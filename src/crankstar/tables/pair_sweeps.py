@@ -11,6 +11,7 @@ from crankstar.analysis.document import ROW_UNIT, Column, Document, Remarks, Tab
 from crankstar.language.messages import _, _n, passage
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
+from crankstar.language.written import capitalised
 from crankstar.studies.best_pair import BestPair, Unbeaten
 from crankstar.studies.sweep import Curve, Sweep
 from crankstar.tables.sweep_notes import doubt_sentences, notes
@@ -65,9 +66,7 @@ def _over_both(sweep: Sweep, curve: Curve) -> Table:
                 count=curve.values.size,
             ),
         )
-    return Table(
-        f"{title[0].upper()}{title[1:]}", (axis_columns(sweep)[0], *heads), tuple(body), notes=notes
-    )
+    return Table(capitalised(title), (axis_columns(sweep)[0], *heads), tuple(body), notes=notes)
 
 
 def best_sentence(sweep: Sweep, curve: Curve, found: BestPair, *, greatest: bool = False) -> str:

@@ -6,9 +6,10 @@ from collections.abc import Iterator, Sequence
 
 from crankstar.analysis.document import Remarks, remarks
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given
+from crankstar.language.alike import as_given
 from crankstar.language.messages import _
 from crankstar.language.shown_units import quantity_text
+from crankstar.language.written import joined
 from crankstar.mechanics.balance import scales as scales_of
 from crankstar.remedy import Placing, clashes
 from crankstar.remedy.clearance import beyond_ends, raised
@@ -78,7 +79,7 @@ def _lines(engine: Engine, placing: Placing, speed: float | None) -> Iterator[st
         "order": str(placing.order),
         "roll": quantity_text(placing.roll * moment, units.moment),
         "on_axis": quantity_text(placing.on_axis * moment, units.moment),
-        "places": "; ".join(map(place, placing.places)),
+        "places": joined("; ", map(place, placing.places)),
     }
     inside = as_given(("inside", placing.order), placing.inside)
     if inside is not None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
+from crankstar.language.written import capitalised
 from crankstar.stars.sequence_engines import fired_of_engine
 from crankstar.stars.sequence_fronts import Point, SequenceFront, beaten
 from crankstar.stars.shafts import Fired
@@ -88,7 +89,7 @@ def judged_by(fired: Fired, known: Judged) -> str:
         judge_text(judge, own.beside[fired]) for judge, own in known.items() if fired in own.beside
     ]
     words = "; ".join(values)
-    return f" {words[0].upper()}{words[1:]}." if words else ""
+    return f" {capitalised(words)}." if words else ""
 
 
 def _valued(goals: tuple[Goal, ...], values: tuple[float, ...]) -> str:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from crankstar.analysis.document import Remarks
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import GRAVITY
-from crankstar.language.kept import of_any
+from crankstar.language.alike import of_any
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
+from crankstar.language.written import joined
 from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, pushed
@@ -83,7 +84,7 @@ def _peaks_sentence(engine: Engine, result: Balance, sums: Sums, *, beside_gas: 
         for name, (size, _angle, unit) in found.items()
         if name in felt
     ]
-    text = _("Peaks: {sizes}.", sizes=", ".join(sizes)) if sizes else ""
+    text = _("Peaks: {sizes}.", sizes=joined(", ", sizes)) if sizes else ""
     force = bounds.peak(sums.force).value
     mass = None if engine.block is None else engine.block.mass
     if result.speed is None or mass is None or not force:

@@ -24,7 +24,8 @@ from crankstar.studies.sweep import WATCHABLE, Curve, Sweep, spectrum_of, watche
 from crankstar.tables.cells import rough
 from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.hulls import greatest_sum
-from crankstar.tables.ranges import doubt, real_range
+from crankstar.tables.number_ranges import real_range
+from crankstar.tables.ranges import doubt
 
 ENDS = ("typical", "low", "high")
 MOST_VALUES = 2000

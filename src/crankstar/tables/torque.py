@@ -15,6 +15,7 @@ from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import RPM, number, numbers_text, rpm_of
 from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import quantity_text
+from crankstar.language.written import joined
 from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
@@ -264,7 +265,7 @@ def _pairs(key: str, title: str, rows: Sequence[tuple[Value, ...]]) -> Table:
 def _valued(name: str, value: float) -> str:
     """A value of a cycle with its name and unit."""
     words, factor, unit = VALUES[name]
-    return f"{_(words)} {number(value * factor)} {unit}".strip()
+    return joined(" ", filter(None, [_(words), number(value * factor), unit]))
 
 
 def _other_points(engine: Engine, cycle: Cycle) -> list[str]:
@@ -285,7 +286,7 @@ def assumed_notes(engine: Engine, cycle: Cycle) -> list[str]:
         lines.append(
             _(
                 "Assumed, since the file does not say: {values}. The table [gas] gives them.",
-                values=", ".join(assumed),
+                values=joined(", ", assumed),
             )
         )
     if "ignition" in cycle.assumed:

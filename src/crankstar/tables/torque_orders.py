@@ -12,7 +12,7 @@ from crankstar import spectra
 from crankstar.analysis.document import Column, Table, Value
 from crankstar.dynamics.load_reaction import on_one_frame
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import of_any
+from crankstar.language.alike import of_any
 from crankstar.language.messages import _
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import balance, total

@@ -14,7 +14,7 @@ from crankstar.dynamics.uneven import Running
 from crankstar.dynamics.uneven_forces import HIGHEST as HIGHEST_UNEVEN
 from crankstar.dynamics.uneven_forces import changes, worth_telling
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given, of_any
+from crankstar.language.alike import as_given, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import numbers_text
 from crankstar.language.shown_units import quantity_text

@@ -7,10 +7,11 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from crankstar import spectra
-from crankstar.language.kept import as_given
+from crankstar.language.alike import as_given
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import order_text
 from crankstar.language.shown_units import quantity_text
+from crankstar.language.written import capitalised, joined
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.bounds import greatest
 from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, Sums, orders_pushed, sizes
@@ -64,8 +65,8 @@ def vector_sentences(name: str, result: Balance, sums: Sums) -> str:
             minor.append(_("order {order}: {size}", order=order_text(order), size=words))
         else:
             out.append(_vector_sentence(name, result, remaining, row))
-    rest = "; ".join(minor)
-    out += [_("{text}.", text=f"{rest[:1].upper()}{rest[1:]}")] if rest else []
+    rest = joined("; ", minor)
+    out += [_("{text}.", text=capitalised(rest))] if rest else []
     return passage(out)
 
 

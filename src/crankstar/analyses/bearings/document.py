@@ -15,7 +15,7 @@ from crankstar.analyses.bearings.wear_table import wear_table
 from crankstar.analysis.document import Column, Document, Table, Value, for_each, remarks
 from crankstar.dynamics.bearings import BearingLoads, Model, bending_moment
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import of_any
+from crankstar.language.alike import of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, RPM, number, numbers_text, rpm_of
 from crankstar.language.shown_units import quantity_text

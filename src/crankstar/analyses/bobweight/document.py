@@ -9,7 +9,6 @@ from crankstar.analyses.bobweight.question import Card, Question
 from crankstar.analysis.document import Column, Document, Table, Value, remarks
 from crankstar.engine.cylinder_parts import RECIPROCATING, ROTATING, Parts
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import plain
 from crankstar.language.messages import N_, _, _n
 from crankstar.remedy.loads import Load, bobweight, loads
 from crankstar.tables.bobweights import bobweight_heading, bobweights, lacks_rotating, pin_name
@@ -71,7 +70,7 @@ def parts_table(engine: Engine) -> list[Table]:
     ]
     for numbers in alike.values():
         every = len(numbers) == len(engine.cylinders)
-        some = plain(", ".join(map(str, numbers)))
+        some = ", ".join(map(str, numbers))
         heading = _n("cylinder {numbers}", "cylinders {numbers}", len(numbers), numbers=some)
         heading = _("each cylinder") if every else heading
         key = "mass" if every else f"mass_{'_'.join(map(str, numbers))}"
@@ -104,7 +103,7 @@ def overbalance(engine: Engine, factor: float) -> Table:
     for place, pins in enumerate(kinds.values(), 1):
         heading = bobweight_heading(engine)
         if len(kinds) > 1:
-            names = plain(", ".join(pin_name(engine, pin) for pin in pins))
+            names = ", ".join(pin_name(engine, pin) for pin in pins)
             heading = _("bobweight, pin {names}", names=names)
         key = "bobweight" if len(kinds) == 1 else f"bobweight_{place}"
         columns.append(Column(heading, scale.unit, key=key))

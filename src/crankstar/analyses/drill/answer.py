@@ -8,7 +8,8 @@ from typing import NamedTuple
 from crankstar.analyses.drill.question import Question
 from crankstar.analysis.assumptions import Answer
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given, bounded
+from crankstar.language.alike import as_given
+from crankstar.mechanics.bounds import bounded
 from crankstar.options.holes import drill_of
 from crankstar.options.refusals import RequestError
 from crankstar.options.remedies import HALF

@@ -8,6 +8,7 @@ from crankstar.analyses.marine.marine_analysis import MarineAnalysis
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
+from crankstar.language.written import joined
 from crankstar.mechanics.doubts import GREATEST_IMEP, point_doubts
 from crankstar.mechanics.lacking import KEYS, lacking_keys
 from crankstar.tables.torque import charge_sentences
@@ -19,7 +20,8 @@ LEAST_RATED = 1e5
 def power_text(power: float) -> str:
     """A power (W) in kW, or in the unit that is chosen."""
     said = shown("kW", 0.0, prefixed=False)
-    return f"{number(float(f'{power / 1e3 * said.factor:.5g}'))} {unit_text(said.unit)}"
+    size = number(float(f"{power / 1e3 * said.factor:.5g}"))
+    return joined(" ", [size, unit_text(said.unit)])
 
 
 def doubts(found: MarineAnalysis, bracing: tuple[float, float] | None) -> list[str]:

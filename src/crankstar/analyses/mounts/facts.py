@@ -10,7 +10,7 @@ from crankstar.dynamics.mount_analysis import MountAnalysis, mounts
 from crankstar.dynamics.mount_worst import ROLL, Worst, roll_mode, worst
 from crankstar.dynamics.mounted_block import MountError
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given
+from crankstar.language.alike import as_given
 from crankstar.language.messages import _
 from crankstar.language.numbers import RPM, number, order_text
 from crankstar.language.shown_units import quantity_text

@@ -9,7 +9,7 @@ from crankstar.analysis.document import Column, Table, Value
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis, torsion
 from crankstar.dynamics.torsion_criticals import Critical
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given
+from crankstar.language.alike import as_given
 from crankstar.language.messages import _
 from crankstar.language.numbers import RPM, number, order_text
 

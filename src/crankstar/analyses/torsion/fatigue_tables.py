@@ -17,7 +17,7 @@ from crankstar.dynamics.crank_fillets import torsion_margin
 from crankstar.dynamics.torsion_analysis import TorsionAnalysis
 from crankstar.engine.engine import Engine
 from crankstar.engine.fillets import fillet_ratios
-from crankstar.language.kept import as_given
+from crankstar.language.alike import as_given
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import RPM, number
 

@@ -12,7 +12,7 @@ from crankstar.analyses.verdict.firing_facts import layout_sentence, succession_
 from crankstar.analyses.verdict.relatives import relative_lines
 from crankstar.analysis.registry import added, analyses
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given, of_any
+from crankstar.language.alike import as_given, of_any
 from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import order_text
 from crankstar.language.shown_units import quantity_text

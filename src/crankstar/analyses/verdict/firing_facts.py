@@ -17,6 +17,7 @@ from crankstar.firing.succession import Follower, in_succession, neighbours, par
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import _, _n, passage
 from crankstar.language.numbers import number, order_text
+from crankstar.language.written import capitalised
 from crankstar.tables.headings import firing_text
 
 COMPARED = 4
@@ -65,7 +66,7 @@ def layout_sentence(engine: Engine) -> str:
         )
     else:
         throws = cranks[0][1]
-        parts.append(_("{text}.", text=f"{throws[:1].upper()}{throws[1:]}"))
+        parts.append(_("{text}.", text=capitalised(throws)))
     return passage(parts)
 
 

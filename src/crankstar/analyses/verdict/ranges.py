@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from crankstar.analyses.verdict.facts import Fact
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.kept import alike
-from crankstar.tables.ranges import sentences
+from crankstar.language.alike import alike
+from crankstar.tables.laid import sentences
 
 Verdict = Callable[[Engine], Sequence[Fact]]
 

@@ -15,9 +15,10 @@ from crankstar import spectra
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import summaries
-from crankstar.language.kept import as_given
+from crankstar.language.alike import as_given
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
+from crankstar.language.written import joined
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import size
 
@@ -153,7 +154,7 @@ def _differences(own: PistonBalance, other: PistonBalance, arm: str) -> str:
         unit = "m r ω²" if name.startswith("force") else f"m r ω² {arm}"
         values = {"mine": number(mine, digits=4), "theirs": number(theirs, digits=4), "unit": unit}
         out.append(_(DIFFERENCES[name], **values))
-    text = ", ".join(out)
+    text = joined(", ", out)
     if arm == "d" and any(name.startswith("couple") for name, *_values in pairs):
         return _("{differences} (d: distance of the cylinders)", differences=text)
     return text

@@ -40,11 +40,11 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
 from crankstar.engine.records import Shaft
 from crankstar.language.faults import EngineError
-from crankstar.language.kept import values_kept
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics import bounds
+from crankstar.mechanics.bounds import bounds_kept
 from crankstar.remedy.counterweights import RemedyError, with_web_weights, without_counterweights
 from crankstar.spectra import Real
 from crankstar.studies.answer_parts import in_own_unit, narrowed
@@ -167,7 +167,7 @@ def _course(
     bendings = [
         bending_moment(each.engine, shaft=shaft, speed=speed, model=state) for each in (own, *ends)
     ]
-    with values_kept():
+    with bounds_kept():
         tops = [bounds.highest(bending.moment) for bending in bendings]
     course = course_of(bendings[0], label=own.label, colour=own.colour)
     return course._replace(reach=size_range(tops[0], tops[1:]))
