@@ -62,6 +62,27 @@ def test_it_is_in_the_help_and_in_the_report(installed: dict[str, str], tmp_path
     assert "acceleration at top dead centre" in place.read_text(encoding="utf-8")
 
 
+PANEL = """
+import json
+import crankstar
+from crankstar.page.exhibits import exhibition
+
+shown = exhibition([crankstar.load("audi-25-tfsi"), crankstar.load("i4")], relatives=False)
+labels = {panel.key: panel.label for panel in shown.panels}
+audi, four = (engine.told for engine in shown.engines)
+print(labels["piston-speed"], len(audi["piston-speed"]), "piston-speed" in four)
+print(audi["piston-speed"][0].rows[0])
+"""
+
+
+@pytest.mark.release
+def test_it_is_a_panel_of_the_page_of_engines_that_have_it(installed: dict[str, str]) -> None:
+    made = run(installed, "-c", PANEL)
+    labels, row = made.stdout.splitlines()
+    assert labels == "Piston speed 1 False"
+    assert f"{2 * STROKE * 6500 / 60:.5g}" in row
+
+
 def test_it_is_a_function_of_python(installed: dict[str, str]) -> None:
     code = (
         "import crankstar; found = crankstar.piston_speed('audi-25-tfsi', speed='6000 rpm'); "

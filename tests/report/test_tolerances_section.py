@@ -11,6 +11,7 @@ from tests.tolerant import TOLERANT
 
 from crankstar.analyses.tolerance.as_built import as_built
 from crankstar.files import engine_of
+from crankstar.options.sources import loaded
 from crankstar.report import Subject, report
 
 
@@ -23,8 +24,8 @@ def sections(tree: dict[str, Any]) -> tuple[str, list[str], dict[str, list[list[
 @pytest.mark.release
 def test_the_report_of_an_engine_with_tolerances_says_how_engines_scatter() -> None:
     text, names, tables = sections(TOLERANT)
-    assert "tolerances" in names
-    found = as_built(engine_of(TOLERANT), TOLERANT)
+    assert "tolerance" in names
+    found = as_built(loaded(TOLERANT))
     assert found is not None
     row = found.of("force", 1.0)
     (shown,) = [
@@ -42,6 +43,6 @@ def test_the_report_of_an_engine_with_tolerances_says_how_engines_scatter() -> N
 @pytest.mark.release
 def test_a_report_without_tolerances_has_no_such_section() -> None:
     plain = spoilt(SHORT, speed="6000 rpm")
-    assert as_built(engine_of(plain), plain) is None
+    assert as_built(loaded(plain)) is None
     _text, names, _tables = sections(plain)
-    assert "tolerances" not in names
+    assert "tolerance" not in names

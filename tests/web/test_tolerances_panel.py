@@ -13,7 +13,7 @@ from tests.web.engine_page import opened
 from tests.web.everyone import SCREENS, Scheme, read_by_everyone
 
 from crankstar import cli
-from crankstar.analyses.tolerance.as_built import BUILDS
+from crankstar.analyses.tolerance import RECORD
 from crankstar.files import engine_of
 from crankstar.page.library import held
 from crankstar.page.standalone import document
@@ -40,10 +40,20 @@ def test_the_panel_has_the_numbers_of_the_command(path: Path, page: Page, tmp_pa
     file, answer = tmp_path / "engine.json", tmp_path / "answer.json"
     file.write_text(json.dumps(TOLERANT), encoding="utf-8")
     with pytest.raises(SystemExit) as left:
-        cli.main(["tolerance", str(file), "--builds", str(BUILDS), "--json", "-o", str(answer)])
+        cli.main(
+            [
+                "tolerance",
+                str(file),
+                "--builds",
+                str(RECORD.views["builds"]),
+                "--json",
+                "-o",
+                str(answer),
+            ]
+        )
     assert left.value.code in (0, None)
     told = json.loads(answer.read_text(encoding="utf-8"))
-    opened(page, path, "a=0&tab=tolerances")
+    opened(page, path, "a=0&tab=tolerance")
     by_order = {(row["signal"], row["order"]): row for row in told["orders"]}
     signals = {"force": "force", "couple": "couple", "rolling moment": "roll"}
     shown = rows(page, "Scatter of each order")
@@ -68,7 +78,7 @@ def test_the_panel_has_the_numbers_of_the_command(path: Path, page: Page, tmp_pa
 
 @pytest.mark.release
 def test_an_engine_without_tolerances_has_no_such_panel(built_page: Any, page: Page) -> None:
-    opened(page, built_page("v8-cross-plane"), "a=0&tab=tolerances")
+    opened(page, built_page("v8-cross-plane"), "a=0&tab=tolerance")
     expect(page.get_by_role("tab", name="Twist")).to_have_count(1)
     expect(page.get_by_role("tab", name="Tolerances")).to_have_count(0)
 
@@ -78,7 +88,7 @@ def test_an_engine_without_tolerances_has_no_such_panel(built_page: Any, page: P
 def test_the_panel_of_tolerances_is_read_by_everyone_on_every_screen(
     path: Path, page: Page, width: int, scheme: Scheme
 ) -> None:
-    read_by_everyone(page, path, "a=30&tab=tolerances", width=width, scheme=scheme, figures=1)
+    read_by_everyone(page, path, "a=30&tab=tolerance", width=width, scheme=scheme, figures=1)
 
 
 @pytest.mark.release

@@ -22,6 +22,8 @@ export interface Exhibition {
   /** each engine with weights and balance shafts, where they help */
   fitted: (Exhibit | null)[]
   stroke_colours: StrokeColours
+  /** of `told` of the engines */
+  panels: PanelShown[]
   /** the choices of units that are offered by name */
   units?: UnitsOffered[]
   /** the terms that the page explains where they stand */
@@ -96,10 +98,10 @@ export interface Exhibit {
   mount_numbers: MountNumbers | null
   charts: ChartKey[]
   derivations: DerivationKey[]
-  /** moments of a large two-stroke engine in its ship; empty of others */
-  marine: Table[]
-  /** how engines built to the tolerances of the file scatter; empty without any */
-  tolerances: Table[]
+  /** what analyses print that have a panel of their own, by its key */
+  told: {
+    [k: string]: Table[]
+  }
   /** weights, shafts and remaining unbalance of a fitted engine; else empty */
   remedies: Table[]
 }
@@ -729,6 +731,15 @@ export interface StrokeColours {
   compression: string
   power: string
   exhaust: string
+}
+/** A panel with what an analysis has found of an engine, as its command prints it. */
+export interface PanelShown {
+  key: string
+  label: string
+  /** what stands there of an engine that has nothing of it */
+  needs: string
+  /** names of the figures in it */
+  figures: string[]
 }
 /** A choice of units: its name, as --units takes it, and what a reader knows it by. */
 export interface UnitsOffered {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from crankstar.analysis.record import Analysis, Later
+from crankstar.analysis.record import Analysis, Later, Panel
 
 RECORD = Analysis(
     name="piston-speed",
@@ -17,4 +17,5 @@ RECORD = Analysis(
     document=Later("crankstar_piston_speed.answer:document"),
     needs=Later("crankstar_piston_speed.question:needs"),
     lacks=lambda engine, speed: "radius" in engine.relative or (speed or engine.speed) is None,
+    panel=Panel("Piston speed", "This needs the stroke in mm and a speed in the engine file."),
 )

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar, get_args
 
 if TYPE_CHECKING:
     from crankstar.analysis.assumptions import Answer
-    from crankstar.analysis.document import Audience, Document, Table
+    from crankstar.analysis.document import Audience, Document, Remarks, Table
     from crankstar.engine.engine import Engine
     from crankstar.engine.torsion import Chain
 
@@ -206,12 +206,26 @@ class Picture:
     title      of {engine}, a sentence of the catalog of messages
     more       what -o says of it
     unshown    fields of the question that it does not show
+    caption    what is below it in a report and on a page, which have it only with one
     """
 
     draw: Later[Callable[[Any, Any], Any]]
     title: str
     more: str
     unshown: tuple[str, ...] = ()
+    caption: str = ""
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A panel of the page with the figures and the tables of an analysis.
+
+    label      what its tab says
+    needs      what stands there of an engine whose file lacks what the analysis is of
+    """
+
+    label: str
+    needs: str
 
 
 @dataclass(frozen=True)
@@ -230,13 +244,15 @@ class Analysis:
     compute    (source, question) -> result
     document   (source, result, question) -> Document, for readers and machines
     answer     (engine, question) -> Answer: the figures that its assumptions move; of an engine
-    lacks      (engine, speed) -> whether its file lacks what the analysis is of, at the speed that
+    lacks      (source, speed) -> whether its file lacks what the analysis is of, at the speed that
                is asked for (rad/s) if any; without it the analysis is told of only where it is
                asked for
+    views      fields of the question as reports, pages and verdicts have them
+    panel      the panel that a page has of it
     charts     what can be plotted of it
-    figures    which of these a report has
+    figures    which of these a report has, and its panel
     subject    what its sentences in a verdict are about
-    facts      (engine, speed=) -> those sentences
+    facts      (source, speed=) -> those sentences
     compared   (engines, names, speeds) -> tables of engines side by side
     sizes      (engines, speeds) -> the same for machines: quantity, order, of each engine, unit
     measures   what a sweep may watch
@@ -255,7 +271,8 @@ class Analysis:
     the words of the question come first, and `refuse` has to say what else is to be given;
     `chains` are the fields of the question that a drive line without an engine may be asked too;
     `lists` those that choose what tables list, and change no figure that is plotted;
-    `of_file`: compute takes what was loaded, with the tree of its file, in place of the source;
+    `of_file`: compute, lacks and facts take what was loaded, with the tree of its file, in place of
+    the source;
     `estimates`: values that a file leaves out may be estimated, and results have ranges;
     `unranged`: but for these results; `ranges_itself`: its document has them, by what was loaded;
     `marks_speed`: a speed that changes nothing, since the file has no masses or sizes, is marked;
@@ -274,7 +291,9 @@ class Analysis:
     compute: Later[Callable[[Any, Any], Any]]
     document: Later[Callable[[Any, Any, Any], Document]]
     answer: Later[Callable[..., Answer]] | None = None
-    lacks: Callable[[Engine, float | None], bool] | None = None
+    lacks: Callable[[Any, float | None], bool] | None = None
+    views: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    panel: Panel | None = None
     needs: Later[Callable[[Engine], object]] | None = None
     refuse: Later[Callable[[Engine | Chain, Any], None]] | None = None
     charts: tuple[Chart, ...] = ()
@@ -314,14 +333,24 @@ class Analysis:
         """Whether a host puts these ranges in, by results over them."""
         return self.ranged and not self.ranges_itself
 
-    def tells(self, engine: Engine, speed: float | None = None) -> bool:
-        """Whether reports and verdicts have it of an engine, at a speed (rad/s) or its own."""
-        return self.lacks is not None and not self.lacks(engine, speed)
+    def tells(self, engine: Engine, speed: float | None = None, *, file: Any = None) -> bool:
+        """Whether reports and verdicts have it of an engine, at a speed (rad/s) or its own.
+
+        Of a `file` that was loaded, and not of an engine alone, where it is `of_file`.
+        """
+        about = file if self.of_file else engine
+        return about is not None and self.lacks is not None and not self.lacks(about, speed)
 
     def told(self, source: Engine | Chain | None, question: Any, *, file: Any = None) -> Document:
         """The document of a source, with the values of a question; of a `file` that was loaded."""
         about = file if self.of_file else source
         return self.document.value(source, self.compute.value(about, question), question)
+
+    def viewed(self, source: Engine, speed: float | None, *, file: Any) -> list[Table | Remarks]:
+        """What views have below the heading of an engine, which they have themselves."""
+        question = self.question.value(speed=speed, **self.views)
+        parts = [*self.told(source, question, file=file).parts]
+        return parts[1:] if getattr(parts[0], "rows", None) is None else parts
 
     def resting(self, source: Engine, result: Any) -> Engine:
         """The engine whose assumptions are told: the source, or the one that was made of it."""

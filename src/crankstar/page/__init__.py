@@ -21,8 +21,7 @@
 | `torsion` | modes, critical speeds and forced vibration of the crankshaft that twists |
 | `mount_driving` | what shakes the block on its mounts at any speed; its points |
 | `mounts` | modes of the block on its mounts, vibration over speed |
-| `marine` | a large two-stroke engine in its ship: external and guide-force moments |
-| `tolerances` | how engines built to the tolerances of their file scatter |
+| `told` | the analyses that have a panel of their own: tables, sentences and figures |
 | `figures` | a figure as Vega-Lite, a derivation as HTML, by key |
 | `exhibits` | Engine -> Exhibit, Exhibition; the engine with the recommended remedy |
 | `workshop_records` | what the workshop is sent |

@@ -37,14 +37,13 @@ from crankstar.page.bearing_loads import (
 )
 from crankstar.page.cycle_records import StrokeColours, StrokeWindow
 from crankstar.page.keys import chart_keys, derivation_keys
-from crankstar.page.marine import marine_charts, marine_tables
 from crankstar.page.mounts import mount_numbers, mounts_shown
 from crankstar.page.printed import printed
 from crankstar.page.proportions import proportions
 from crankstar.page.records import Exhibit, Exhibition, Fact, Scale
 from crankstar.page.scene import scene
 from crankstar.page.shown_units import offered, units_of
-from crankstar.page.tolerances import tolerance_charts, tolerance_tables
+from crankstar.page.told import panels, told_charts, told_tables
 from crankstar.page.torque import exhaust, gas_needs, torque, torque_unit
 from crankstar.page.torsion import torsion_charts, torsion_needs, torsion_numbers, torsion_shown
 from crankstar.page.unit_records import Table
@@ -95,6 +94,7 @@ def opening(
         engines=tuple(shown),
         fitted=tuple(cured),
         stroke_colours=StrokeColours(**STROKE_COLOURS),
+        panels=panels(),
         units=offered(),
         glossary=terms(),
         sources=tuple(sources),
@@ -171,8 +171,7 @@ def exhibit(
         charts=(
             *chart_keys(engine, explained),
             *torsion_charts(engine),
-            *tolerance_charts(engine, tree),
-            *marine_charts(engine),
+            *told_charts(engine, tree),
         ),
         derivations=derivation_keys(explained),
         remedies=tuple(remedies),
@@ -226,8 +225,7 @@ def in_units(
         "torque_unit": torque_unit(engine),
         "torsion_numbers": torsion_numbers(engine),
         "mount_numbers": mount_numbers(engine),
-        "tolerances": tolerance_tables(engine, tree),
-        "marine": marine_tables(engine, over),
+        "told": told_tables(engine, tree, over),
         "verdict": tuple(
             Fact(subject=fact.about, about=subject_of[fact.about], sentence=fact.sentence)
             for fact in facts

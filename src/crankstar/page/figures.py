@@ -14,7 +14,7 @@ from crankstar.files.box import Spread
 from crankstar.language.messages import MessageError, _, language
 from crankstar.language.quoting import one_line
 from crankstar.page.keys import BEFORE_AND_AFTER
-from crankstar.page.tolerances import SCATTER, drawn_scatter
+from crankstar.page.told import pictured
 from crankstar.remedy import fitting
 
 if TYPE_CHECKING:
@@ -45,15 +45,13 @@ def chart(
 
     With a `spread` of the engine, an estimated one, its ranges are drawn. Its scale is one with
     that of the same figure of the engine `beside` it, where both are counted in the same unit.
-    `tree` is that of the engine file, for the figure of its tolerances.
+    `tree` is that of the engine file, for what is found of it.
     Raises NoSuchKeyError, or ChartError where the figure cannot be drawn.
     """
     if key == BEFORE_AND_AFTER:
         made = _before_and_after(engine, spread)
-    elif key == SCATTER:
-        made = _scatter(engine, tree or {})
     else:
-        made = _single(engine, key, spread, beside)
+        made = _pictured(engine, key, tree or {}) or _single(engine, key, spread, beside)
     drawn = made.to_dict()
     if "params" in drawn:
         drawn["params"] = [
@@ -88,14 +86,11 @@ def _before_and_after(engine: Engine, spread: Spread | None) -> Any:
         return side_by_side([before, after], "spectrum", speed=engine.speed)
 
 
-def _scatter(engine: Engine, tree: Mapping[str, Any]) -> Any:
+def _pictured(engine: Engine, key: str, tree: Mapping[str, Any]) -> Any:
     from crankstar.charts import Canvas, drawn_on
 
     with drawn_on(Canvas(WIDTH)):
-        made = drawn_scatter(engine, tree)
-    if made is None:
-        raise NoSuchKeyError("{key}: the file of this engine has no tolerances", key=SCATTER)
-    return made
+        return pictured(engine, key, tree)
 
 
 def _single(engine: Engine, key: str, spread: Spread | None, beside: Engine | None) -> Any:

@@ -20,13 +20,12 @@ from crankstar.mechanics.balance import balance
 from crankstar.page.exhibits import advised, exhibition, in_units, remedy_tables, spread_of
 from crankstar.page.figures import chart, derivation
 from crankstar.page.keys import BEFORE_AND_AFTER
-from crankstar.page.marine import FIGURE as GUIDE_MOMENTS
 from crankstar.page.records import Exhibit, Exhibition
-from crankstar.page.tolerances import SCATTER
+from crankstar.page.told import panels
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
 
-OF_FORCES = ("vector-star", "polygon", "hodograph", "over-turn", "spectrum", SCATTER)
+OF_FORCES = ("vector-star", "polygon", "hodograph", "over-turn", "spectrum")
 """Figures whose numbers are forces, couples or moments."""
 Tree = dict[str, Any]
 Tell = Callable[[int, int, str], None]
@@ -158,7 +157,7 @@ def _has_units(key: str, engine: Engine) -> bool:
     figure = key.split(":")[0]
     if figure == "shaft":
         return "pitch" not in engine.relative
-    if figure == GUIDE_MOMENTS:
+    if any(figure in panel.figures for panel in panels()):
         return True
     if figure == "torsion-response":
         return "quantity=stress" in key

@@ -266,6 +266,15 @@ class ChartKey(Shown):
     order: float | None = None
 
 
+class PanelShown(Shown):
+    """A panel with what an analysis has found of an engine, as its command prints it."""
+
+    key: str
+    label: str
+    needs: str = Field(description="what stands there of an engine that has nothing of it")
+    figures: tuple[str, ...] = Field(description="names of the figures in it")
+
+
 class DerivationKey(Shown):
     """A derivation of an engine, requested by its `key`."""
 
@@ -352,11 +361,8 @@ class Exhibit(Shown):
     mount_numbers: MountNumbers | None
     charts: tuple[ChartKey, ...]
     derivations: tuple[DerivationKey, ...]
-    marine: tuple[Table, ...] = Field(
-        description="moments of a large two-stroke engine in its ship; empty of others"
-    )
-    tolerances: tuple[Table, ...] = Field(
-        description="how engines built to the tolerances of the file scatter; empty without any"
+    told: dict[str, tuple[Table, ...]] = Field(
+        description="what analyses print that have a panel of their own, by its key"
     )
     remedies: tuple[Table, ...] = Field(
         description="weights, shafts and remaining unbalance of a fitted engine; else empty"
@@ -380,6 +386,7 @@ class Exhibition(Shown):
         description="each engine with weights and balance shafts, where they help"
     )
     stroke_colours: StrokeColours
+    panels: tuple[PanelShown, ...] = Field(description="of `told` of the engines")
     units: tuple[UnitsOffered, ...] = Field(
         default=(), description="the choices of units that are offered by name"
     )

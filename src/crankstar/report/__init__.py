@@ -11,7 +11,6 @@
 | `front` | the front page for a reader in a hurry, and the contents |
 | `pages` | crankshaft, strokes, orders, vectors, derivations, comparison |
 | `gas` | the gas cycle, torque over it, how evenly the engine runs |
-| `tolerances` | how engines built to the tolerances of the file scatter |
 | `bearings` | loads on the main bearings, bending of the crankshaft |
 | `analyses` | the section of an analysis that is a record |
 | `whirling` | the paths of the crankshaft's ends in an unmounted engine |

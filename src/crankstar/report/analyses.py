@@ -7,8 +7,10 @@ from typing import Any
 from crankstar.analysis.document import Remarks, Table
 from crankstar.analysis.record import Analysis, Figure
 from crankstar.analysis.registry import added
+from crankstar.charts.canvas import drawn_on
+from crankstar.charts.grammar import Chart
 from crankstar.language.messages import _
-from crankstar.report.gallery import Gallery
+from crankstar.report.gallery import ACROSS, Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.html import paragraph
@@ -24,23 +26,29 @@ def section_of(record: Analysis, subject: Subject, gallery: Gallery) -> str:
 
 
 def _section_of(record: Analysis, subject: Subject, gallery: Gallery) -> str:
-    if not record.tells(subject.engine, subject.at):
+    file = subject.file
+    if not record.tells(subject.engine, subject.at, file=file):
         return ""
-    question = record.question.value(speed=subject.at)
+    question = record.question.value(speed=subject.at, **record.views)
 
     def tables(each: Subject) -> list[Table | Remarks]:
-        first, *parts = record.told(each.engine, record.question.value(speed=each.at)).parts
-        # the heading of the engine stands on the first page
-        return parts if isinstance(first, Remarks) else [first, *parts]
+        return record.viewed(each.engine, each.at, file=each.file)
 
-    found = record.compute.value(subject.engine, question)
+    found = record.compute.value(file if record.of_file else subject.engine, question)
     drawn = [
         gallery.figure(each.chart, _(each.caption), **_options(each, subject))
         for each in record.figures
         if (subject.full or not each.more) and each.shows(found)
     ]
     lead = "".join(paragraph(fact.sentence) for fact in subject.facts if fact.about == record.name)
-    shown = parts_html(subject.parts(tables))
+    if (picture := record.picture) is not None and picture.caption:
+
+        def chart() -> Chart:
+            with drawn_on(ACROSS):
+                return picture.draw.value(found, question)
+
+        drawn.append(gallery.drawn(record.name, _(picture.caption), chart, "wide"))
+    shown = parts_html(tables(subject) if record.unranged else subject.parts(tables))
     return section(_(record.title), lead + shown + figures(drawn), name=record.name)
 
 

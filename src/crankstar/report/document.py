@@ -22,7 +22,6 @@ from crankstar.report import (
     remedies,
     sources,
     title,
-    tolerances,
     whirling,
 )
 from crankstar.report.gallery import Gallery
@@ -41,7 +40,6 @@ PAGES: tuple[tuple[str, pages.Page], ...] = (
 MORE_PAGES: tuple[tuple[str, pages.Page], ...] = (
     (N_("Writing the loads on bearings ..."), bearings.bearings),
     (N_("Writing the free response ..."), whirling.free_response),
-    (N_("Writing the tolerances ..."), tolerances.tolerances),
     (N_("Writing the remedies ..."), remedies.remedies),
     (N_("Writing the comparison ..."), pages.beside),
     (N_("Writing the derivations ..."), pages.derivations),

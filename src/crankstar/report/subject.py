@@ -15,6 +15,7 @@ from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
 from crankstar.language.alike import alike
 from crankstar.mechanics import remains
+from crankstar.options.sources import Loaded
 from crankstar.page.records import Scene
 from crankstar.page.scene import scene
 from crankstar.studies.answer_parts import joined
@@ -47,6 +48,11 @@ class Subject:
     beside: Engine | None = None
     full: bool = False
     spreads: tuple[Spread | None, Spread | None] = (None, None)
+
+    @cached_property
+    def file(self) -> Loaded:
+        """What was loaded, for the analyses that are of the file."""
+        return Loaded(self.engine.name, dict(self.tree), self.engine)
 
     def with_orders(self, orders: tuple[float, ...] | None) -> Subject:
         """The subject with these named orders."""

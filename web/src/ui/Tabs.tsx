@@ -6,7 +6,7 @@ import { Choice } from './Choice'
 import { useApp } from './context'
 import { Each } from './Each'
 import { Icon } from './icons'
-import { PANELS } from './panels'
+import { panelsOf } from './panels'
 
 /** The panel that is seen where none is chosen. */
 const FIRST = 'orders'
@@ -16,10 +16,11 @@ export function Tabs() {
   const app = useApp()
   const strip = useRef<HTMLDivElement>(null)
   const id = useId()
-  const there = PANELS.filter(({ when }) => when?.(app) ?? true)
+  const panels = panelsOf(app)
+  const there = panels.filter(({ when }) => when?.(app) ?? true)
   const wanted = app.store.tab.value
   const panel = there.find(({ key }) => key === wanted) ?? there.find(({ key }) => key === FIRST)
-  const missing = panel?.key !== wanted && PANELS.find(({ key }) => key === wanted)
+  const missing = panel?.key !== wanted && panels.find(({ key }) => key === wanted)
 
   function choose(key: string | undefined): void {
     if (!key) return

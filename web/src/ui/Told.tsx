@@ -5,12 +5,12 @@ import { Figure } from './Figure'
 /** A panel that shows what a command prints: its figure, then its tables; or what they need. */
 export function Told({
   exhibit,
-  figure,
+  figures,
   tables,
   needs,
 }: {
   exhibit: Exhibit
-  figure: string
+  figures: readonly string[]
   tables: readonly Table[]
   needs: string
 }) {
@@ -19,7 +19,7 @@ export function Told({
     <div class="stacked">
       <div class="figures">
         {exhibit.charts
-          .filter((chart) => chart.figure === figure)
+          .filter((chart) => figures.includes(chart.figure))
           .map(({ key, label }) => (
             <Figure key={key} exhibit={exhibit} chart={key} label={label} />
           ))}

@@ -140,8 +140,7 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
     torsion_needs: '',
     charts: [],
     derivations: [],
-    marine: [],
-    tolerances: [],
+    told: {},
     remedies: [],
     ...changes,
   }

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from crankstar.analysis.record import Analysis, Chart, Figure, Later, Writes
+from crankstar.analysis.record import Analysis, Chart, Figure, Later, Panel, Writes
 from crankstar.language.messages import N_
 
 _SHIP: Later[Any] = Later("crankstar.analyses.marine.large_engines:ship_engine")
@@ -36,6 +36,13 @@ RECORD = Analysis(
     answer=Later("crankstar.analyses.marine.answer:answer"),
     document=Later("crankstar.analyses.marine.document:document"),
     lacks=lambda engine, speed: _SHIP.value(engine, speed) is None,
+    panel=Panel(
+        N_("Ship"),
+        N_(
+            "This is of large two-stroke engines in line, with masses, sizes, speed and gas in "
+            "their file."
+        ),
+    ),
     charts=(
         Chart(
             "guide-moments",

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from crankstar.analyses.marine.document import document, guide_table
+from crankstar.analyses.marine.document import guide_table
 from crankstar.analyses.marine.marine_analysis import MarineAnalysis, marine
-from crankstar.analyses.marine.question import Question
-from crankstar.analysis.document import Remarks, Table
+from crankstar.analysis.document import Table
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.guide_moments import MarineError, guide_moments
@@ -42,9 +41,3 @@ def ship_engine(engine: Engine, speed: float | None = None) -> MarineAnalysis | 
     if guide is None or not (guide.with_inertia and guide.pitch_known):
         return None
     return found if found.after.units.couple == "N*m" and found.after.speed is not None else None
-
-
-def ship_parts(found: MarineAnalysis) -> list[Table | Remarks]:
-    """Its tables and sentences, without the heading of the engine."""
-    _heading, *parts = document(found.engine, found, Question()).parts
-    return parts

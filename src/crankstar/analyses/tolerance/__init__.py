@@ -11,14 +11,18 @@
 | `scatter` | the scatter of an engine built to its tolerances |
 | `document` | how far engines scatter, and which tolerance matters, as tables and sentences |
 | `charts` | the amplitudes of engines built to their tolerances, and what matters most |
-| `as_built` | what a verdict says of engines built to their tolerances |
 | `answer` | what answers it, and what that rests on |
+| `as_built` | what a verdict says of engines built to their tolerances |
 """
 
 from __future__ import annotations
 
-from crankstar.analysis.record import Analysis, Later, Picture
+from typing import Any
+
+from crankstar.analysis.record import Analysis, Later, Panel, Picture
 from crankstar.language.messages import N_
+
+_BUILT: Later[Any] = Later("crankstar.analyses.tolerance.as_built:as_built")
 
 RECORD = Analysis(
     name="tolerance",
@@ -32,10 +36,25 @@ RECORD = Analysis(
     compute=Later("crankstar.analyses.tolerance.answer:compute"),
     answer=Later("crankstar.analyses.tolerance.answer:answer"),
     document=Later("crankstar.analyses.tolerance.document:document"),
+    lacks=lambda file, speed: _BUILT.value(file, speed=speed) is None,
+    views={"builds": 20_000},
+    panel=Panel(
+        N_("Tolerances"),
+        N_(
+            "The file of this engine has no tolerances; write them behind the values, as in "
+            "650 g +- 2 g."
+        ),
+    ),
+    subject=N_("as built"),
+    facts=Later("crankstar.analyses.tolerance.as_built:facts"),
     picture=Picture(
         Later("crankstar.analyses.tolerance.answer:picture"),
         N_("{engine}: built to its tolerances"),
         "A chart (.svg, .png, .pdf, .html) or a table (.csv, .json, .xlsx, .parquet, .txt).",
+        caption=N_(
+            "Left, how many engines have which amplitude; right, the share of each tolerance in "
+            "the variance."
+        ),
     ),
     of_file=True,
     estimates=True,

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
 
 from crankstar.analyses.tolerance.charts import scatter_chart
 from crankstar.analyses.tolerance.question import BEARING, Question
@@ -18,9 +21,27 @@ from crankstar.studies.fields import Source
 def compute(
     file: Loaded, question: Question, *, tell: Callable[[int, int], object] | None = None
 ) -> Scatter:
-    """The scatter of the engine of a file. Raises ScatterError, OrderError."""
+    """The scatter of the engine of a file. Raises ScatterError, OrderError.
+
+    One that is not waited for is not worked out again for the same question.
+    """
+    if tell is None:
+        orders = question.orders if isinstance(question.orders, str | None) else (*question.orders,)
+        hashed = replace(question, quantity=tuple(question.quantity), orders=orders)
+        return _known(file.name, json.dumps(file.tree, default=str), file.engine, hashed)
+    return _scatter(Source(file.name, file.tree, file.engine), question, tell)
+
+
+@lru_cache(maxsize=8)
+def _known(name: str, tree: str, engine: Engine, question: Question) -> Scatter:
+    return _scatter(Source(name, json.loads(tree), engine), question, None)
+
+
+def _scatter(
+    source: Source, question: Question, tell: Callable[[int, int], object] | None
+) -> Scatter:
     return scatter_of(
-        Source(file.name, file.tree, file.engine),
+        source,
         speed="file" if question.speed is None else question.speed,
         reference=question.reference,
         orders=question.wanted,

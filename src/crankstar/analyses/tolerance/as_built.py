@@ -1,46 +1,37 @@
-"""Engines built to the tolerances of their file: their scatter."""
+"""What views tell of engines built to the tolerances of their file, where it has any.
+
+It is worked out once for a verdict, the section of a report and the panel of a page.
+"""
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
-from functools import lru_cache
-from typing import TYPE_CHECKING, Any
-
-from crankstar.engine.engine import Engine
+from crankstar.analyses.tolerance import RECORD
+from crankstar.analyses.tolerance.answer import compute
+from crankstar.analyses.tolerance.document import sentences
+from crankstar.analyses.tolerance.question import Question
+from crankstar.analyses.tolerance.scatter import Scatter, ScatterError
 from crankstar.files.tolerances import tolerances_of
-
-if TYPE_CHECKING:
-    from crankstar.analyses.tolerance.scatter import Scatter
-
-BUILDS = 20_000
-"""Engines built at random: 5 % of them are a thousand."""
+from crankstar.options.sources import Loaded
 
 
-def as_built(
-    engine: Engine, tree: Mapping[str, Any], *, speed: float | None = None
-) -> Scatter | None:
-    """The scatter of an engine by the tree of its file; None without tolerances of note.
+def as_built(file: Loaded, *, speed: float | None = None) -> Scatter | None:
+    """The scatter of the engine of a file; None without tolerances of note.
 
-    At `speed` (rad/s), else at that of the file. The same one again is not worked out again.
+    At `speed` (rad/s), else at that of the file.
 
-    >>> from crankstar.files import engine_of
-    >>> from crankstar.files.catalog import load, tree_of
-    >>> as_built(load("i4"), tree_of("i4")[1]) is None
+    >>> from crankstar.options.sources import loaded
+    >>> as_built(loaded("i4")) is None
     True
     """
-    if not tolerances_of(tree):
+    if not tolerances_of(file.tree):
         return None
-    return _built(engine, json.dumps(tree, default=str), speed)
-
-
-@lru_cache(maxsize=8)
-def _built(engine: Engine, text: str, speed: float | None) -> Scatter | None:
-    from crankstar.analyses.tolerance.scatter import ScatterError, scatter_of
-    from crankstar.studies.fields import Source
-
-    at = "file" if speed is None else speed
     try:
-        return scatter_of(Source(engine.name, json.loads(text), engine), speed=at, count=BUILDS)
+        return compute(file, Question(speed=speed, **RECORD.views))
     except ScatterError:  # no force depends on what has tolerances
         return None
+
+
+def facts(file: Loaded, *, speed: float | None = None) -> list[str]:
+    """The sentences of a verdict."""
+    found = as_built(file, speed=speed)
+    return [] if found is None else sentences(found)

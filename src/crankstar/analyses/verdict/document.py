@@ -56,7 +56,6 @@ def subjects() -> dict[str, str]:
         "couple": _("couple"),
         "roll": _("rolling moment"),
         **{record.name: _(record.subject) for record in analyses() if record.facts},
-        "tolerances": _("as built"),
         "cure": _("remedy"),
         "remedied": _("with the remedy"),
         "relatives": _("comparison"),

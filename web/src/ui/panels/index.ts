@@ -1,3 +1,4 @@
+import type { App } from '../../app'
 import type { Panel } from '../panel'
 import { about } from './About'
 import { bearings } from './Bearings'
@@ -6,21 +7,20 @@ import { cylinders } from './Cylinders'
 import { derivation } from './Derivation'
 import { edit } from './Edit'
 import { forces } from './Forces'
-import { marine } from './Marine'
 import { mounts } from './Mounts'
 import { orders } from './Orders'
 import { remedies } from './Remedies'
 import { sound } from './Sound'
 import { stars } from './Stars'
 import { strokes } from './Strokes'
-import { tolerances } from './Tolerances'
 import { torque } from './Torque'
 import { twist } from './Twist'
+import { toldPanels } from './told'
 import { verdict } from './Verdict'
 import { whirl } from './WhirlPanel'
 
 /** The panels in the order of their tabs. */
-export const PANELS: readonly Panel[] = [
+export const panelsOf = (app: App): Panel[] => [
   edit,
   orders,
   stars,
@@ -32,8 +32,7 @@ export const PANELS: readonly Panel[] = [
   mounts,
   strokes,
   sound,
-  marine,
-  tolerances,
+  ...toldPanels(app),
   derivation,
   verdict,
   remedies,
