@@ -1,8 +1,10 @@
 """`python -m crankstar` is the command line, and so is `crankstar`."""
 
+import _thread
 import gc
 import os
 import sys
+import time
 
 DRAWN = ("plot", "report")
 """Verbs for which vl-convert draws."""
@@ -15,6 +17,7 @@ def main() -> None:
     try:
         try:
             gc.set_threshold(OBJECTS)
+            sys.unraisablehook = _again
             # it would read what is known of every installed package, for plug-ins that none needs
             os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
             # matrices are small here: a second thread of numpy's waits for the first, at full speed
@@ -29,6 +32,23 @@ def main() -> None:
         if "crankstar.charts.converter" in sys.modules:
             sys.modules["crankstar.charts.converter"].end()
         gc.freeze()  # what is left goes with the process, without being looked through
+
+
+def _again(lost: "sys.UnraisableHookArgs") -> None:
+    """Interrupt again where an interrupt came in a callback through which no exception passes.
+
+    Python's import has one for each module: Ctrl-C would be lost while many are loaded.
+    """
+    if issubclass(lost.exc_type, KeyboardInterrupt):
+        _thread.start_new_thread(_interrupt_soon, ())
+    else:
+        sys.__unraisablehook__(lost)
+
+
+def _interrupt_soon() -> None:
+    """Interrupt when the callback has ended."""
+    time.sleep(0.01)
+    _thread.interrupt_main()
 
 
 def _run() -> None:

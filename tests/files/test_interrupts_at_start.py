@@ -36,6 +36,22 @@ START = "from crankstar.__main__ import main; main()"
 """What the script of the package does."""
 
 
+LOST = """
+class Thing:
+    pass
+
+def stay(_reference):
+    os.open(pipe, os.O_RDONLY)
+    while True:
+        time.sleep(0.01)
+
+thing = Thing()
+reference = weakref.ref(thing, stay)
+del thing
+"""
+"""A callback as Python's import has one for each module: no exception passes through it."""
+
+
 @pytest.mark.many(first=2)
 @pytest.mark.parametrize(("words", "module"), POINTS)
 def test_an_interrupt_at_any_import_ends_the_program_quietly(
@@ -45,6 +61,19 @@ def test_an_interrupt_at_any_import_ends_the_program_quietly(
     os.mkfifo(pipe)
     held = f"import os, time\nos.open({str(pipe)!r}, os.O_RDONLY)\n{STAY}"
     (tmp_path / f"{module}.py").write_text(held, encoding="utf-8")
+    interrupted(words, tmp_path, pipe)
+
+
+def test_an_interrupt_in_a_callback_of_an_import_ends_the_program(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    held = f"import os, time, weakref\npipe = {str(pipe)!r}\n{LOST}{STAY}"
+    (tmp_path / "numpy.py").write_text(held, encoding="utf-8")
+    interrupted(ANALYZE, tmp_path, pipe)
+
+
+def interrupted(words: list[str], tmp_path: Path, pipe: Path) -> None:
+    """Interrupts a program where it is held, which has to end as one that is interrupted."""
     with (
         subprocess.Popen(
             [sys.executable, "-c", START, *words],
