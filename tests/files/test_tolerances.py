@@ -54,8 +54,8 @@ type = "inline"
 bore_pitch = "100 mm +/- 0.05 %"
 throws = ["0 deg", "240 deg +- 0.2", "120 deg", "120 deg", "240 deg", "0 deg"]
 """
-PLAIN = SIX.replace(" ± 0.02 mm", "").replace(" +- 0.05 mm", "").replace("650 g +- 3 g", "650 g")
-PLAIN = PLAIN.replace("500 +- 2 g", "500 g").replace(" +/- 0.05 %", "").replace(" +- 0.2", "")
+HALF = SIX.replace(" ± 0.02 mm", "").replace(" +- 0.05 mm", "").replace("650 g +- 3 g", "650 g")
+PLAIN = HALF.replace("500 +- 2 g", "500 g").replace(" +/- 0.05 %", "").replace(" +- 0.2", "")
 BOUNDS = {
     "cylinder.stroke": 2e-5,
     "cylinder.rod_length": 5e-5,

@@ -28,7 +28,7 @@ from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.batches import totals
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra
 from crankstar.mechanics.mechanism import Mechanism, mechanism
-from crankstar.spectra import Spectrum
+from crankstar.spectra import Spectrum, greatest
 
 AROUND = np.arange(1 << 14, dtype=np.longdouble) * (2 * PI / (1 << 14))
 
@@ -394,14 +394,32 @@ def test_the_higher_of_two_nearly_equal_peaks_is_found() -> None:
     assert_peak(Spectrum(np.array([1.0, 2.0]), forward, backward))  # 4.618653, not 4.614653
 
 
-@pytest.mark.parametrize("at_most", [spectra.POINTS_AT_MOST, 1])
+@pytest.mark.parametrize("share", [1e-11, 1e-10])
+def test_a_sum_that_is_small_but_no_rounding_error_stays(share: float) -> None:
+    """Two parts of opposite sign whose masses differ by that share leave it."""
+    parts = np.array([[1.0 + 0j], [share - 1.0]])
+    left = spectra.total(Spectrum(np.array([1.0]), parts, 1j * parts))
+    assert left.forward[0] == pytest.approx(share, rel=1e-3)
+    assert left.backward[0] == pytest.approx(1j * share, rel=1e-3)
+
+
+def test_angles_that_are_nearly_equal_steps_are_taken_as_they_are() -> None:
+    angles = np.arange(16) * (2 * np.pi / 16)
+    moved = angles + np.where(np.arange(16) == 5, 1e-10, 0.0)
+    wave = spectra.real_signal(np.array([7.0]), np.array([1.0 + 0j]))
+    change = (spectra.value(wave, moved) - spectra.value(wave, angles)).real
+    expected = np.where(np.arange(16) == 5, -7e-10 * np.sin(7 * angles), 0.0)
+    assert change == pytest.approx(expected, abs=1e-14)
+
+
+@pytest.mark.parametrize("at_most", [greatest.POINTS_AT_MOST, 1])
 def test_the_peak_may_lie_halfway_between_two_samples(
     at_most: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """cos n(x - d), halfway, is sampled at cos(pi n/samples) of its peak; a low wave is on one."""
-    monkeypatch.setattr(spectra, "POINTS_AT_MOST", at_most)
+    monkeypatch.setattr(greatest, "POINTS_AT_MOST", at_most)
     order, scale = 60, 0.9999
-    samples = spectra._steps(order)
+    samples = greatest._steps(order)
     late, least = np.pi / samples, np.cos(np.pi * order / samples)
     low = (1 - least) / 2  # a crest on a sample far away stands above the samples about the peak
     orders = np.array([1.0, order - 1.0, order])
