@@ -200,6 +200,8 @@ def test_a_key_in_the_wrong_table_is_told_where_it_belongs() -> None:
         "is not a key of this table; it belongs at the top of the file, above the first [table]"
     )
     assert codes('stroke = "82.5 mm"\n' + SHORT)["stroke"] == "key.belongs-in"
+    bearings = '[oil.main]\ndiameter = "60 mm"\nlength = "20 mm"\nwidth = "20 mm"\n'
+    assert codes(SHORT + bearings)["oil.main.width"] == "key.unknown"
 
 
 def test_tables_of_a_list_are_called_by_one_name_only() -> None:

@@ -201,7 +201,7 @@ def _unknown_key(path: Path, model: type[Record]) -> Fault:
     near = _near(key, keys)
     if near:
         return Fault(path, "key.misspelt", {"meant": f'"{near}"'})
-    if home:
+    if home and len(table) == 1:  # what is of a part, as the width of a bearing, is of no table
         return Fault(path, "key.belongs-in", {"table": home, "path": f"{home}.{key}"})
     return Fault(path, "key.unknown", {"keys": keys})
 
