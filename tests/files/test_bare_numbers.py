@@ -14,7 +14,7 @@ from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.quantities import Quantity
 from crankstar.engine.records import Record
 from crankstar.engine.torsion import Chain
-from crankstar.files import EngineFileError, units
+from crankstar.files import EngineFileError, bare_numbers, units
 from crankstar.files.chains import chain_of
 from crankstar.files.forms import quantity_of, short_form
 from crankstar.language.faults import ValueFaultError
@@ -61,10 +61,10 @@ def test_the_walk_over_keys_with_a_dimension_meets_each_part_of_an_engine() -> N
 def test_no_key_takes_a_bare_number_in_silence_beside_a_unit_of_its_own_kind(key: str) -> None:
     quantity = KEYS[key]
     bare = replace(quantity, relative_to=frozenset())
-    given = units.written([("elsewhere", quantity.example, quantity)])
+    given = bare_numbers.written([("elsewhere", quantity.example, quantity)])
     for value in (0.9, "0.9"):
         with pytest.raises(ValueFaultError) as caught:
-            units.reader(frozenset(), written=given)(value, bare)
+            bare_numbers.reader(frozenset(), written=given)(value, bare)
         refused = caught.value.code
         assert refused in ("unit.bare-beside-unit", "unit.bare-beside-one", "unit.missing")
         if refused != "unit.missing":
@@ -73,7 +73,7 @@ def test_no_key_takes_a_bare_number_in_silence_beside_a_unit_of_its_own_kind(key
             assert caught.value.values["absolute"] == f"0.9 {units.si_unit(quantity)}"
             for reading in ("like", "absolute"):
                 assert units.si(caught.value.values[reading], bare) != 0
-    assert units.reader(frozenset(), written=given)(0, bare) == 0
+    assert bare_numbers.reader(frozenset(), written=given)(0, bare) == 0
 
 
 STIFF = {"inertia": "0.03 kg*m^2", "stiffness": "1.2 MN*m/rad", "damping": "2 N*m*s/rad"}
@@ -126,8 +126,8 @@ def test_of_two_readings_only_the_one_that_can_be_meant_is_advised(
     keys = {"kg": "Disc.inertia", "mm": "Cylinder.bore", "rad": "Torsion.stiffness"}
     quantity = next(KEYS[key] for unit, key in keys.items() if unit in beside)
     bare = replace(quantity, relative_to=frozenset())
-    given = units.written([("elsewhere", beside, quantity)])
+    given = bare_numbers.written([("elsewhere", beside, quantity)])
     with pytest.raises(ValueFaultError) as caught:
-        units.reader(frozenset(), written=given)(value, bare)
+        bare_numbers.reader(frozenset(), written=given)(value, bare)
     assert caught.value.code == "unit.bare-beside-one"
     assert caught.value.values["reading"] == reading

@@ -115,8 +115,8 @@ COMMANDS = (
 OF_FOUR = ("guide", "mounts")
 """What answers of one row of cylinders, and of an engine on mounts, alone."""
 UNITS = {"1000..3000/3": "1000..3000 rpm/3", "1500": "1500 rpm", "2000": "2000 rpm"}
-UNITS |= {"2:speed=2000": "2:speed=2000 rpm"}
-UNITS |= {"cylinder.rod_length=140..160/3": "cylinder.rod_length=140..160 mm/3"}
+UNITS.update({"2:speed=2000": "2:speed=2000 rpm"})
+UNITS.update({"cylinder.rod_length=140..160/3": "cylinder.rod_length=140..160 mm/3"})
 DERIVED = {
     "Force by the vector stars": "force over m r w^2 A_k, of which `harmonic` is in JSON",
     "Couple by the vector stars": "the same of the couple",

@@ -41,14 +41,26 @@ def two(engine, other): return "x"
 def text(engine): return engine.name
 """
 ANALYSES = {"a": "nowhere:x", "three": "bad_adds:THREE", "lost": "bad_adds:LOST"}
-ANALYSES |= {"renamed": "bad_adds:RENAMED", "torque": "bad_adds:THREE", "zero": "bad_zero:x"}
+ANALYSES.update({"renamed": "bad_adds:RENAMED", "torque": "bad_adds:THREE", "zero": "bad_zero:x"})
 LAYOUTS = {"gone": "nowhere.at:all", "three": "bad_adds:THREE", "inline": "bad_adds:lay"}
-LAYOUTS |= {
-    name: f"bad_adds:{name}"
-    for name in ("noannot", "untyped", "anything", "mess", "odd", "typed", "raises", "wrong", "lay")
-}
+LAYOUTS.update(
+    {
+        name: f"bad_adds:{name}"
+        for name in (
+            "noannot",
+            "untyped",
+            "anything",
+            "mess",
+            "odd",
+            "typed",
+            "raises",
+            "wrong",
+            "lay",
+        )
+    }
+)
 EXPORTS = {"gone": "nowhere:x", "three": "bad_adds:THREE", "exudyn": "bad_adds:text"}
-EXPORTS |= {name: f"bad_adds:{name}" for name in ("crash", "none", "lone", "two", "text")}
+EXPORTS.update({name: f"bad_adds:{name}" for name in ("crash", "none", "lone", "two", "text")})
 
 
 @pytest.fixture

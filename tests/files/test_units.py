@@ -30,7 +30,7 @@ from crankstar.engine.quantities import (
     SPEED,
     Quantity,
 )
-from crankstar.files import units
+from crankstar.files import bare_numbers, units
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.units import ANGLES, DEFINITIONS, definitions, measured
 
@@ -370,7 +370,7 @@ def test_anything_but_text_gives_a_finite_number_or_a_sentence(
 
 def test_a_place_may_be_as_near_to_nought_as_rounding_brings_it() -> None:
     assert units.si("-6.9e-15 mm", POSITION) == pytest.approx(-6.9e-18)
-    assert units.reader(frozenset({"radius", "pitch"}))(-6.9e-18, POSITION) == -6.9e-18
+    assert bare_numbers.reader(frozenset({"radius", "pitch"}))(-6.9e-18, POSITION) == -6.9e-18
     with pytest.raises(ValueError, match="too small for an engine"):
         units.si("6.9e-15 mm", SIZE)
 
@@ -416,7 +416,7 @@ def test_no_size_of_an_engine_may_be_next_to_nothing() -> None:
 
 
 def test_what_is_not_known_is_counted_in_itself() -> None:
-    read = units.reader(frozenset({"radius"}))
+    read = bare_numbers.reader(frozenset({"radius"}))
     assert read(4, LENGTH) == read("4", LENGTH) == 4
     assert read("0 mm", LENGTH) == 0
     assert read("650 g", MASS) == 0.65
@@ -427,7 +427,7 @@ def test_what_is_not_known_is_counted_in_itself() -> None:
     )
     for value, because, code in cases:
         with pytest.raises(ValueFaultError) as error:
-            units.reader(frozenset({"radius"}), because=because)(value, LENGTH)
+            bare_numbers.reader(frozenset({"radius"}), because=because)(value, LENGTH)
         assert error.value.code == code
 
 

@@ -37,7 +37,7 @@ _AROUND = {
 }
 """The edges of a cell that a line joins, by the corners (1, 2, 4, 8) that lie above the level."""
 _SADDLES = {(5, True): ((3, 2), (1, 0)), (5, False): ((3, 0), (1, 2))}
-_SADDLES |= {(10, True): ((0, 3), (2, 1)), (10, False): ((0, 1), (2, 3))}
+_SADDLES.update({(10, True): ((0, 3), (2, 1)), (10, False): ((0, 1), (2, 3))})
 """The same where opposite corners lie above, by whether the middle does as well."""
 
 Point = tuple[float, float]

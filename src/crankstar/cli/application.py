@@ -85,7 +85,7 @@ app = App(
 app.register_install_completion_command(
     COMPLETION, help="Install completion of commands and options in this shell."
 )
-VERBS |= {name: f"analyses:{name}" for name in ANALYSES}
+VERBS.update({name: f"analyses:{name}" for name in ANALYSES})
 for _verb, _place in sorted(VERBS.items()):
     app.command(f"crankstar.cli.{_place}", name=_verb)
 

@@ -4,6 +4,7 @@
 |---|---|
 | `plus_minus` | a value and its tolerance, as texts |
 | `units` | text with a unit to an SI number, and back |
+| `bare_numbers` | numbers without a unit: what they are counted in, and which are refused |
 | `forms` | the short and the explicit form as records |
 | `errors` | the error of a file |
 | `mistakes` | validation errors as faults; a corrected copy of a tree |

@@ -9,7 +9,7 @@ from pydantic import ValidationError
 
 from crankstar.engine.torsion import Chain
 from crankstar.engine.torsion_checks import chain_faults
-from crankstar.files import units
+from crankstar.files import bare_numbers
 from crankstar.files.errors import EngineFileError
 from crankstar.files.mistakes import Tree, faults_of, mended
 from crankstar.files.references import written_units
@@ -48,8 +48,9 @@ def chain_of(tree: Tree, *, name: str = "the chain") -> Chain:
     >>> chain_of({"name": "fan drive", "disc": discs}).discs[1].stiffness
     6.0
     """
-    context = {"reader": units.reader(frozenset())}  # of mended copies, whose numbers are bare
-    strict = {"reader": units.reader(frozenset(), written=written_units(tree, Chain))}
+    # of mended copies, whose numbers are bare
+    context = {"reader": bare_numbers.reader(frozenset())}
+    strict = {"reader": bare_numbers.reader(frozenset(), written=written_units(tree, Chain))}
     try:
         chain = Chain.model_validate(tree, context=strict, by_alias=True, by_name=False)
     except ValidationError as error:

@@ -21,7 +21,7 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.records import Record
-from crankstar.files import units
+from crankstar.files import bare_numbers
 from crankstar.files.chains import is_drive_line
 from crankstar.files.changes import changed, throw_angles, with_weights_along
 from crankstar.files.errors import EngineFileError
@@ -200,7 +200,7 @@ def _built(
     because: Literal["unknown", "relative"],
 ) -> _Draft:
     """Check a tree against its record and build the engine; corrected copies find more faults."""
-    reader = partial(units.reader, relative, because=because)
+    reader = partial(bare_numbers.reader, relative, because=because)
     context = {"reader": reader()}  # of corrected copies, whose numbers are bare
     given = written_units(tree, model)
     strict = {"reader": reader(measured=measured_scales(tree), written=given)}

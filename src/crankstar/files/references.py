@@ -3,7 +3,7 @@
 Without a bore pitch lengths along the crankshaft are in bore pitches, without a stroke lengths in
 crank radii, without a mass masses in that of a piston. A change that gives such a size leaves the
 numbers what they were; beside a size that has a unit a bare number that may be counted in it is
-refused (`units.reader`).
+refused (`bare_numbers.reader`).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from typing import Any
 from crankstar.engine.basis import Sizes
 from crankstar.engine.quantities import LENGTH, MASS
 from crankstar.engine.records import Record
-from crankstar.files import units
+from crankstar.files import bare_numbers, units
 from crankstar.files.forms import field_at, form_of, is_explicit, quantity_of
 from crankstar.files.mistakes import Path as KeyPath
 from crankstar.files.mistakes import Tree
@@ -67,9 +67,9 @@ def measured_scales(tree: Tree) -> dict[str, tuple[str, float]]:
     return _sizes(tree, with_unit=True)
 
 
-def written_units(tree: Tree, form: type[Record]) -> dict[str, units.Written]:
+def written_units(tree: Tree, form: type[Record]) -> dict[str, bare_numbers.Written]:
     """The values that a file gives with a unit, the first of each dimension."""
-    return units.written(
+    return bare_numbers.written(
         (where(path), value, quantity)
         for table, key, path in _leaves(tree)
         if isinstance(value := table[key], str) and path[0] != "provenance"
@@ -156,11 +156,11 @@ def absolute(tree: Tree, sizes: Mapping[str, float], *, but: Collection[KeyPath]
             continue
         counted = quantity.relative_to & sizes.keys()
         if isinstance(value, str):
-            rest = units.remaining(quantity, counted)
+            rest = bare_numbers.remaining(quantity, counted)
             if rest is None or not units.is_of(value, rest):
                 continue
             value = units.si(value, rest)
-        powers = units.POWERS.get(quantity.dimension, {})
+        powers = bare_numbers.POWERS.get(quantity.dimension, {})
         factor = prod(sizes[unit] ** powers.get(unit, 1) for unit in counted)
         if counted:
             table[key] = units.text(value * factor, quantity)

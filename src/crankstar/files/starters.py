@@ -63,9 +63,9 @@ _FOUR = {
     "stroke": "82.5 mm",
     "rod": "146 mm",
 }
-_FOUR |= {"valves": "valves, before and after their dead centres"}
-_FOUR |= {"io": "15 deg", "ic": "50 deg", "eo": "50 deg", "ec": "15 deg"}
-_FOUR |= {"mass": "650 g", "rotating": "700 g", "speed": "6000 rpm"}
+_FOUR.update({"valves": "valves, before and after their dead centres"})
+_FOUR.update({"io": "15 deg", "ic": "50 deg", "eo": "50 deg", "ec": "15 deg"})
+_FOUR.update({"mass": "650 g", "rotating": "700 g", "speed": "6000 rpm"})
 _TWO = {
     "cycle": "two-stroke",
     "other": "four-stroke",
@@ -73,9 +73,9 @@ _TWO = {
     "stroke": "54.4 mm",
     "rod": "110 mm",
 }
-_TWO |= {"valves": "ports, before and after bottom dead centre"}
-_TWO |= {"io": "60 deg", "ic": "60 deg", "eo": "85 deg", "ec": "85 deg"}
-_TWO |= {"mass": "280 g", "rotating": "300 g", "speed": "10000 rpm"}
+_TWO.update({"valves": "ports, before and after bottom dead centre"})
+_TWO.update({"io": "60 deg", "ic": "60 deg", "eo": "85 deg", "ec": "85 deg"})
+_TWO.update({"mass": "280 g", "rotating": "300 g", "speed": "10000 rpm"})
 _STAR = {
     **_FOUR,
     "bore": "146 mm",

@@ -12,7 +12,7 @@ from pydantic import TypeAdapter
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.records import Record
-from crankstar.files import units
+from crankstar.files import bare_numbers, units
 from crankstar.files.changes import keys_of
 from crankstar.files.forms import field_at, quantity_of, short_form
 
@@ -116,7 +116,7 @@ def _written(value: Any, quantity: Any, relative: frozenset[str]) -> Any:
         return {key: _written(item, None, relative) for key, item in value.items()}
     if quantity is not None:
         missing = quantity.relative_to & relative
-        known = units.remaining(quantity, missing) if missing else quantity
+        known = bare_numbers.remaining(quantity, missing) if missing else quantity
         if known is not None:
             return units.text(value, known)
     if isinstance(value, float):

@@ -244,7 +244,7 @@ def _units(given: Any) -> str:
 
 def _planes(given: Any, engine: Engine) -> list[float]:
     """Places along the shaft: metres, or text with a unit. Raises TypeError, ValueError."""
-    from crankstar.files import units
+    from crankstar.files import bare_numbers
 
     listed = isinstance(given, Iterable) and not isinstance(given, str | bytes | Mapping)
     parts: list[Any] = [*given] if listed else [None]
@@ -260,7 +260,7 @@ def _planes(given: Any, engine: Engine) -> list[float]:
     for part in parts:
         if not isinstance(part, str):
             check_place("planes", part)
-    read_place = units.reader(frozenset(engine.relative))
+    read_place = bare_numbers.reader(frozenset(engine.relative))
     try:
         return [
             read_place(part, POSITION) if isinstance(part, str) else float(part) for part in parts

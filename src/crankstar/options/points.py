@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import LEAST, LENGTH, POSITION, Quantity
-from crankstar.files import units
+from crankstar.files import bare_numbers, units
 from crankstar.language.messages import _
 from crankstar.language.quoting import seen
 from crankstar.mechanics.excitation import Reference
@@ -99,7 +99,7 @@ def places(
     relative = frozenset[str]() if engine is None else frozenset(engine.relative)
     if engine is not None and along_in_radii(engine):
         marks = [replace(mark, relative_to=LENGTH.relative_to) for mark in marks]
-    read = units.reader(relative)
+    read = bare_numbers.reader(relative)
     values: list[float] = []
     for part, mark in zip(parts, marks, strict=False):
         if engine is None and units.is_bare(part):

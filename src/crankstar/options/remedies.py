@@ -11,7 +11,7 @@ from typing import cast, get_args
 from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import COUPLE, FORCE, LENGTH, UNBALANCE
-from crankstar.files import units
+from crankstar.files import bare_numbers, units
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.mechanics.balance import scales, unit_unbalance
@@ -216,7 +216,7 @@ def unbalance(option: str, text: str | None, engine: Engine) -> float | None:
     if text is None:
         return None
     with reading(option):
-        value = units.reader(frozenset(engine.relative))(text, UNBALANCE)
+        value = bare_numbers.reader(frozenset(engine.relative))(text, UNBALANCE)
     if not value > 0:
         raise not_positive(option, text, UNBALANCE)
     return value / unit_unbalance(engine)

@@ -184,7 +184,7 @@ def orders(text: str | None, present: list[float]) -> list[float] | None:
         return None
     if text.strip() == "all":
         return present
-    printed = {number_text(order): order for order in present}
+    printed = {str(number_text(order)): order for order in present}
     values = zip(listed(text), fractions(text, most=200), strict=False)
     wanted = [printed.get(part, float(order)) for part, order in values]
     if not wanted or not all(0 < order <= 1000 for order in wanted):
