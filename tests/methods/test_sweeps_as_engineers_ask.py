@@ -19,7 +19,7 @@ from crankstar.files.forms import form_of
 from crankstar.mechanics.balance import balance, total
 from crankstar.studies.best_pair import best_pair
 from crankstar.studies.best_value import best
-from crankstar.studies.fields import _numeric
+from crankstar.studies.numeric_keys import _numeric
 from crankstar.studies.sweep import sweep, watched
 from crankstar.studies.variants import SweepError
 from crankstar.tables.field_names import NAMES

@@ -19,7 +19,7 @@ from crankstar.files.forms import is_explicit
 from crankstar.files.plus_minus import nominal
 from crankstar.language.messages import _
 from crankstar.page.workshop_records import Control, Setting
-from crankstar.studies.fields import BANK_ANGLE
+from crankstar.studies.numeric_keys import BANK_ANGLE
 
 GREATEST_TO_BALANCE = 3
 """Cylinders up to which a balance factor is worth a slider in every engine."""

@@ -4,6 +4,7 @@
 |---|---|
 | `variants` | many variants of an engine at once, as arrays |
 | `grids` | engines over two of their numbers at once |
+| `numeric_keys` | the key paths of the numbers of a file, and why one cannot be varied |
 | `fields` | the values of an engine file by key path, and the engine as a function of some |
 | `ranges` | the values of a sweep, read from text |
 | `sums` | the sums of batches of engines, over speeds and closed ranges |
