@@ -32,7 +32,7 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `mechanics/` | excitation by cause: inertia, gas; what counts as zero, which orders are shown |
 | `firing/` | firing orders and intervals, given or found; strokes, exhaust; V engines |
 | `engine/` | records, what makes them valid, quantities, layouts, motion, changed copies |
-| `spectra` | sums over crank order: add, shift, scale, evaluate, ellipse, peak |
+| `spectra/` | sums over crank order: add, shift, scale, evaluate, ellipse, peak |
 | `language/` | wording: numbers as text, messages, translations, the sentence for each fault |
 
 >>> import crankstar
