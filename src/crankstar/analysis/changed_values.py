@@ -209,11 +209,11 @@ def point_value(name: str, gas: Cycle | None, number: int | None = None) -> Vary
         assert own is not None  # noqa: S101  # a cycle was computed
         points = [
             with_values(point, **{name: getattr(point, name) * factor})
-            if place == (number or place)
+            if index == (number or index)
             and point.name in names
             and getattr(point, name) is not None
             else point
-            for place, point in enumerate(own.points, 1)
+            for index, point in enumerate(own.points, 1)
         ]
         return with_values(engine, gas=with_values(own, points=tuple(points)))
 

@@ -105,7 +105,7 @@ class Table:
     @property
     def readable(self) -> Table:
         """The table without the columns that are for machines."""
-        kept = [place for place, column in enumerate(self.columns) if not column.machine]
+        kept = [index for index, column in enumerate(self.columns) if not column.machine]
         columns = tuple(self.columns[place] for place in kept)
         rows = tuple(tuple(row[place] for place in kept) for row in self.rows)
         return replace(self, columns=columns, rows=rows)

@@ -70,8 +70,8 @@ def balance_shaft_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
     rows: list[list[Panel]] = [[_front(engine, own, theta)]]
     zero = default_reference(engine).z
     ends = [balance_shafts(each) for each in ends_of(engine)]
-    for place, shaft in enumerate(own):
-        words = _words(engine, shaft, [end[place] for end in ends])
+    for index, shaft in enumerate(own):
+        words = _words(engine, shaft, [end[index] for end in ends])
         rows.append([shaft_panel(engine, shaft, along, zero, name=words)])
     about = heading(engine)
     if own:

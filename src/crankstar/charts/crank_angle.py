@@ -32,7 +32,7 @@ def angle_ticks(*, low: float, high: float) -> list[float]:
     """
     step = next((n for n in STEPS if (high - low) / n <= MOST_TICKS), (high - low) / 4)
     first, last = ceil(low / step - 1e-9), floor(high / step + 1e-9)
-    return [place * step for place in range(first, last + 1)]
+    return [index * step for index in range(first, last + 1)]
 
 
 def at_theta(turns: int, **formulas: str) -> Layer:

@@ -41,8 +41,8 @@ def front_key(points: FrontPoints) -> Panel:
         *(_text(name, end, 0, "right") for name, end in zip(names, ends[1:], strict=True)),
     ]
     line = 1.3
-    for place, (order, row) in enumerate(zip(orders, cells, strict=True), 1):
-        texts += [_text(str(place), -10, line, "right")]
+    for index, (order, row) in enumerate(zip(orders, cells, strict=True), 1):
+        texts += [_text(str(index), -10, line, "right")]
         texts += [_text(text, end, line, "right") for text, end in zip(row, ends[1:], strict=True)]
         texts += [_text(part, 0, line + further) for further, part in enumerate(order)]
         line += len(order)

@@ -124,7 +124,7 @@ def _front_panel(
     shown = range(len(points)) if len(points) <= MOST_DRAWN else _seen(points, across, upward)
     rows = [_row(own, place, across, upward) for place in shown]
     hints = [field("row:N", title=_("row")), field("order:N", title=_("firing order"))]
-    hints += [field(f"value{place}:Q", title=head.title) for place, head in enumerate(heads)]
+    hints += [field(f"value{index}:Q", title=head.title) for index, head in enumerate(heads)]
     dots = of_rows(rows).mark("point", **DISC, size=DOT)
     layers.append(dots.encode(x=x, y=y, color=_colour(heads, rows), tooltip=hints))
     numbers, leaders = point_numbers(rows, steps, across, upward)
@@ -198,4 +198,4 @@ def _steps(
     for (_left, above), (x, y) in pairwise(best):
         corners += [(x, above), (x, y)]
     corners.append((across.high, best[-1][1]))
-    return [{**_spot(spot, across, upward), "at": place} for place, spot in enumerate(corners)]
+    return [{**_spot(spot, across, upward), "at": index} for index, spot in enumerate(corners)]

@@ -198,10 +198,10 @@ def _contour_layers(
 ) -> list[Layer]:
     """The lines, and over them their values."""
     points = [
-        {"x": a, "y": b, "line": f"{contour.level:g}/{piece}", "at": place}
+        {"x": a, "y": b, "line": f"{contour.level:g}/{piece}", "at": index}
         for contour in lines
         for piece, own in enumerate(contour.pieces)
-        for place, (a, b) in enumerate(own)
+        for index, (a, b) in enumerate(own)
     ]
     labels = [
         {"x": a, "y": b, "text": number(contour.level)}
@@ -257,7 +257,7 @@ def _front_panel(curves: Sequence[Curve], front: Sequence[Unbeaten]) -> Panel:
     corners = [{"x": right["x"], "y": left["y"]} for left, right in pairwise(best)]
     steps = [point for pair in zip(best, corners, strict=False) for point in pair] + best[-1:]
     if len(steps) > 1:
-        line = of_rows([{**point, "at": place} for place, point in enumerate(steps)])
+        line = of_rows([{**point, "at": index} for index, point in enumerate(steps)])
         style = {"color": BLUE, "strokeWidth": 1.3}
         layers.append(line.mark("line", **style).encode(x=x, y=y, order=field("at:Q")))
     dots = of_rows(best).mark("point", **DISC, size=40)

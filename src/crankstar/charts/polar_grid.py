@@ -58,7 +58,7 @@ def polar_grid(reach: float, *, side: float) -> Grid:
     _outer, count, step = min(
         (round(step * count, 9), count, step) for step, count in counts if FEWEST <= count <= MOST
     )
-    radii = tuple(float(f"{step * power * place:.9g}") for place in range(1, count + 1))
+    radii = tuple(float(f"{step * power * index:.9g}") for index in range(1, count + 1))
     half = side / 2
     scale = (half - AROUND) / radii[-1]
     return Grid(Frame(-half / scale, half / scale, -half / scale, half / scale, scale), radii)

@@ -92,8 +92,8 @@ def _over_angle(found: Cycle) -> Panel:
     theta = np.arange(SAMPLES) * (found.volumes.cycle / SAMPLES)
     chambers = _different(found)
     lines = [
-        Line(name, PALETTE[place % len(PALETTE)], 2.0, found.pressure[row])
-        for place, (name, row) in enumerate(chambers)
+        Line(name, PALETTE[index % len(PALETTE)], 2.0, found.pressure[row])
+        for index, (name, row) in enumerate(chambers)
     ]
     return over_angle(
         theta, lines, title=N_("pressure ({unit})"), unit="Pa", height=200, legend=len(lines) > 1

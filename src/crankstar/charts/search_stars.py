@@ -38,8 +38,8 @@ def best_stars(answer: Answer, *, count: int = SHOWN, theta: float = 0.0) -> Cha
             _("{count} stars do not fit in a figure; give 1 to {most}", count=count, most=MOST)
         )
     theta = checked_angle(theta)
-    panels = [_panel(answer, place, theta) for place in range(min(count, len(answer.rows)))]
-    rows = [panels[place : place + 2] for place in range(0, len(panels), 2)]
+    panels = [_panel(answer, index, theta) for index in range(min(count, len(answer.rows)))]
+    rows = [panels[index : index + 2] for index in range(0, len(panels), 2)]
     subtitle = [engine_text(answer.question.stars)]
     if len(panels) < len(answer.rows):
         subtitle.append(_("{shown} of {count} stars", shown=len(panels), count=len(answer.rows)))
@@ -66,4 +66,4 @@ def _panel(answer: Answer, place: int, theta: float) -> Panel:
 
 def _pairs(values: list[str]) -> list[str]:
     """Values, two on a line."""
-    return [", ".join(values[place : place + 2]) for place in range(0, len(values), 2)]
+    return [", ".join(values[index : index + 2]) for index in range(0, len(values), 2)]

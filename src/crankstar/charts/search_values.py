@@ -91,8 +91,8 @@ def units_text(heads: Sequence[Column]) -> str:
 def order_lines(order: Sequence[int], *, width: float) -> list[str]:
     """A firing order in lines of this width, px; all but the last end in a dash."""
     lines = [""]
-    for place, cylinder in enumerate(order, 1):
-        piece = f"{cylinder}-" if place < len(order) else str(cylinder)
+    for number, cylinder in enumerate(order, 1):
+        piece = f"{cylinder}-" if number < len(order) else str(cylinder)
         if lines[-1] and text_width(lines[-1] + piece, SMALL) > width:
             lines.append("")
         lines[-1] += piece

@@ -70,7 +70,7 @@ def swept(
     units = list(dict.fromkeys(curve.unit for curve in curves))
     panels: list[Panel] = []
     for unit in units:
-        own = [place for place, curve in enumerate(curves) if curve.unit == unit]
+        own = [index for index, curve in enumerate(curves) if curve.unit == unit]
         said = shown(unit, max(curves[place].top for place in own))
         areas = [
             row
@@ -171,7 +171,7 @@ def _panel(
     colour = field("what:N", scale=colours, legend=legend)
     ways = {"x": x, "y": y, "color": colour}
     if len(names) > len(PALETTE):  # the colours come again, with dashes
-        dashes = [DASHES[place // len(PALETTE) % len(DASHES)] for place in range(len(names))]
+        dashes = [DASHES[index // len(PALETTE) % len(DASHES)] for index in range(len(names))]
         scale = {"domain": names, "range": dashes}
         ways["strokeDash"] = field("what:N", scale=scale, legend=legend)
     layers = [lines.encode(**ways)]

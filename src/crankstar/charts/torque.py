@@ -201,7 +201,7 @@ def _loads(engine: Engine, found: Cycle) -> list[Panel]:
 def _orders(engine: Engine, found: Cycle) -> list[Panel]:
     waves = by_order(engine, found, gas_torque(found))
     highest = max(HIGHEST, firing_rate(engine))
-    kept = [place for place, order in enumerate(waves.orders) if order <= highest]
+    kept = [index for index, order in enumerate(waves.orders) if order <= highest]
     series = [(_("gas"), BLUE, waves.gas)]
     if waves.inertia is not None:
         series += [(_("inertia"), GREEN, waves.inertia), (_("together"), GREY, waves.total)]

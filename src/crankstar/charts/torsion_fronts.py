@@ -59,9 +59,9 @@ def sequence_stars(front: SequenceFront, *, count: int = SHOWN) -> Chart:
     goals = [one for goal in front.question.goals for one in goal.sums if one.kind == "T"]
     torsions = list(dict.fromkeys(goals))
     rows: list[list[Panel]] = []
-    for place in range(shown):
-        fired = front.points[place].fired
-        panels = [_star(points, place, front.question.shaft, fired)]
+    for index in range(shown):
+        fired = front.points[index].fired
+        panels = [_star(points, index, front.question.shaft, fired)]
         panels += [_vectors(one, front.question.shaft, fired) for one in torsions]
         rows += [panels[at : at + ACROSS] for at in range(0, len(panels), ACROSS)]
     subtitle = [points.engine]

@@ -50,10 +50,10 @@ def _panel(diagram: Diagram, reach: float) -> Panel:
     strokes = list(ground(grid, ()))
     arrows: list[Arrow] = []
     labels: list[Label] = []
-    for place, each in enumerate(diagram.vectors):
+    for index, each in enumerate(diagram.vectors):
         if abs(each.vector) <= 1e-9 * reach:
             continue
-        colour = COLOURS[place % len(COLOURS)]
+        colour = COLOURS[index % len(COLOURS)]
         arrows.append(Arrow(each.vector, colour=colour))
         way = each.vector / abs(each.vector)
         labels.append(Label(each.name, each.vector, way, colour=colour, size=SMALL))

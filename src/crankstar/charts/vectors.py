@@ -181,8 +181,8 @@ def _names(engine: Engine, result: Balance) -> dict[tuple[str, str], list[int]]:
             out[str(cylinder), kind] = rows
             continue
         own = f"{shaft} " if several or not engine.shaft(shaft).throws else ""
-        for place, row in enumerate(rows, 1):
-            counted = "" if len(rows) == 1 else f" {place}"
+        for index, row in enumerate(rows, 1):
+            counted = "" if len(rows) == 1 else f" {index}"
             out[f"{own}{_(NAMES[kind])}{counted}", kind] = [row]
     return out
 

@@ -68,11 +68,11 @@ def _taken(words: list[str], names: Sequence[str], variable: str) -> tuple[str, 
     given = [word for word in words if word.partition("=")[0] in names]
     if len(given) > 1:
         raise RequestError("{option} stands twice; give it once", option=given[1].partition("=")[0])
-    for place, word in enumerate(words):
+    for index, word in enumerate(words):
         option, equals, value = word.partition("=")
         if option in names:
-            value = value if equals else "".join(words[place + 1 : place + 2])
-            del words[place : place + (1 if equals else 2)]
+            value = value if equals else "".join(words[index + 1 : index + 2])
+            del words[index : index + (1 if equals else 2)]
             return option, value
     return variable, os.environ.get(variable) or None
 
@@ -95,7 +95,7 @@ def spelt_out(arguments: Sequence[str]) -> list[str]:
     ]
     if words.count(STANDARD_INPUT) > 1:
         raise RequestError("- is standard input, which can be read only once; name a file instead")
-    for place in [place for place, word in enumerate(words) if word == "--shafts"][:1]:
+    for place in [index for index, word in enumerate(words) if word == "--shafts"][:1]:
         following = words[place + 1] if place + 1 < len(words) else "-o"
         if following.startswith("-") and following != "-" and not following[1:2].isdigit():
             words.insert(place + 1, NEEDED)

@@ -228,10 +228,10 @@ def _turning(
     engine: Engine, shaft: Shaft, *, exact: bool
 ) -> Iterator[tuple[Kind, int, float, float, int | None]]:
     """Kind, place, angle, mass moment and cylinder of what turns with a shaft."""
-    for place, throw in enumerate(shaft.throws, 1):
-        yield "throw", place, throw.angle, throw.turning_mass * throw.radius, None
-    for place, weight in enumerate(shaft.weights, 1):
-        yield "weight", place, weight.angle, weight.unbalance, None
+    for number, throw in enumerate(shaft.throws, 1):
+        yield "throw", number, throw.angle, throw.turning_mass * throw.radius, None
+    for number, weight in enumerate(shaft.weights, 1):
+        yield "weight", number, weight.angle, weight.unbalance, None
     for cylinder in engine.cylinders if exact else ():
         if cylinder.shaft == shaft.name:
             throw, mass = engine.throw(cylinder), cylinder.rotating

@@ -265,11 +265,11 @@ def proofs(before: Engine, after: Engine) -> list[Chapter]:
     if added and _turning_with_crank(bare) and not _turning_with_crank(after):
         planes = sorted({weight.z for weight in added}, reverse=True)
         chapters.append(cure(bare, ratio=1, planes=planes).chapter)
-    for place, shaft in enumerate(after.shafts[count:], count):
+    for number, shaft in enumerate(after.shafts[count:], count):
         # Only what turns as this shaft does adds to its vector; weights that do not would only
         # bring their decimals.
         alike = tuple(
-            other for other in after.shafts[count:place] if other.speed_ratio == shaft.speed_ratio
+            other for other in after.shafts[count:number] if other.speed_ratio == shaft.speed_ratio
         )
         base = after if shaft.speed_ratio == 1 else bare
         without = with_values(base, shafts=(*base.shafts[:count], *alike))

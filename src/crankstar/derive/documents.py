@@ -209,9 +209,9 @@ def _rows(line: Line) -> Iterator[tuple[bool, bool, bool, Formula]]:
 
     Whether the row has the name on its left, an equals sign, a plus sign, and its formula.
     """
-    for place, formula in enumerate(line.chain):
+    for index, formula in enumerate(line.chain):
         for row, piece in enumerate(_pieces(formula)):
-            yield place == row == 0, row == 0, row > 0 and not typeset.negative(piece), piece
+            yield index == row == 0, row == 0, row > 0 and not typeset.negative(piece), piece
 
 
 def aligned(line: Line) -> str:

@@ -69,7 +69,7 @@ def exact_exhaust_orders(
     step = Fraction(360) / Fraction(fired.cycle_deg).limit_denominator(1000)
     count = int(highest / step + Fraction(1, 10**9))
     return tuple(
-        _order(group, step * place, parts) for group in groups for place in range(1, count + 1)
+        _order(group, step * index, parts) for group in groups for index in range(1, count + 1)
     )
 
 

@@ -60,8 +60,8 @@ def arms(engine: Engine, reference: Reference | None = None) -> Arms:
     for shaft in engine.shafts:
         for index, weight in enumerate(shaft.weights, 1):
             beside = (
-                throws[shaft.name, place]
-                for place, throw in enumerate(shaft.throws, 1)
+                throws[shaft.name, number]
+                for number, throw in enumerate(shaft.throws, 1)
                 if abs(throw.z - weight.z) < SAME_PLACE * pitch
             )
             weights[shaft.name, index] = next(beside, _multiple((weight.z - centre) / pitch))
@@ -120,7 +120,7 @@ def _cylinders(engine: Engine, pitch: float) -> tuple[dict[int, Form], dict[Symb
     names = (
         [Symbol("b")]
         if len(sizes) == 1
-        else [Symbol("b", str(place)) for place in range(1, len(sizes) + 1)]
+        else [Symbol("b", str(index)) for index in range(1, len(sizes) + 1)]
     )
     exact = {round(abs(shift), 9): abs(shift) for shift in shifts}
     values = {PITCH[0]: Fraction(1)} | {

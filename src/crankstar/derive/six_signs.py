@@ -106,13 +106,13 @@ def _rotating(engine: Engine, placed: Arms) -> list[Sign]:
         loads[cylinder.throw - 1] += cylinder.rotating * engine.throw(cylinder).radius
     greatest = max(loads)
     vectors: list[tuple[Wave, tuple[str, int]]] = []
-    for place, throw in enumerate(shaft.throws, 1):
+    for number, throw in enumerate(shaft.throws, 1):
         turn = rational.turn(throw.angle)
-        share = rational.ratio(loads[place - 1] / greatest) if greatest else Fraction(1)
+        share = rational.ratio(loads[number - 1] / greatest) if greatest else Fraction(1)
         where: Amount = enclosure.Ball(enclosure.angle_of(throw.angle, base=shaft.throws[0].angle))
         if exact and turn is not None:
             where = cyclotomic.root(turn)
-        vectors.append(({(): where.times(share)}, (shaft.name, place)))
+        vectors.append(({(): where.times(share)}, (shaft.name, number)))
     force = joined(vector for vector, _ in vectors)
     moment = joined(scaled(vector, placed.throw[key]) for vector, key in vectors)
     return [

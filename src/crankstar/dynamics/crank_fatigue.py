@@ -162,12 +162,12 @@ def crank_fatigue(engine: Engine, found: TorsionAnalysis) -> Fatigue:
     factors: list[dict[str, float]] = []
     order = throws_from_front(crank)
     bent = _bent(engine, crank, order, own.dimensions, radial_forces(engine, found.cycle))
-    for place, (number, web) in enumerate(zip(order, bent, strict=True), 1):
+    for index, (number, web) in enumerate(zip(order, bent, strict=True), 1):
         used = concentrations(own.dimensions, own.fatigue, radius=crank.throws[number - 1].radius)
         factors.append(used)
         nominal = _nominal(own.dimensions, web, two_stroke=engine.cycle == "two-stroke")
         extra = own.fatigue.additional_stress
-        fillets += _fillets(place, own.dimensions, nominal, torsional, used, strengths, extra)
+        fillets += _fillets(index, own.dimensions, nominal, torsional, used, strengths, extra)
     return Fatigue(tuple(fillets), tuple(factors), torsional, _speed(found.cycle))
 
 

@@ -128,8 +128,8 @@ def sound(
             NO_PIPE, number=number, numbers=", ".join(map(str, sorted(engine.firing_order)))
         )
     parts = [
-        (place, length, [number for number in group.chambers if _pipe(ride, number) == length])
-        for place, group in enumerate(groups)
+        (index, length, [number for number in group.chambers if _pipe(ride, number) == length])
+        for index, group in enumerate(groups)
         for length in sorted({_pipe(ride, number) for number in group.chambers})
     ]
     count = round(ride.seconds * RATE)

@@ -92,7 +92,7 @@ def _crank_elements(draft: _Draft, engine: Engine, own: Torsion, cranks: Sequenc
     """The throws of all crankshafts, and the sections between those of each."""
     throws = _numbered(cranks)
     damping = _each(own.damping or (0.0,), len(throws))
-    places = [place for crank in cranks for place in range(1, len(crank.throws) + 1)]
+    places = [index for crank in cranks for index in range(1, len(crank.throws) + 1)]
     for (crank, _number), place, value, lost in zip(
         throws, places, throw_inertias(engine, own), damping, strict=True
     ):

@@ -200,11 +200,11 @@ def holzer(chain: TorsionChain, *, speed: float, order: float = 0.0) -> tuple[Ho
     inertia = chain.inertias([order])[0]
     out: list[HolzerRow] = []
     amplitude = total = 0.0
-    for place, freedom in enumerate(path):
-        amplitude = float(amplitude - total / stiffness[place - 1]) if place else 1.0
+    for index, freedom in enumerate(path):
+        amplitude = float(amplitude - total / stiffness[index - 1]) if index else 1.0
         unit = float(inertia[freedom]) * speed**2
         total += unit * amplitude
-        behind = stiffness[place] if place < len(stiffness) else None
+        behind = stiffness[index] if index < len(stiffness) else None
         names = [n for n, own in zip(chain.names, chain.freedom, strict=True) if own == freedom]
         out.append(
             HolzerRow(

@@ -91,11 +91,11 @@ def _shaft_faults(engine: Assembly) -> Iterator[Fault]:
 
 def _weight_faults(here: tuple[str | int, ...], shaft: Shaft) -> Iterator[Fault]:
     count = len(shaft.throws)
-    for place, weight in enumerate(shaft.weights):
+    for index, weight in enumerate(shaft.weights):
         if weight.throw is not None and weight.throw > count:
             code = "weight.no-such-throw" if count else "weight.no-throws"
             values = {"value": weight.throw, "count": count}
-            yield Fault((*here, "weight", place, "throw"), code, values)
+            yield Fault((*here, "weight", index, "throw"), code, values)
 
 
 def _cylinder_faults(engine: Assembly) -> Iterator[Fault]:

@@ -42,8 +42,8 @@ def equipped(engine: Engine, basis: Basis) -> Engine:
     ):
         here = ("crankshaft", index, "weight")
         wrong = [
-            _weight_faults((*here, place), shaft, weight)
-            for place, weight in enumerate(crankshaft.weights)
+            _weight_faults((*here, index), shaft, weight)
+            for index, weight in enumerate(crankshaft.weights)
         ]
         faults += [fault for own in wrong for fault in own]
         good = [w for w, own in zip(crankshaft.weights, wrong, strict=True) if not own]

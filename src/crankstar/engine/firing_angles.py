@@ -49,7 +49,7 @@ def other_angles(engine: Assembly) -> list[float] | None:
     for number in engine.firing_order[1:]:
         places = _places(centres[number], sets[0][0], engine.cycle_angle)
         sets = [[*each, at] for each in sets for at in places if at - each[-1] > SAME_ANGLE]
-    turns = [[*own[place:], *own[:place]] for place in range(len(own))]
+    turns = [[*own[index:], *own[:index]] for index in range(len(own))]
     others = [
         each
         for each in sets

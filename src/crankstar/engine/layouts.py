@@ -113,8 +113,8 @@ def _even_throws(basis: Basis, order: Sequence[int]) -> tuple[float, ...]:
     sense = 1 if basis.rotation == "clockwise" else -1
     turns = 1 if basis.cycle == "two-stroke" else 2
     angles = {
-        number: -sense * 2 * pi * ((turns * place / len(order)) % 1)
-        for place, number in enumerate(order)
+        number: -sense * 2 * pi * ((turns * index / len(order)) % 1)
+        for index, number in enumerate(order)
     }
     return tuple((angles[number] - angles[1]) % (2 * pi) for number in sorted(angles))
 

@@ -73,7 +73,7 @@ def _filled(
     """The gaps between pins that hold so many bearings, front first."""
     if count <= len(gaps):
         throws = len(gaps) + 1
-        return [gaps[round(place * throws / (count + 1)) - 1] for place in range(1, count + 1)]
+        return [gaps[round(index * throws / (count + 1)) - 1] for index in range(1, count + 1)]
     pins = pairwise(_pin_places(shaft))
     others = sorted((gap for gap in pins if gap not in gaps), key=lambda gap: gap[1] - gap[0])
     return sorted([*gaps, *others[: count - len(gaps)]], reverse=True)
@@ -94,9 +94,9 @@ def pin_groups(engine: Assembly, shaft: Shaft) -> tuple[PinGroup, ...]:
     ends = _ends(shaft, groups)
     beyond = _end_room(engine, _ends(shaft, _close_pins(engine, shaft)))
     out: list[PinGroup] = []
-    for place, (group, (front, rear)) in enumerate(zip(groups, ends, strict=True)):
-        ahead = ends[place - 1][1] if place else None
-        behind = ends[place + 1][0] if place + 1 < len(ends) else None
+    for index, (group, (front, rear)) in enumerate(zip(groups, ends, strict=True)):
+        ahead = ends[index - 1][1] if index else None
+        behind = ends[index + 1][0] if index + 1 < len(ends) else None
         if shaft.webs:
             webs = _given_webs(shaft.webs, (ahead, front, rear, behind))
         else:

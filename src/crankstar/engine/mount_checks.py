@@ -87,9 +87,9 @@ def _weight_faults(engine: Assembly) -> Iterator[Fault]:
 def _point_faults(points: Sequence[BlockPoint], here: Path) -> Iterator[Fault]:
     """Points of one name."""
     names = [point.name for point in points]
-    for place, name in enumerate(names):
-        if name in names[:place]:
-            yield Fault((*here, place, "name"), "block.point-twice", {"value": seen(name)})
+    for index, name in enumerate(names):
+        if name in names[:index]:
+            yield Fault((*here, index, "name"), "block.point-twice", {"value": seen(name)})
 
 
 def second_moments(inertia: Sequence[float], products: Sequence[float]) -> np.ndarray:
@@ -138,10 +138,10 @@ def _shared_names(engine: Assembly, own: Foundation) -> Iterator[Fault]:
         ("points", points, own.points),
     ):
         taken = {each.name for each in above}
-        for place, each in enumerate(below):
+        for index, each in enumerate(below):
             if each.name in taken:
                 values = {"value": seen(each.name)}
-                yield Fault(("foundation", key, place, "name"), f"foundation.{key}-name", values)
+                yield Fault(("foundation", key, index, "name"), f"foundation.{key}-name", values)
 
 
 def _feet_on_a_foundation(engine: Assembly) -> Iterator[Fault]:
@@ -191,8 +191,8 @@ def _foot_faults(mount: Mount, path: Path) -> Iterator[Fault]:
     rising = [each.frequency for each in mount.foot]
     if any(after <= before for before, after in pairwise(rising)):
         yield Fault((*path, "foot"), "mounts.foot-order")
-    for place, each in enumerate(mount.foot):
-        here = (*path, "foot", place)
+    for index, each in enumerate(mount.foot):
+        here = (*path, "foot", index)
         for key in ("amplitude", "lag"):
             count = len(getattr(each, key))
             if count not in (1, ALONG):

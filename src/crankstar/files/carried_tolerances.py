@@ -53,7 +53,7 @@ def _targets(out: Tree, tree: Mapping[str, Any], own: Tolerance) -> Iterator[Pat
         case ("cylinder", ("rotating_mass" | "throw_mass") as key):
             yield from ((*place, key) for place in throws)
         case ("cylinder", *keys):
-            yield from (("cylinders", place, *keys) for place in range(len(out["cylinders"])))
+            yield from (("cylinders", index, *keys) for index in range(len(out["cylinders"])))
         case ("cylinders", int(index), *keys) if not is_explicit(tree):
             number = tree["cylinders"][index].get("number")
             for place, cylinder in enumerate(out["cylinders"]):

@@ -60,10 +60,10 @@ def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine")
     for path, value in changes.items():
         keys = keys_of(path)
         table: Any = out
-        for place, key in enumerate(keys):
+        for index, key in enumerate(keys):
             if not _can_hold(table, key):
-                raise EngineFileError(name, [_unsettable(keys, place, table)])
-            if place == len(keys) - 1:
+                raise EngineFileError(name, [_unsettable(keys, index, table)])
+            if index == len(keys) - 1:
                 table[key] = copied(value)  # a later path may lead into it
             else:
                 table = table[key] if isinstance(key, int) else table.setdefault(key, {})
@@ -119,7 +119,7 @@ def overruling(tree: Tree, keys: Sequence[str | int]) -> list[str]:
         return []
     if not all(isinstance(each, dict) and each.get(name) is not None for each in (gas, *points)):
         return []
-    return [f"gas.point[{place}].{name}" for place, _point in enumerate(points, 1)]
+    return [f"gas.point[{number}].{name}" for number, _point in enumerate(points, 1)]
 
 
 def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:
@@ -256,11 +256,11 @@ def with_weights_along(before: Engine, after: Engine, changes: Mapping[str, Any]
     """
     was_set = [keys_of(path) for path in changes]
     shafts: list[Shaft] = []
-    for place, (old, new) in enumerate(zip(before.shafts, after.shafts, strict=True)):
+    for index, (old, new) in enumerate(zip(before.shafts, after.shafts, strict=True)):
         turned = [b.angle - a.angle for a, b in zip(old.throws, new.throws, strict=True)]
         weights = [
             weight
-            if home is None or ["shaft", place, "weight", number, "angle"] in was_set
+            if home is None or ["shaft", index, "weight", number, "angle"] in was_set
             else with_values(weight, angle=wrapped(weight.angle + turned[home - 1]))
             for number, (weight, home) in enumerate(
                 zip(new.weights, throws_of_weights(new), strict=True)

@@ -190,22 +190,22 @@ class Columns:
         """The column of each name; headings that are not known are noted."""
         found: dict[str, int] = {}
         keys, heads = self.listed.keys, self.listed.heads
-        for place, (key, head) in enumerate(zip(keys, heads, strict=True)):
-            if not key and not any(row.cells[place] for row in self.rows):
+        for index, (key, head) in enumerate(zip(keys, heads, strict=True)):
+            if not key and not any(row.cells[index] for row in self.rows):
                 continue
             if not head.strip():
                 told = _(
                     "line {line}: column {column} has values and no heading; name it, or leave it "
                     "out",
                     line=self.listed.line,
-                    column=place + 1,
+                    column=index + 1,
                 )
                 self.mistakes.append(Mistake(self.listed.line, told))
             elif key not in known:
                 self._refuse_unknown(head, known)
             elif known[key] not in found:
-                found[known[key]] = place
-            elif keys.index(key) == place:
+                found[known[key]] = index
+            elif keys.index(key) == index:
                 told = _(
                     'the columns "{first}" and "{second}" mean the same; leave one out',
                     first=one_line(heads[found[known[key]]], longest=60),

@@ -227,17 +227,17 @@ def _radial(_engine: Engine, layout: Table, count: int) -> Iterator[Table]:
     listed = rows[0]["cylinders"]
     backwards = len(rows) == 1 and len(listed) > 2 and listed[1] == max(listed)
     changed = []
-    for place, row in enumerate(rows):
+    for index, row in enumerate(rows):
         along = len(rows) == 1 or row["cylinders"][1:2] == [row["cylinders"][0] + 1]
         numbers = [
-            place * each + slot + 1 if along else slot * len(rows) + place + 1
+            index * each + slot + 1 if along else slot * len(rows) + index + 1
             for slot in range(each)
         ]
         if backwards:
             numbers = [numbers[0], *numbers[:0:-1]]
         own = {key: value for key, value in row.items() if key != "master"}
-        if place and row.get("bearing") is not None:
-            own["bearing"] = _angle(360.0 * place / each / len(rows))
+        if index and row.get("bearing") is not None:
+            own["bearing"] = _angle(360.0 * index / each / len(rows))
         if row.get("master") in numbers:
             own["master"] = row["master"]
         changed.append({**own, "cylinders": numbers})

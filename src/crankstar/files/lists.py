@@ -289,7 +289,7 @@ def _text(value: Any) -> str:
 
 
 def _trimmed(cells: tuple[str, ...]) -> tuple[str, ...]:
-    last = max((place for place, cell in enumerate(cells) if cell), default=0)
+    last = max((index for index, cell in enumerate(cells) if cell), default=0)
     return cells[: last + 1]
 
 
@@ -322,8 +322,8 @@ def _listed(rows: Sequence[Row], name: str) -> Listed:
                 head=one_line(head, longest=60),
             ),
         )
-        for place, head in enumerate(heads)
-        if keys[place] and keys.index(keys[place]) < place
+        for index, head in enumerate(heads)
+        if keys[index] and keys.index(keys[index]) < index
     ]
     mistakes += [
         Mistake(

@@ -334,7 +334,7 @@ def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: i
     Replacements come from `number`, so that faults common to two copies do not depend on them.
     """
     out: Tree = copied(tree)
-    for place, mistake in enumerate(_mistakes(error)):
+    for index, mistake in enumerate(_mistakes(error)):
         path = _path(mistake)
         table, last = _at(out, path[:-1]), path[-1] if path else None
         info = field_at(model, path)
@@ -349,7 +349,7 @@ def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: i
         elif isinstance(table, dict) or _has(table, last):
             text = info is not None and info.annotation is str
             table[last] = (
-                number / 9000 if measured else f"text {number}" if text else number + place % 400
+                number / 9000 if measured else f"text {number}" if text else number + index % 400
             )
     return out
 

@@ -73,15 +73,15 @@ def _short(tree: Tree) -> tuple[Tree, list[Fault]]:
     if not isinstance(others, list):
         return out, faults
     out["cylinders"] = [*others]
-    for place, own in enumerate(others):
+    for index, own in enumerate(others):
         if not isinstance(own, dict):
             continue
         both = {**base, **own, "parts": {**_parts(base), **_parts(own)}}
         given = {"reciprocating_mass", "rotating_mass"} & own.keys()
         if both["parts"] and (given or any(key in own for key in DIFFERENT)):
             only = {key: both[key] for key in both if key in own or key not in _MASSES}
-            whole, more = _completed(own, only, ("cylinders", place))
-            out["cylinders"][place], faults = whole, [*faults, *more]
+            whole, more = _completed(own, only, ("cylinders", index))
+            out["cylinders"][index], faults = whole, [*faults, *more]
     return out, faults
 
 
@@ -95,18 +95,18 @@ def _explicit(tree: Tree) -> tuple[Tree, list[Fault]]:
     out = {**tree, "cylinders": [*cylinders]}
     faults: list[Fault] = []
     pins: dict[tuple[Any, Any], list[_Sum | None]] = {}
-    for place, own in enumerate(cylinders):
+    for index, own in enumerate(cylinders):
         if not isinstance(own, dict):
             continue
         slave = isinstance(own.get("articulated"), dict)
         turning = None
         if _parts(own):
-            whole, more = _completed(own, own, ("cylinders", place), on_throw=not slave)
+            whole, more = _completed(own, own, ("cylinders", index), on_throw=not slave)
             turning = next((s for s in _sums(own) if s.key == "rotating_mass"), None)
             if slave and turning is not None:
-                faults += _contradictions(("cylinders", place), own, [turning], "big_end_mass")
+                faults += _contradictions(("cylinders", index), own, [turning], "big_end_mass")
                 whole.setdefault("big_end_mass", turning.text)
-            out["cylinders"][place], faults = whole, [*faults, *more]
+            out["cylinders"][index], faults = whole, [*faults, *more]
         if not slave:
             pins.setdefault((own.get("shaft"), own.get("throw")), []).append(turning)
     return _on_throws(out, pins, faults)
@@ -121,7 +121,7 @@ def _on_throws(
     if not isinstance(shafts, list):
         return tree, faults
     out = {**tree, key: [*shafts]}
-    for place, shaft in enumerate(shafts):
+    for index, shaft in enumerate(shafts):
         throws = shaft.get("throw") if isinstance(shaft, dict) else None
         if not isinstance(throws, list):
             continue
@@ -135,10 +135,10 @@ def _on_throws(
             bare = all(isinstance(each.text, float) for each in known)
             sure = all(each.sure for each in known)
             whole = _Sum("rotating_mass", total, total if bare else f"{total:.12g} kg", sure)
-            where: Path = (key, place, "throw", number - 1)
+            where: Path = (key, index, "throw", number - 1)
             faults = [*faults, *_contradictions(where, throw, [whole])]
             own[number - 1] = {"rotating_mass": whole.text, **throw}
-        out[key][place] = {**shaft, "throw": own}
+        out[key][index] = {**shaft, "throw": own}
     return out, faults
 
 

@@ -186,7 +186,7 @@ def _table(
     if blank and record is not None:
         keys |= dict.fromkeys(".".join(inner) for inner, _ in _scalars(record))
     heads = [f"in {'.'.join(above)}" for above in outer]
-    columns: list[list[Cell]] = [[row.inside[place] for row in rows] for place in range(len(outer))]
+    columns: list[list[Cell]] = [[row.inside[index] for row in rows] for index in range(len(outer))]
     if numbered or not keys:
         heads.insert(0, ROW)
         columns.insert(0, [*range(1, len(rows) + 1)])

@@ -70,7 +70,7 @@ def _stripped(value: Any, form: type[Record], path: Path) -> Any:
     if isinstance(value, dict):
         return {key: _stripped(item, form, (*path, key)) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_stripped(item, form, (*path, place)) for place, item in enumerate(value)]
+        return [_stripped(item, form, (*path, index)) for index, item in enumerate(value)]
     return nominal(value) if _may_have(form, path) else value
 
 
@@ -120,8 +120,8 @@ def _leaves(value: Any, path: Path) -> Iterator[tuple[Path, Any]]:
         for key, item in value.items():
             yield from _leaves(item, (*path, str(key)))
     elif isinstance(value, list | tuple):
-        for place, item in enumerate(value):
-            yield from _leaves(item, (*path, place))
+        for index, item in enumerate(value):
+            yield from _leaves(item, (*path, index))
     elif isinstance(value, str):
         yield path, value
 

@@ -86,8 +86,8 @@ def _values(
     """The masses of pistons and rods, the tolerance of each, and the keys that say it as well."""
     explicit = is_explicit(tree)
     cylinders = engine.cylinders if explicit else engine.cylinders[:1]
-    for place, cylinder in enumerate(cylinders):
-        here: Path = ("cylinders", place) if explicit else ("cylinder",)
+    for index, cylinder in enumerate(cylinders):
+        here: Path = ("cylinders", index) if explicit else ("cylinder",)
         parts: Path = (*here, "parts")
         piston: Path = (*here, "reciprocating_mass")
         same = [piston, *((*parts, name) for name in RECIPROCATING if name not in ENDS)]

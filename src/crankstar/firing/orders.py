@@ -159,7 +159,7 @@ def unevenness(engine: Engine) -> float:
     45.0
     """
     centres, count = turns(engine), len(engine.chambers)
-    instants = [place * centres.cycle_deg / count for place in range(count)]
+    instants = [index * centres.cycle_deg / count for index in range(count)]
     best = centres.cycle_deg
     for start in centres.starts:
         whole = reach_of(centres, instants, start=start, tolerance_deg=centres.cycle_deg)
@@ -189,7 +189,7 @@ def why_uneven(engine: Engine) -> list[Fault]:
     ([2], [315.0, 675.0])
     """
     centres, interval = turns(engine), engine.cycle_angle / len(engine.chambers)
-    instants = [place * interval for place in range(len(engine.chambers))]
+    instants = [index * interval for index in range(len(engine.chambers))]
     if any(
         not crowd(reach_of(centres, instants, start=start, tolerance_deg=SAME_PLACE))
         for start in centres.starts
@@ -245,7 +245,7 @@ def _reaches(centres: Turns, intervals_deg: Sequence[float], tolerance_deg: floa
     turned = {tuple(intervals_deg[first:]) + tuple(intervals_deg[:first]) for first in range(count)}
     out: list[Reach] = []
     for row, start in product(sorted(turned), centres.starts):
-        instants = [fsum(row[:place]) for place in range(count)]
+        instants = [fsum(row[:index]) for index in range(count)]
         out.append(reach_of(centres, instants, start=start, tolerance_deg=tolerance_deg))
     return out
 
@@ -333,11 +333,11 @@ def place_of(engine: Engine, orders: Sequence[Order]) -> int | None:
         return None
     centres = dict(zip(own.order, own.angles_deg, strict=True))
     ours = _firing(_from_lowest(centres, own.cycle_deg), own.cycle_deg)
-    for place, order in enumerate(orders):
+    for index, order in enumerate(orders):
         same = all(
             abs(a - b) < 1e-3
             for a, b in zip(order.firing.intervals_deg, ours.intervals_deg, strict=True)
         )
         if order.firing.order == ours.order and same:
-            return place
+            return index
     return None

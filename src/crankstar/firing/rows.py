@@ -108,7 +108,7 @@ def _star_of(order: tuple[int, ...], cycle: Cycle) -> Real:
     rays = _rays(len(order), cycle)
     turns = {"two-stroke": 1, "four-stroke": 2}[cycle]
     step = turns * rays / len(order)
-    places = {number: (-step * place) % rays for place, number in enumerate(order)}
+    places = {number: (-step * index) % rays for index, number in enumerate(order)}
     return np.array([[(places[number] - places[1]) % rays for number in sorted(places)]])
 
 

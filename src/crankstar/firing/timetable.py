@@ -80,8 +80,8 @@ def reach_of(
             out[number] = {0: start}
             continue
         gaps: dict[int, float] = {}
-        for place, instant in enumerate(instants_deg):
-            gaps[place] = min(
+        for index, instant in enumerate(instants_deg):
+            gaps[index] = min(
                 (off(angle - start - instant, cycle_deg=centres.cycle_deg) for angle in angles),
                 key=abs,
             )

@@ -68,8 +68,8 @@ def frame(text: str) -> tuple[str | None, ...]:
 def joined(separator: str, texts: Iterable[str]) -> str:
     """Texts one after the other, as `str.join` has them, with the numbers they keep."""
     every: list[str] = []
-    for place, text in enumerate(texts):
-        every += [separator, *pieces(text)] if place else pieces(text)
+    for index, text in enumerate(texts):
+        every += [separator, *pieces(text)] if index else pieces(text)
     whole = "".join(every)
     if not any(isinstance(each, Number) for each in every):
         return whole

@@ -111,9 +111,9 @@ def _by_half_orders(spectrum: Spectrum, way: Literal["forward", "backward"]) -> 
     """One turning vector of the orders 1/2, 1, ... HIGHEST [..., order], whichever there are."""
     there: Complex = getattr(spectrum, way)
     out = np.zeros((*there.shape[:-1], 2 * HIGHEST), complex)
-    for place, order in enumerate(2 * spectrum.orders):
+    for index, order in enumerate(2 * spectrum.orders):
         if order == round(order) <= 2 * HIGHEST:
-            out[..., round(order) - 1] = there[..., place]
+            out[..., round(order) - 1] = there[..., index]
     return out
 
 

@@ -47,7 +47,7 @@ class Mechanism:
 def mechanism(engine: Engine) -> Mechanism:
     """An engine as arrays."""
     cylinders, shafts = engine.cylinders, engine.shafts
-    index = {shaft.name: place for place, shaft in enumerate(shafts)}
+    index = {shaft.name: index for index, shaft in enumerate(shafts)}
     links = motion.linkage(engine)
     root = [cylinders[place] for place in motion.roots(links.master)]
     bodies = [

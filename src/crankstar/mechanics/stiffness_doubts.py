@@ -121,8 +121,8 @@ def _first_frequency(inertia: Sequence[float], stiffness: Sequence[float]) -> fl
     """The first natural frequency (Hz) of masses in a row with these stiffnesses between them."""
     roots = 1 / np.sqrt(inertia)
     matrix = np.zeros((len(inertia), len(inertia)))
-    for place, own in enumerate(stiffness):
-        matrix[place : place + 2, place : place + 2] += own * np.array([[1, -1], [-1, 1]])
+    for index, own in enumerate(stiffness):
+        matrix[index : index + 2, index : index + 2] += own * np.array([[1, -1], [-1, 1]])
     squares = np.linalg.eigvalsh(matrix * np.multiply.outer(roots, roots))
     return float(np.sqrt(squares[1]) / (2 * pi))
 

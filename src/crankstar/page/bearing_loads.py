@@ -118,7 +118,7 @@ def _numbers(document: Document, *, about: tuple[str, ...] = ()) -> BearingNumbe
 
 
 def _column(table: Table, key: str) -> int:
-    return next(place for place, column in enumerate(table.columns) if column.key == key)
+    return next(index for index, column in enumerate(table.columns) if column.key == key)
 
 
 def _unit(table: Table) -> str:

@@ -123,9 +123,9 @@ def _lags(layout: Mapping[str, Any]) -> Iterator[Control]:
         where = [("layout.lag", layout.get("lag", 0), 40)]
     else:
         where = [
-            (f"layout.cranks[{place}].lag", crank.get("lag", 0), 360)
-            for place, crank in enumerate(layout.get("cranks", ()), 1)
-            if place == 2
+            (f"layout.cranks[{number}].lag", crank.get("lag", 0), 360)
+            for number, crank in enumerate(layout.get("cranks", ()), 1)
+            if number == 2
         ]
     for path, value, high in where:
         yield Control(

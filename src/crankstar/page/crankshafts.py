@@ -116,8 +116,8 @@ def _throw_places(shaft: Shaft, sizes: Proportions, out: Crank) -> list[float]:
         together.setdefault(round(z / (1e-3 * sizes.bore)), []).append(number)
     for numbers in together.values():
         if len(numbers) > 1:
-            for place, number in enumerate(numbers):
-                places[number] += ((len(numbers) - 1) / 2 - place) * step
+            for index, number in enumerate(numbers):
+                places[number] += ((len(numbers) - 1) / 2 - index) * step
     if any(len(numbers) > 1 for numbers in together.values()):
         out.assumed.append(
             _("Crank pins at the same place along the shaft are drawn side by side.")
@@ -188,10 +188,10 @@ def _webs(spans: Sequence[tuple[float, float]], bore: float) -> list[Web]:
     thickness = WEB * bore
     gaps = [spans[b][0] - spans[a][1] for a, b in pairwise(order)]
     thickness = min([thickness, *(0.36 * gap for gap in gaps if gap > SPLIT * bore)])
-    for place, number in enumerate(order):
+    for index, number in enumerate(order):
         rear, front = spans[number]
-        behind = _thickness(gaps[place - 1], thickness, bore) if place else thickness
-        ahead = _thickness(gaps[place], thickness, bore) if place < len(gaps) else thickness
+        behind = _thickness(gaps[index - 1], thickness, bore) if index else thickness
+        ahead = _thickness(gaps[index], thickness, bore) if index < len(gaps) else thickness
         if behind > 0:
             webs.append(Web(z_from=rear - behind, z_to=rear, throw=number))
         if ahead > 0:

@@ -294,12 +294,12 @@ def remedy_tables(engine: Engine, fit: Fit, over: Spread | None) -> tuple[Table,
     if over is None:
         return printed(sheet(engine).parts)
     tables = printed(merged(alike(sheet, over.engines)).parts)
-    last = max((place for place, table in enumerate(tables) if table.rows), default=-1)
+    last = max((index for index, table in enumerate(tables) if table.rows), default=-1)
     return tuple(
         Table(**{**table.model_dump(), "notes": (*table.notes, _(remedies.SIZED))})
-        if place == last
+        if index == last
         else table
-        for place, table in enumerate(tables)
+        for index, table in enumerate(tables)
     )
 
 

@@ -111,8 +111,8 @@ def torque(engine: Engine) -> Torque | None:
         cycle=places.cycle,
         displacement=float(places.swept[[*places.kind]].sum()),
         chambers=tuple(
-            Chamber(number=number, fires=float(fires), wave=rows.index(_row(found, place)))
-            for place, (number, fires) in enumerate(zip(places.numbers, places.fires, strict=True))
+            Chamber(number=number, fires=float(fires), wave=rows.index(_row(found, index)))
+            for index, (number, fires) in enumerate(zip(places.numbers, places.fires, strict=True))
         ),
         moving=None if moving is None else wave_of(_at(moving.torque, orders)),
         axis=wave_of(np.zeros(orders.size) if moving is None else _at(moving.axis_moment, orders)),

@@ -50,10 +50,10 @@ def pins(engine: Engine, tree: Mapping[str, Any]) -> Iterator[Pin]:
     """
     shaft = engine.shafts[0]
     if is_explicit(tree):
-        for place, throw in enumerate(shaft.throws, 1):
+        for index, throw in enumerate(shaft.throws, 1):
             bearing = degrees(throw.angle)
-            path = f"shaft[1].throw[{place}].angle"
-            yield _pin(path, str(place), bearing, bearing, fixed=False)
+            path = f"shaft[1].throw[{index}].angle"
+            yield _pin(path, str(index), bearing, bearing, fixed=False)
         return
     layout = tree["layout"]
     table, before = layout, "layout"
@@ -64,11 +64,11 @@ def pins(engine: Engine, tree: Mapping[str, Any]) -> Iterator[Pin]:
         return
     own = {cylinder.number: engine.throw(cylinder).angle for cylinder in engine.cylinders}
     base = own[numbers[0]]
-    for place, number in enumerate(numbers, 1):
+    for index, number in enumerate(numbers, 1):
         angle = degrees(wrapped(own[number] - base))
-        label = str(place) if len(numbers) <= len(shaft.throws) else str(number)
-        path = f"{before}.throws[{place}]"
-        yield _pin(path, label, angle, degrees(own[number]), fixed=place == 1)
+        label = str(index) if len(numbers) <= len(shaft.throws) else str(number)
+        path = f"{before}.throws[{index}]"
+        yield _pin(path, label, angle, degrees(own[number]), fixed=index == 1)
 
 
 def _pin(path: str, label: str, angle: float, bearing: float, *, fixed: bool) -> Pin:

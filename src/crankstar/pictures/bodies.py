@@ -53,9 +53,9 @@ def bodies_of(drawn: Scene) -> list[Body]:
             circle(1.02 * wheel.radius, corners=40),
             _slab(wheel.z, wheel.thickness),
             ("gear", "shaft", wheel.shaft),
-            bearing=bearings[place],
+            bearing=bearings[index],
         )._replace(rim=gear(wheel.radius, wheel.teeth))
-        for place, wheel in enumerate(drawn.gears)
+        for index, wheel in enumerate(drawn.gears)
     ]
     shafts = [body for index in range(len(drawn.shafts)) for body in _shaft(drawn, index)]
     moving = [body for index in range(len(drawn.cylinders)) for body in _cylinder(drawn, index)]
@@ -205,7 +205,7 @@ def tooth_bearings(drawn: Scene) -> list[float]:
                     share = (bearing - line) * own.teeth / (2 * pi)
                     pitch = 2 * pi / other.teeth
                     waiting.append((following, line + pi - pitch * (share + 0.5)))
-    return [bearings[place] for place in range(len(drawn.gears))]
+    return [bearings[index] for index in range(len(drawn.gears))]
 
 
 def _line(drawn: Scene, one: GearShown, other: GearShown) -> float | None:

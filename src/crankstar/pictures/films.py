@@ -48,13 +48,13 @@ class Pace(NamedTuple):
         """
         turns = turns_of(engine)
         count = max(2, round(turns * self.seconds * self.rate))
-        return [2 * pi * turns * place / count for place in range(count)]
+        return [2 * pi * turns * index / count for index in range(count)]
 
     def times(self, engine: Engine, *, step: int = 1) -> list[int]:
         """How long each picture stands, ms, in steps of so many; together the whole cycle."""
         count = len(self.angles(engine))
         whole = 1000 * turns_of(engine) * self.seconds / step
-        ends = [round(whole * place / count) for place in range(count + 1)]
+        ends = [round(whole * index / count) for index in range(count + 1)]
         return [step * (after - before) for before, after in pairwise(ends)]
 
 
@@ -132,8 +132,8 @@ def _palette(shown: Sequence[Any]) -> Any:
     some = shown[:: max(1, len(shown) // SAMPLES)]
     wide, high = some[0].size
     strip: Any = Image.new("RGB", (wide, high * len(some)))
-    for place, each in enumerate(some):
-        strip.paste(each, (0, high * place))
+    for index, each in enumerate(some):
+        strip.paste(each, (0, high * index))
     ground = strip.getpixel((0, 0))
     known: Any = strip.quantize(COLOURS - 1)
     known.putpalette([*known.getpalette()[: 3 * (COLOURS - 1)], *ground])

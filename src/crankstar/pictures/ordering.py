@@ -61,7 +61,7 @@ def painted_order(
 def _sorted(before: NDArray[np.bool_], depth: list[float]) -> list[int]:
     """A topological order, the farthest first; a circle is broken at its farthest body."""
     waiting = before.sum(axis=0).tolist()
-    ready = [(depth[place], place) for place, count in enumerate(waiting) if not count]
+    ready = [(depth[index], index) for index, count in enumerate(waiting) if not count]
     heapify(ready)
     left = set(range(len(depth)))
     order: list[int] = []

@@ -350,9 +350,9 @@ def _mean(case: Setting, aim: Aim, bare: Spectrum, factor: Real) -> Cone:
     """The norm over all orders, forward and backward, each a real and an imaginary row."""
     size = bare.orders.size
     columns: list[Any] = []
-    for place, ahead in enumerate(case.forward):
-        column = int(np.argmin(np.abs(bare.orders - case.order[place])))
-        for unit in (factor[place], 1j * factor[place]):
+    for index, ahead in enumerate(case.forward):
+        column = int(np.argmin(np.abs(bare.orders - case.order[index])))
+        for unit in (factor[index], 1j * factor[index]):
             empty = np.zeros(size, complex)
             column_only = empty.copy()
             column_only[column] = unit

@@ -135,7 +135,7 @@ def holes(unbalance: float, drill: Drill) -> Holes:
             low, high = float(depths[place]) - drill.deepest / STEPS, float(depths[place])
             depth = _closed_in(unbalance, low, high, count, drill)
             step = _step(depth, drill) if count > 1 else 0.0
-            angles = tuple((place - (count - 1) / 2) * step for place in range(count))
+            angles = tuple((index - (count - 1) / 2) * step for index in range(count))
             mass = count * mass_of_hole(depth, drill)
             return Holes(count, depth, depth + drill.cone, angles, mass)
     if drill.slug is not None:

@@ -324,7 +324,7 @@ def with_shafts(
             "there is no pair of balance shafts to space; --shaft-place places a single shaft"
         )
     bare = engine
-    for place, ratio in enumerate(wanted):
+    for index, ratio in enumerate(wanted):
         if len(wanted) > 1 and _idle(engine, ratio):
             continue  # the shafts before it may have cancelled it
         planes = _along(engine, ratio) if places.planes is None else places.planes
@@ -335,7 +335,7 @@ def with_shafts(
             planes=planes,
             up=places.up,
             right=places.right + aside,
-            share=1 / wanted[place:].count(ratio),
+            share=1 / wanted[index:].count(ratio),
         )
     if engine is bare:
         raise RemedyError(

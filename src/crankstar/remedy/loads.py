@@ -97,7 +97,7 @@ def slave_error(engine: Engine, load: Load) -> float:
     if not any(each.articulated for each in on):
         return 0.0
     found = balance(engine)
-    rows = [place for place, part in enumerate(found.parts) if part.cylinder in load.cylinders]
+    rows = [index for index, part in enumerate(found.parts) if part.cylinder in load.cylinders]
     whole = spectra.selected(spectra.total(found.force[rows, :]), [1.0]).forward[0]
     moving = complex(whole) / scales(engine, None)[0].force / load.radius
     counted = sum(each.rotating + each.reciprocating / 2 for each in on)

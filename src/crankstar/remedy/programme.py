@@ -180,8 +180,8 @@ def _interior_point(
         for cone in ceiling.cones:
             add(cone.matrix, cone.shift, 0 * with_t, ceiling.limit - cone.offset)
     weighed = len(sizes)
-    for place in range(0, count, 2):
-        add(np.eye(count)[place : place + 2], np.zeros(2), 0 * with_t, greatest)
+    for index in range(0, count, 2):
+        add(np.eye(count)[index : index + 2], np.zeros(2), 0 * with_t, greatest)
     settings = solver.DefaultSettings()
     settings.verbose = False
     settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = PRECISION

@@ -230,8 +230,8 @@ def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
     """
     order = abs(_fraction(order))
     pair = [
-        place
-        for place, s in enumerate(engine.shafts)
+        index
+        for index, s in enumerate(engine.shafts)
         if s.weights and not s.throws and abs(s.speed_ratio) == order
     ]
     if sorted(engine.shafts[place].speed_ratio for place in pair) != [-order, order]:

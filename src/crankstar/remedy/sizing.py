@@ -99,8 +99,8 @@ def with_shafts_like(like: Remedied, engine: Engine) -> Engine:
     (True, [0.0])
     """
     new = like.new_shafts
-    for place, shaft in enumerate(new):
-        left = sum(other.speed_ratio == shaft.speed_ratio for other in new[place:])
+    for index, shaft in enumerate(new):
+        left = sum(other.speed_ratio == shaft.speed_ratio for other in new[index:])
         planes = _planes(like.before, engine, shaft)
         vectors = unbalances(engine, shaft.speed_ratio, planes, couple=False)
         weights = [

@@ -48,13 +48,13 @@ def numbered(page: str, *, figures: int = 0) -> tuple[Section, ...]:
         return f'<h3 id="{address}"><b>{name}</b> {match.group(1)}</h3>'
 
     out = []
-    for place, match in enumerate(SECTION.finditer(page), 1):
+    for number, match in enumerate(SECTION.finditer(page), 1):
         address, heading, body = match.groups()
         before = dict(counts)
         body = TITLE.sub(title, CAPTION.sub(caption, body))
         shown = "".join(_references(before, counts))
         lead = f'<p class="refs">{shown}</p>' if shown else ""
-        out.append(Section(str(place), address, heading, lead + body))
+        out.append(Section(str(number), address, heading, lead + body))
     return tuple(out)
 
 

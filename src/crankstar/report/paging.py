@@ -25,7 +25,7 @@ def pages_of(content: bytes) -> dict[str, int]:
     root = re.search(rb"/Type /Catalog.*?/Pages (\d+) 0 R", content, re.DOTALL)
     if root is None:
         return {}
-    order = {leaf: place for place, leaf in enumerate(_leaves(content, root[1]), 1)}
+    order = {leaf: index for index, leaf in enumerate(_leaves(content, root[1]), 1)}
     named = re.findall(rb"/([\w-]+) \[(\d+) 0 R /XYZ", content)
     return {name.decode(): order[page] for name, page in named if page in order}
 

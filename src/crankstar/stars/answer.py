@@ -163,7 +163,7 @@ def succeeding(stars: Stars, star: Star) -> int:
     misfit = stars.misfit(star)
     if misfit:
         raise SearchError([misfit])
-    members = np.array([(place, -1) for place in range(stars.cylinders)], np.int64)
+    members = np.array([(index, -1) for index in range(stars.cylinders)], np.int64)
     seat = np.empty((stars.directions, 2), np.int64)
     return int(succession(np.array(star, np.int64), members, stars.step, stars.directions, seat))
 
@@ -171,10 +171,10 @@ def succeeding(stars: Stars, star: Star) -> int:
 def _with_zeros(question: Question, star: Star, values: tuple[float, ...]) -> tuple[float, ...]:
     """Values of which those that are proved to vanish are zero."""
     out = list(values)
-    for place, objective in enumerate(question.objectives):
-        small = abs(values[place]) < 1e-6 and not objective.neighbours
+    for index, objective in enumerate(question.objectives):
+        small = abs(values[index]) < 1e-6 and not objective.neighbours
         if small and all(proof.vanishing(vector, [star])[0] for _, vector in objective.terms):
-            out[place] = 0.0
+            out[index] = 0.0
     return tuple(out)
 
 

@@ -51,7 +51,7 @@ def succession(firing_order: Sequence[int]) -> Real:
 def _free(stars: Stars) -> Real:
     """How far each cylinder comes later with each place that may move [cylinder, place]."""
     still = {place for place, _ in stars.fixed_places} or {0}
-    moving = [members for place, members in enumerate(stars.places) if place not in still]
+    moving = [members for index, members in enumerate(stars.places) if index not in still]
     out = np.zeros((stars.cylinders, len(moving)))
     for column, members in enumerate(moving):
         out[list(members), column] = 1

@@ -85,7 +85,7 @@ def _narrower(question: Question) -> Question:
     """The question with one more throw fixed, in a direction that has room for it."""
     stars = question.stars
     held = {place for place, _ in stars.fixed_places}
-    free = next(members[0] for place, members in enumerate(stars.places) if place not in held)
+    free = next(members[0] for index, members in enumerate(stars.places) if index not in held)
     given = [direction for _, direction in stars.fixed_places]
     room = next(
         direction for direction in range(stars.directions) if given.count(direction) < stars.each

@@ -75,11 +75,11 @@ def cells(buffers: Any, rows: int, drive: int, radii: Any) -> int:
 def succession(star: Any, members: Any, step: int, directions: int, seat: Any) -> int:
     """Number of neighbours in succession; where two share each direction, in the best order."""
     seat[:] = -1
-    for place in range(star.shape[0]):
+    for index in range(star.shape[0]):
         for half in range(2):
-            if members[place, half] >= 0:
-                d = star[place]
-                seat[d, 0 if seat[d, 0] < 0 else 1] = members[place, half]
+            if members[index, half] >= 0:
+                d = star[index]
+                seat[d, 0 if seat[d, 0] < 0 else 1] = members[index, half]
     if step > 0:
         count = 0
         for d in range(directions):
@@ -117,9 +117,9 @@ def values_of(star: Any, tables: Any, sums: Any, values: Any, seat: Any) -> bool
     places, directions, width = tables.whole.shape
     lengths = width // 2
     sums[:] = 0.0
-    for place in range(places):
+    for index in range(places):
         for c in range(width):
-            sums[c] += tables.whole[place, star[place], c]
+            sums[c] += tables.whole[index, star[index], c]
     counted = 0
     if tables.counts:
         counted = succession(star, tables.members, tables.step, directions, seat)
@@ -150,11 +150,11 @@ def canonical(star: Any, tables: Any, other: Any, least: Any) -> int:
         if tables.anchored:
             zero = star[places - 1] if back else star[0]
         order = 0
-        for place in range(places):
-            d = star[places - 1 - place] if back else star[place]
-            other[place] = (sign * (d - zero)) % directions
+        for index in range(places):
+            d = star[places - 1 - index] if back else star[index]
+            other[index] = (sign * (d - zero)) % directions
             if order == 0 and g > 0:
-                order = (other[place] > least[place]) - (other[place] < least[place])
+                order = (other[index] > least[index]) - (other[index] < least[index])
         if g == 0 or order < 0:
             least[:] = other
             same = 1

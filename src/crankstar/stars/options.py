@@ -352,7 +352,7 @@ def star_of_order(firing_order: list[int], stars: Stars) -> Star | None:
     if sorted(firing_order) != list(range(1, stars.cylinders + 1)):
         return None
     step = stars.step or 1
-    at = {number: place * step % stars.directions for place, number in enumerate(firing_order)}
+    at = {number: index * step % stars.directions for index, number in enumerate(firing_order)}
     return tuple(at[number] for number in range(1, stars.cylinders + 1))
 
 

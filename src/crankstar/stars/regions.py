@@ -100,8 +100,8 @@ def _everything(question: Question, ready: Halves) -> Regions:
     limits = ready.tables.limits[:-1]
     bounds = (inf,) * max(1, len(question.objectives))
     listed = [
-        (_share(limit, spread), place)
-        for place, (limit, spread) in enumerate(zip(limits, ready.spread, strict=True))
+        (_share(limit, spread), index)
+        for index, (limit, spread) in enumerate(zip(limits, ready.spread, strict=True))
     ]
     share, place = min(listed)
     radius = min(limits[place] + 2 * SAME, ready.reach[place] * 1.001 + 1.0)
@@ -111,8 +111,8 @@ def _everything(question: Question, ready: Halves) -> Regions:
 def _driver(weights: np.ndarray, spread: tuple[float, ...]) -> tuple[int, float] | None:
     """The sum that matters most in an objective, and its weight; None if none varies."""
     widths = [
-        (sqrt(weight) * width, place)
-        for place, (weight, width) in enumerate(zip(weights, spread, strict=True))
+        (sqrt(weight) * width, index)
+        for index, (weight, width) in enumerate(zip(weights, spread, strict=True))
     ]
     most, place = max(widths)
     return (place, sqrt(float(weights[place]))) if most > 1e-12 else None

@@ -32,7 +32,7 @@ def _firing(shaft: Shaft, fired: Fired, later_deg: Sequence[float] = ()) -> Firi
     even = shaft.cycle_deg / shaft.cylinders
     start = float(angles[order[0]]) % shaft.cycle_deg
     later = [later_deg[number - 1] if later_deg else 0.0 for number in order]
-    places = tuple(start + place * even + by for place, by in enumerate(later))
+    places = tuple(start + index * even + by for index, by in enumerate(later))
     following = (*places[1:], places[0] + shaft.cycle_deg)
     gaps = tuple(then - this for this, then in zip(places, following, strict=True))
     return Firing(order, places, gaps, float(shaft.cycle_deg))

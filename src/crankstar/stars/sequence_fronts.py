@@ -223,8 +223,8 @@ def _points(question: SequenceQuestion, rows: Rows) -> tuple[tuple[Point, ...], 
     apart = (np.abs(rows.values[first] - own).max(axis=1) for own in rows.values)
     near = np.array([gaps.argmin() for gaps in apart])
     points: list[Point] = []
-    for place, row in enumerate(first):
-        lines = {_fired(question, line): tuple(line) for line in rows.lines[near == place].tolist()}
+    for index, row in enumerate(first):
+        lines = {_fired(question, line): tuple(line) for line in rows.lines[near == index].tolist()}
         every = sorted(lines, key=question.shaft.firing_order)
         if not all(map(question.kept, every)):
             raise error("zero", "near-zero")
@@ -273,12 +273,12 @@ def beaten(
     """
     values = question_values(front.question, fired)
     out: list[tuple[int, tuple[int, ...]]] = []
-    for place, point in enumerate(front.points):
+    for index, point in enumerate(front.points):
         near = [_near(goal) for goal in values]
         pairs = list(zip(point.values, values, near, strict=True))
         if all(own <= other + slack for own, other, slack in pairs):
             better = [q for q, (own, other, slack) in enumerate(pairs) if own < other - slack]
-            out.append((place, tuple(better)))
+            out.append((index, tuple(better)))
     return values, out
 
 

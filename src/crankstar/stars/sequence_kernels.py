@@ -125,8 +125,8 @@ def succession(tables: Any, walk: Any, code: int) -> int:
     classes = walk.seat.shape[0]
     first, last, count = 0, -1, 0
     for turn in range(tables.room):
-        for place in range(classes):
-            own = place * tables.step % classes
+        for index in range(classes):
+            own = index * tables.step % classes
             side = turn
             if own > 0 and (code >> (own - 1)) & 1:
                 side = 1 - turn

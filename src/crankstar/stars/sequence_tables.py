@@ -24,11 +24,11 @@ def mirrored(question: SequenceQuestion) -> bool:
     """
     rods = question.shaft.rods
     return all(each.symmetric for each in question.functions) and all(
-        len(set(one.weights[place : place + rods])) == 1
+        len(set(one.weights[index : index + rods])) == 1
         for goal in question.goals
         for one in goal.sums
         if one.kind == "T"
-        for place in range(0, len(one.weights), rods)
+        for index in range(0, len(one.weights), rods)
     )
 
 
@@ -43,7 +43,7 @@ def tables_of(question: SequenceQuestion) -> tuple[ShaftTables, np.ndarray]:
     turns = [part for one in signs for part in _parts(np.exp(-1j * float(one.order) * step))]
     amplitudes = np.array(signs[0].weights if signs else (0,) * shaft.cylinders, float)
     reach = [sum(map(abs, map(float, one.weights))) * one.scale for one in (*stars, *signs)]
-    at = {one: place for place, one in enumerate((*stars, *signs))}
+    at = {one: index for index, one in enumerate((*stars, *signs))}
     sizes = [max((reach[at[one]] for one in goal.sums), default=1.0) for goal in question.goals]
     unit = np.where(np.array(sizes) > 0, sizes, 1.0)
     unit = np.maximum(unit / shaft.throws, 1e-9)

@@ -156,8 +156,8 @@ class Shaft:
         out: dict[int, int] = {}
         for own, seat in enumerate(self.seats(fired.star)):
             odd = self.cycle_deg == 720 and self.room == 1 and own % 2 == 1
-            for place, (throw, bank) in enumerate(seat):
-                late = odd or (bool(fired.first) and fired.first[own] == (place == 1))
+            for index, (throw, bank) in enumerate(seat):
+                late = odd or (bool(fired.first) and fired.first[own] == (index == 1))
                 out[self.numbers[throw][bank]] = own + self.classes * late
         return out
 
@@ -235,7 +235,7 @@ class Shaft:
             given = "-".join(map(str, order))
             raise error("why", "order-numbers", given=given, count=len(every))
         step = self.cycle_deg / self.cylinders
-        return self.fired_of({number: place * step for place, number in enumerate(order)})
+        return self.fired_of({number: index * step for index, number in enumerate(order)})
 
 
 class Followed(NamedTuple):

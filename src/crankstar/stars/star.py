@@ -173,7 +173,7 @@ class Stars:
     def fixed_places(self) -> tuple[tuple[int, int], ...]:
         """The fixed throws by place (from 0)."""
         home = {
-            cylinder: place for place, members in enumerate(self.places) for cylinder in members
+            cylinder: index for index, members in enumerate(self.places) for cylinder in members
         }
         return tuple(sorted({(home[number - 1], direction) for number, direction in self.fixed}))
 

@@ -181,15 +181,15 @@ def _tips(
         closer = np.concatenate([np.linspace(low, high, CLOSER + 1) for low, high in brackets])
         again = sign * watched(sweep.again(closer), curve.what, order=curve.order).values
         again = np.where(np.isnan(again), np.inf, again)
-        for place in range(len(brackets)):
-            own = slice(place * (CLOSER + 1), (place + 1) * (CLOSER + 1))
+        for index in range(len(brackets)):
+            own = slice(index * (CLOSER + 1), (index + 1) * (CLOSER + 1))
             here, results = closer[own], again[own]
             lowest = int(np.argmin(results))
-            tips[place] = min(
-                filter(None, (tips[place], (float(here[lowest]), float(results[lowest])))),
+            tips[index] = min(
+                filter(None, (tips[index], (float(here[lowest]), float(results[lowest])))),
                 key=lambda tip: tip[1],
             )
-            brackets[place] = (
+            brackets[index] = (
                 float(here[max(lowest - 1, 0)]),
                 float(here[min(lowest + 1, CLOSER)]),
             )

@@ -130,13 +130,13 @@ def subject(source: Source, over: Sequence[Varied]) -> Subject:
         given = list(zip(over, numbers, strict=True))
         title = f"{shown} with {', '.join(_value_text(varied, number) for varied, number in given)}"
         engine = base
-        for place, form in enumerate(forms):
+        for index, form in enumerate(forms):
             changed: dict[str, Any] = {}
             for number, own, one in zip(numbers, stages, written, strict=True):
                 if own is form:
                     changed |= _changes(form, one, number)
             if changed:
-                under = _explicit(engine) if place and engine is not base and engine else form
+                under = _explicit(engine) if index and engine is not base and engine else form
                 engine = files.engine_of(under, name=title, changes=changed)
         factors = (n for n, form in zip(numbers, stages, strict=True) if form is None)
         engine = engine or files.engine_of(tree, name=title)

@@ -136,13 +136,13 @@ def one_by_one(
         )
     out = np.full(prod(shape), np.nan)
     gaps: list[Gap] = []
-    for place, case in enumerate(cases()):
+    for index, case in enumerate(cases()):
         try:
             if isinstance(case, SweepError):
                 raise case  # one way for all that has no result
-            out[place] = value(*case)
+            out[index] = value(*case)
         except (GasError, MountError, SweepError, TorsionError, UnevenError) as error:
-            gaps.append(Gap(place, str(error)))
+            gaps.append(Gap(index, str(error)))
     if len(gaps) == out.size:
         raise SweepError(
             "value {place} of {count}: {reason}", place=1, count=out.size, reason=gaps[0].reason

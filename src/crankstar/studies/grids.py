@@ -228,12 +228,12 @@ def _line_by_line(make: Make2, first: Real, second: Real, tell: Tell | None) -> 
     batches: list[Batch] = []
     swap = second.size < first.size
     lines = second if swap else first
-    for place, value in enumerate(lines.tolist()):
+    for index, value in enumerate(lines.tolist()):
         if swap:
-            line, rows = variants(_over_first(make, value), first), grid[:, place]
+            line, rows = variants(_over_first(make, value), first), grid[:, index]
         else:
-            line, rows = variants(_over_second(make, value), second), grid[place]
+            line, rows = variants(_over_second(make, value), second), grid[index]
         batches += [Batch(rows[batch.rows], batch.machine) for batch in line]
         if tell is not None:
-            tell(rows.size * (place + 1), grid.size)
+            tell(rows.size * (index + 1), grid.size)
     return tuple(batches)

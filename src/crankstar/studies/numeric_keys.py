@@ -82,11 +82,11 @@ def _numeric(record: type[Record], tree: Any, path: str = "") -> Iterator[str]:
         if key in UNMOVED and not path:
             continue
         if kind is tuple:
-            for place, entry in enumerate(value if isinstance(value, list) else [], 1):
+            for number, entry in enumerate(value if isinstance(value, list) else [], 1):
                 if inner is not None:
-                    yield from _numeric(inner, entry, f"{here}[{place}].")
+                    yield from _numeric(inner, entry, f"{here}[{number}].")
                 elif _leaf(_tuple_of(info.annotation)[0]) in (float, Fraction):
-                    yield f"{here}[{place}]"
+                    yield f"{here}[{number}]"
         elif (
             inner is not None
             and kind is not dict

@@ -34,8 +34,8 @@ def with_parts(engine: Engine, added: Mapping[str, Sequence[float] | Real]) -> E
         engine = with_own_big_ends(engine)
     none = np.zeros(len(engine.cylinders))
     cylinders = tuple(
-        _with_own(cylinder, {name: float(more.get(name, none)[place]) for name in WEIGHED})
-        for place, cylinder in enumerate(engine.cylinders)
+        _with_own(cylinder, {name: float(more.get(name, none)[index]) for name in WEIGHED})
+        for index, cylinder in enumerate(engine.cylinders)
     )
     return with_values(engine, cylinders=cylinders)
 

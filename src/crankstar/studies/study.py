@@ -98,7 +98,7 @@ class Study:
     ) -> tuple[Group, ...]:
         """The sums of all values; of a closed range the last are the first ones."""
         inner = [own[:-1] if close else own for own, close in zip(values, closing, strict=True)]
-        slow = [own for place, own in enumerate(inner) if place != self._fast]
+        slow = [own for index, own in enumerate(inner) if index != self._fast]
         shape = tuple(own.size for own in inner)
         groups = sums_of(
             self._batches(slow, tell),

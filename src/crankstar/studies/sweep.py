@@ -361,7 +361,7 @@ def _over(
 
 def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool = True) -> Sweep:
     """The sweep of a study over these values."""
-    closing = [close and plan.closes(place, values) for place in range(len(values))]
+    closing = [close and plan.closes(index, values) for index in range(len(values))]
     axes = [
         Axis(varied.path, unit, own, closed)
         for varied, unit, own, closed in zip(plan.over, plan.units_of, values, closing, strict=True)

@@ -444,9 +444,9 @@ def side_by_side(
         count = most + any(each.status == "not modelled" for each in own)
         first_ones = sorted(range(len(told)), key=lambda place: _is_absent(told[place][1]))[:count]
         leads = [
-            place in first_ones
+            index in first_ones
             or any(each.path == "speed" or each.effect == largest > 0 for each in of)
-            for place, (_line, of) in enumerate(told)
+            for index, (_line, of) in enumerate(told)
         ]
         leading, others = (
             [line for (line, _of), lead in zip(told, leads, strict=True) if lead is wanted]

@@ -150,12 +150,12 @@ def moments(sums: Sums, orders: Sequence[float], *, unit: str) -> Table:
     )
     there = [order in found for order in orders]
     rows = [
-        (order, *map(complex, waves[:, place]))
-        for place, order in enumerate(orders)
-        if there[place]
+        (order, *map(complex, waves[:, index]))
+        for index, order in enumerate(orders)
+        if there[index]
     ]
     rows.sort(key=lambda row: [-abs(wave) for wave in row[1:]])
-    zero = [order for place, order in enumerate(orders) if not there[place]]
+    zero = [order for index, order in enumerate(orders) if not there[index]]
     heads = (
         Column(_("order"), label=True),
         *(Column(_(QUANTITIES[name]), unit, kind="wave") for name in MOMENTS),

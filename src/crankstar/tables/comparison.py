@@ -46,12 +46,12 @@ def told_apart(names: Sequence[str], *marks: Sequence[str]) -> list[str]:
     ['V8 (1)', 'V8 (3)', 'V8 (2)']
     """
     out: list[str] = []
-    for place, name in enumerate(names):
+    for index, name in enumerate(names):
         alike = [other for other, same in enumerate(names) if same == name]
         differing = (mark for mark in marks if len({mark[i] for i in alike}) == len(alike))
         mark = next(differing, None)
-        own = (mark[place] or _("as in the file"),) if mark is not None else ()
-        numbers = map(str, count(alike.index(place) + 1))
+        own = (mark[index] or _("as in the file"),) if mark is not None else ()
+        numbers = map(str, count(alike.index(index) + 1))
         told = (f"{name} ({each})" for each in chain(own, numbers))
         taken = {*out, *names}
         out.append(name if len(alike) == 1 else next(each for each in told if each not in taken))
@@ -243,10 +243,10 @@ def _with_shares(table: Table, free: Sequence[bool]) -> Table:
     if not any(isinstance(cell, Ranged) for row in table.rows for cell in row):
         return table
     rows: list[tuple[Value, ...]] = []
-    for place, row in enumerate(table.rows):
+    for index, row in enumerate(table.rows):
         if flat:
-            first = table.rows[place - place % count][GREATEST]
-            own = free[place % count] and place % count
+            first = table.rows[index - index % count][GREATEST]
+            own = free[index % count] and index % count
             rows.append((*row[:-1], _ranged_share(row[GREATEST], first, 1) if own else row[-1]))
         else:
             shares = [
@@ -257,8 +257,8 @@ def _with_shares(table: Table, free: Sequence[bool]) -> Table:
             ]
             rows.append((*row[: count + 1], *shares))
     columns = [
-        replace(column, estimated=any(isinstance(row[place], Ranged) for row in rows))
-        for place, column in enumerate(table.columns)
+        replace(column, estimated=any(isinstance(row[index], Ranged) for row in rows))
+        for index, column in enumerate(table.columns)
     ]
     return replace(table, columns=tuple(columns), rows=tuple(rows))
 

@@ -65,11 +65,11 @@ def _of(unit: str, largest: Mapping[tuple[str, str], float], prefixed: bool) -> 
 def _largest(table: Table) -> dict[tuple[str, str], float]:
     """By dimension the greatest number, in SI."""
     sizes: dict[tuple[str, str], float] = {}
-    for place, column in enumerate(table.columns):
+    for index, column in enumerate(table.columns):
         group = dimension(column.unit)
         if not group[0] or column.fixed:
             continue
-        size = _greatest(row[place] for row in table.rows)
+        size = _greatest(row[index] for row in table.rows)
         sizes[group] = max(sizes.get(group, 0.0), size * _factor(column.unit, group))
     return sizes
 
@@ -93,7 +93,7 @@ def _rows_in_units(
     columns: Sequence[Column], rows: Sequence[tuple[Value, ...]], prefixed: bool
 ) -> tuple[tuple[Value, ...], ...]:
     """Rows whose numbers have the unit that stands in each; one unit for each dimension."""
-    place = next(place for place, column in enumerate(columns) if column.kind == "unit")
+    place = next(index for index, column in enumerate(columns) if column.kind == "unit")
     own = [at for at, column in enumerate(columns) if column.unit == ROW_UNIT]
     units = [str(row[place] or "") for row in rows]
     largest: dict[tuple[str, str], float] = {}

@@ -80,8 +80,8 @@ def origins(engine: Engine) -> Table:
     given = [*engine.provenance.items()]
     rows = tuple((path, _(origin.status), origin.source) for path, origin in given)
     doubtful = frozenset(
-        place
-        for place, (_path, origin) in enumerate(given)
+        index
+        for index, (_path, origin) in enumerate(given)
         if origin.status in ("unverified", "placeholder")
     )
     title = _("Sources of the values")
@@ -103,13 +103,13 @@ def rotors(engine: Engine) -> Table:
     rows: list[tuple[Value, ...]] = []
     for shaft in engine.shafts:
         label = _shaft_label(shaft, across)
-        for place, throw in enumerate(shaft.throws, 1):
-            cells = (label, _("throw {number}", number=place), _bearing(throw.angle))
+        for index, throw in enumerate(shaft.throws, 1):
+            cells = (label, _("throw {number}", number=index), _bearing(throw.angle))
             product = throw.turning_mass * throw.radius * unbalance.factor
             places = (throw.radius * across.factor, _along(throw.z, along))
             rows.append((*cells, *places, throw.turning_mass, product))
-        for place, weight in enumerate(shaft.weights, 1):
-            cells = (label, _("weight {number}", number=place), _bearing(weight.angle))
+        for index, weight in enumerate(shaft.weights, 1):
+            cells = (label, _("weight {number}", number=index), _bearing(weight.angle))
             product = weight.unbalance * unbalance.factor
             rows.append((*cells, None, _along(weight.z, along), None, product))
     return Table(_("Shafts, throws and weights"), columns, tuple(rows), key="rotors")

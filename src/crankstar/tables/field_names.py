@@ -104,8 +104,8 @@ def field_name(path: str) -> str:
     names = [str(key) for key in keys if isinstance(key, str)]
     name = NAMES.get(names[-1])
     text = _(name) if name else names[-1].replace("_", " ")
-    for place in range(len(keys) - 1, -1, -1):
-        key, following = keys[place], keys[place + 1 : place + 2]
+    for index in range(len(keys) - 1, -1, -1):
+        key, following = keys[index], keys[index + 1 : index + 2]
         owner = OWNERS.get(str(key))
         if owner is None or (not following) or isinstance(key, int):
             continue

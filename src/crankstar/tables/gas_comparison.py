@@ -55,7 +55,7 @@ def gas_sizes(
         noted[:] = True
     shown = of_any(("gas", *names), [o for o, kept in zip(orders, noted, strict=True) if kept])
     return [
-        (order, sizes[:, place].tolist()) for place, order in enumerate(orders) if order in shown
+        (order, sizes[:, index].tolist()) for index, order in enumerate(orders) if order in shown
     ]
 
 

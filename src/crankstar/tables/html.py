@@ -94,10 +94,10 @@ def _table(table: Table) -> str:
         for column, side in zip(table.columns, sides, strict=True)
     )
     body = "".join(
-        f"<tr{kind_of('doubt' if place in table.doubtful else '')}>"
+        f"<tr{kind_of('doubt' if index in table.doubtful else '')}>"
         + "".join(f"<td{side}>{typeset(cell)}</td>" for cell, side in zip(row, sides, strict=True))
         + "</tr>"
-        for place, row in enumerate(cells(table))
+        for index, row in enumerate(cells(table))
     )
     kind = "table" + (" short" if len(table.rows) <= SHORT else "")
     kind += " broad" if len(table.columns) >= BROAD else ""

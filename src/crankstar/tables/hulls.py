@@ -35,7 +35,7 @@ def distances(points: Complex, *, rounds: int = ROUNDS) -> Real:
     for _round in range(rounds + 1):
         step = room / (TRIED - 1)
         ways = low[..., None] + step[..., None] * np.arange(TRIED)
-        least = np.stack([_least(points, ways[..., place]) for place in range(TRIED)], axis=-1)
+        least = np.stack([_least(points, ways[..., index]) for index in range(TRIED)], axis=-1)
         at = np.argmax(least, axis=-1)
         best = np.maximum(best, np.take_along_axis(least, at[..., None], axis=-1)[..., 0])
         low, room = low + step * (np.clip(at, 1, TRIED - 2) - 1), 2 * step

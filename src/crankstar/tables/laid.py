@@ -148,7 +148,7 @@ def _by_words(clauses: Sequence[str]) -> dict[tuple[Any, int], str]:
 
 def _tables(table: Table, others: Sequence[Table]) -> Table:
     """A table with the ranges that the others give its numbers, row by row."""
-    labels = [place for place, column in enumerate(table.columns) if column.label]
+    labels = [index for index, column in enumerate(table.columns) if column.label]
     labels = labels or [0] * bool(table.columns)
     lookups = [_rows(other, labels) for other in others]
     own = _rows(table, labels)
@@ -166,17 +166,17 @@ def _tables(table: Table, others: Sequence[Table]) -> Table:
         rows.append(
             tuple(
                 _cell(
-                    table.columns[place],
+                    table.columns[index],
                     value,
-                    [other[place] if place < len(other) else None for other in like],
-                    measures[place](row),
+                    [other[index] if index < len(other) else None for other in like],
+                    measures[index](row),
                 )
-                for place, value in enumerate(row)
+                for index, value in enumerate(row)
             )
         )
     columns = tuple(
-        replace(column, estimated=any(isinstance(row[place], Ranged) for row in rows))
-        for place, column in enumerate(table.columns)
+        replace(column, estimated=any(isinstance(row[index], Ranged) for row in rows))
+        for index, column in enumerate(table.columns)
     )
     notes = sentences(table.notes, [other.notes for other in others])
     return replace(table, columns=columns, rows=tuple(rows), notes=notes)

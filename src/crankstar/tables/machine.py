@@ -99,7 +99,7 @@ def columns(table: Table) -> tuple[list[str], list[list[Any]]]:
     chooses, else in those of the table, so that programs find the same unit in every file.
     """
     table = in_units(table, prefixed=False)
-    wanted = [place for place, column in enumerate(table.columns) if column.key]
+    wanted = [index for index, column in enumerate(table.columns) if column.key]
     heads = [head for place in wanted for head in _heads(table.columns[place])]
     rows = [
         [cell for place in wanted for cell in plain_values(table.columns[place], row[place])]

@@ -84,7 +84,7 @@ def _row(mesh: Mesh) -> tuple[Value, ...]:
 
 def _without(table: Table, keys: set[str]) -> Table:
     """The table without columns that have no values."""
-    kept = [place for place, column in enumerate(table.columns) if column.key not in keys]
+    kept = [index for index, column in enumerate(table.columns) if column.key not in keys]
     return Table(
         table.title,
         tuple(table.columns[place] for place in kept),

@@ -43,8 +43,8 @@ def _mounts(engine: Engine) -> Table:
     rows: list[tuple[Value, ...]] = []
     doubtful: set[int] = set()
     for path, of, own in groups:
-        for place, mount in enumerate(own, 1):
-            known = _statuses(engine, path, place)
+        for number, mount in enumerate(own, 1):
+            known = _statuses(engine, path, number)
             if mount.assumed:
                 known.append(_("loss factor assumed"))
             if mount.assumed or any(_(each) in known for each in DOUBTFUL):

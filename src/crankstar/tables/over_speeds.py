@@ -182,8 +182,8 @@ def answer(engine: Engine, sweep: Sweep, *, orders: Sequence[float] | None = Non
     heads = (Column("speed_rpm", "rpm", key="speed_rpm"), *balance_orders.columns(sweep.units))
     sums = sweep.sums
     rows: list[tuple[Value, ...]] = []
-    for place, speed in enumerate(rpm(sweep).tolist()):
-        own = Totals(*(spectrum[place] for spectrum in sums))
+    for index, speed in enumerate(rpm(sweep).tolist()):
+        own = Totals(*(spectrum[index] for spectrum in sums))
         rows += [(speed, *row) for row in balance_orders.rows(engine, own, wanted)]
     point = sweep.reference._asdict()
     said = {**facts(sweep), "rotation": engine.rotation, "reference": point}

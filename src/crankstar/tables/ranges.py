@@ -169,7 +169,7 @@ def ranged_side_by_side(
     ]
     # no number is of two engines: all go through their corners at the same time
     at = [
-        [corners[place % len(corners)] if corners else engine for place in range(2**MOST_RANGES)]
+        [corners[index % len(corners)] if corners else engine for index in range(2**MOST_RANGES)]
         for engine, corners in zip(engines, ends, strict=True)
     ]
     most = max(map(len, ends))

@@ -41,8 +41,8 @@ def search_sequences(
     question = front.question
     known = {} if found is None else found
     rows = tuple(
-        (*_row(question, place, point), *_best(question, point, known))
-        for place, point in enumerate(shown, 1)
+        (*_row(question, index, point), *_best(question, point, known))
+        for index, point in enumerate(shown, 1)
     )
     table = Table("", (*_columns(question), *_judge_columns(known)), rows, key="rows")
     judged = list(placed(front, engine, why))

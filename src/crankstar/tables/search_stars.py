@@ -46,7 +46,7 @@ def search_stars(
     """The stars that were found, the certificate, and the row of the engine they are of."""
     question = answer.question
     shown = answer.rows[:limit]
-    rows = tuple(_row(answer, place, row) for place, row in enumerate(shown, 1))
+    rows = tuple(_row(answer, index, row) for index, row in enumerate(shown, 1))
     table = Table("", tuple(_columns(question)), rows, key="rows")
     lines = [
         _legend(question),
@@ -207,7 +207,7 @@ def as_it_is(answer: Answer, engine: Engine | None) -> list[str]:
     question = answer.question
     own, tops = set(question.stars.same(star)), _tops(answer)
     rows = [
-        place for place, row in enumerate(answer.rows, 1) if row.star in own or own & set(row.like)
+        index for index, row in enumerate(answer.rows, 1) if row.star in own or own & set(row.like)
     ]
     sums = ", ".join(
         f"{vector.short} {_length(vector, vector.of_engine(star), tops)}"

@@ -293,7 +293,7 @@ def _bars(curve: Curve) -> str:
         return _("zero")
     count = min(COLUMNS, values.size)
     chosen = [
-        float(values[round(place * (values.size - 1) / max(count - 1, 1))])
-        for place in range(count)
+        float(values[round(index * (values.size - 1) / max(count - 1, 1))])
+        for index in range(count)
     ]
     return "".join(" " if isnan(value) else BARS[min(7, int(8 * value / top))] for value in chosen)

@@ -85,8 +85,8 @@ def _table(table: Table, width: int) -> list[RenderableType]:
     if table.rows:
         drawn = _drawn(table)
         pieces = _pieces(drawn, width)
-        for place, columns in enumerate(pieces):
-            parts += [Text()] if place else []
+        for index, columns in enumerate(pieces):
+            parts += [Text()] if index else []
             parts.append(_piece(table, columns, width))
         parts += _left_out(drawn, pieces)
     return [*parts, *(Text(_shown(note)) for note in table.notes)]
@@ -109,8 +109,8 @@ def _drawn(table: Table) -> list[Drawn]:
 
     texts = [[_shown(text) for text in row] for row in cells(table)]
     out: list[Drawn] = []
-    for place, column in enumerate(table.columns):
-        own = [row[place] for row in texts]
+    for index, column in enumerate(table.columns):
+        own = [row[index] for row in texts]
         words, unit = map(_shown, heading(column))
         longest = max(map(cell_len, own), default=0)
         broken = max((cell_len(word) for text in own for word in text.split()), default=0)
@@ -177,7 +177,7 @@ def _piece(table: Table, columns: Sequence[Drawn], width: int) -> RenderableType
             min_width=wide,
             max_width=wide,
         )
-    for place in range(len(table.rows)):
-        style = "yellow" if place in table.doubtful else None
-        out.add_row(*(Text(drawn.cells[place]) for drawn in columns), style=style)
+    for index in range(len(table.rows)):
+        style = "yellow" if index in table.doubtful else None
+        out.add_row(*(Text(drawn.cells[index]) for drawn in columns), style=style)
     return out

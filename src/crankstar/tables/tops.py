@@ -12,7 +12,7 @@ def tops(table: Table, others: Sequence[Table]) -> list[Callable[[tuple[Value, .
 
     Rows of several units are measured by those of their own; a plain number by itself alone.
     """
-    units = [place for place, column in enumerate(table.columns) if column.kind == "unit"]
+    units = [index for index, column in enumerate(table.columns) if column.kind == "unit"]
     every = [row for each in (table, *others) for row in each.rows]
 
     def top_of(place: int, column: Column) -> Callable[[tuple[Value, ...]], float]:
@@ -26,4 +26,4 @@ def tops(table: Table, others: Sequence[Table]) -> list[Callable[[tuple[Value, .
             return lambda _row: most.get("", 0.0)
         return lambda row: most.get(row[of_row], 0.0) if row[of_row] else 0.0
 
-    return [top_of(place, column) for place, column in enumerate(table.columns)]
+    return [top_of(index, column) for index, column in enumerate(table.columns)]

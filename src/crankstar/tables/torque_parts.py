@@ -145,8 +145,8 @@ def tangential_table(found: LoadedTorques) -> Table:
         for load in found.imep
     ]
     rows = tuple(
-        (float(order), *map(float, waves[:, place]))
-        for place, order in enumerate(orders)
+        (float(order), *map(float, waves[:, index]))
+        for index, order in enumerate(orders)
         if order <= TANGENTIAL
     )
     return Table(

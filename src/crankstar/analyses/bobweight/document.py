@@ -100,12 +100,12 @@ def overbalance(engine: Engine, factor: float) -> Table:
         Column(_("more or less"), "%", key="more_percent", label=True),
         Column(_("balance factor"), "%", key="factor_percent"),
     ]
-    for place, pins in enumerate(kinds.values(), 1):
+    for number, pins in enumerate(kinds.values(), 1):
         heading = bobweight_heading(engine)
         if len(kinds) > 1:
             names = ", ".join(pin_name(engine, pin) for pin in pins)
             heading = _("bobweight, pin {names}", names=names)
-        key = "bobweight" if len(kinds) == 1 else f"bobweight_{place}"
+        key = "bobweight" if len(kinds) == 1 else f"bobweight_{number}"
         columns.append(Column(heading, scale.unit, key=key))
     rows: list[tuple[Value, ...]] = [
         (

@@ -80,12 +80,12 @@ def _bars(found: Diagnosis) -> Panel:
     some = suspects_of(found)[:BARS] or found.suspects[:1]
     rows = [
         {
-            "fault": f"{place}",
+            "fault": f"{index}",
             "name": suspect_text(each, found),
             "to": max(100 * each.explained, 0.0),
             "text": f"{number(max(100 * each.explained, 0.0), 100.0, digits=3)} %",
         }
-        for place, each in enumerate(some, 1)
+        for index, each in enumerate(some, 1)
     ]
     names = [row.pop("name") for row in rows]
     wide = max(text_width(name, SMALL) for name in names) + 12

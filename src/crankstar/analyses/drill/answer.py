@@ -50,8 +50,8 @@ def compute(file: Loaded | None, question: Question) -> Drilled:
 def _measured(question: Question, made: Drill) -> list[Correction]:
     """The holes for the unbalances that a balancing machine shows."""
     return [
-        Correction(str(place), None, spot.unbalance, spot.angle, holes(spot.unbalance, made))
-        for place, spot in enumerate(question.unbalance or (), 1)
+        Correction(str(number), None, spot.unbalance, spot.angle, holes(spot.unbalance, made))
+        for number, spot in enumerate(question.unbalance or (), 1)
     ]
 
 
@@ -70,11 +70,11 @@ def _of_engine(engine: Engine, question: Question, made: Drill, factor: float) -
     cranks = [shaft for shaft in engine.shafts if shaft.throws]
     first = {shaft.name: shaft.throws[0].angle for shaft in cranks}
     corrections: list[Correction] = []
-    for place, spot in enumerate(heavy_spots(engine, after), 1):
-        drilled = as_given(("drilled", place), spot)
+    for number, spot in enumerate(heavy_spots(engine, after), 1):
+        drilled = as_given(("drilled", number), spot)
         corrections.append(
             Correction(
-                f"{spot.shaft} {place}" if len(cranks) > 1 else str(place),
+                f"{spot.shaft} {number}" if len(cranks) > 1 else str(number),
                 spot.z,
                 bounded(spot.unbalance, [[rect(spot.unbalance, spot.angle)]]),
                 spot.angle,

@@ -167,9 +167,9 @@ def with_cylinders(
     places = [(count - 1) / 2 * pitch - index * pitch for index in range(count)]
     if drive is not None and count >= drive.cylinders:
         half = drive.wider / 2
-        places = [z + half if place < count // 2 else z - half for place, z in enumerate(places)]
+        places = [z + half if index < count // 2 else z - half for index, z in enumerate(places)]
     step = engine.sense * (2 if engine.cycle == "four-stroke" else 1) * 2 * pi / count
-    fires = {number: place for place, number in enumerate(order)}
+    fires = {number: index for index, number in enumerate(order)}
     top = first.bearing
     throws = tuple(
         with_values(throw, angle=wrapped(top - fires[number] * step), z=places[number - 1])

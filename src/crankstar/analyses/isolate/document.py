@@ -113,8 +113,8 @@ def _modes(before: MountAnalysis, after: MountAnalysis) -> Table:
         Column(_("best found"), "Hz", key="after", fixed=True, digits=3),
     )
     rows = tuple(
-        (place, old.frequency, new.frequency)
-        for place, (old, new) in enumerate(zip(before.modes, after.modes, strict=True), 1)
+        (number, old.frequency, new.frequency)
+        for number, (old, new) in enumerate(zip(before.modes, after.modes, strict=True), 1)
     )
     return Table(_("Natural frequencies"), columns, rows, key="modes")
 

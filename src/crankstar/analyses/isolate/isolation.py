@@ -117,7 +117,7 @@ def isolated(
     ends: list[float] = []
     best: tuple[float, Real] | None = None
     nearest, missing = np.inf, ""
-    for place, start in enumerate(_starts(search, starts), 1):
+    for number, start in enumerate(_starts(search, starts), 1):
         x = search.led(start)
         missed = search.missed(x)
         if missed < nearest:
@@ -127,7 +127,7 @@ def isolated(
         if value == value and (best is None or value < best[0]):
             best = value, x
         if tell is not None:
-            tell(place, starts)
+            tell(number, starts)
     if best is None:
         raise RemedyError(
             "no mounts within these limits keep to the sag and the band of frequencies: the "

@@ -219,7 +219,7 @@ def _guide_places(
     return (
         {float(guide.orders[place]): place for place in chosen}
         if not every
-        else {float(order): place for place, order in enumerate(guide.orders)}
+        else {float(order): index for index, order in enumerate(guide.orders)}
     )
 
 

@@ -81,14 +81,14 @@ def _groups(kind: Kind) -> list[list[int]]:
     """Places at which every item adds the same."""
     scale = float(np.abs(kind.vectors).max()) or 1.0
     groups: list[list[int]] = []
-    for place in range(kind.places):
-        own = kind.vectors[:, place]
+    for index in range(kind.places):
+        own = kind.vectors[:, index]
         for group in groups:
             if np.allclose(kind.vectors[:, group[0]], own, rtol=0, atol=SAME * scale):
-                group.append(place)
+                group.append(index)
                 break
         else:
-            groups.append([place])
+            groups.append([index])
     return groups
 
 
@@ -136,8 +136,8 @@ def _grouped(kind: Kind) -> list[list[int]]:
 def _points(kind: Kind, assigned: np.ndarray) -> Real:
     """What assignments add [assignment, row]."""
     out = np.zeros((len(assigned), kind.vectors.shape[2]))
-    for place in range(kind.places):
-        out += kind.vectors[assigned[:, place], place]
+    for index in range(kind.places):
+        out += kind.vectors[assigned[:, index], index]
     return out
 
 
@@ -227,9 +227,9 @@ def _improved(fixed: Real, kinds: Sequence[Kind], now: list[list[int]]) -> float
     Items behind the last place are spare.
     """
     total = fixed + sum(
-        kind.vectors[own[place], place]
+        kind.vectors[own[index], index]
         for kind, own in zip(kinds, now, strict=True)
-        for place in range(kind.places)
+        for index in range(kind.places)
     )
     length = float(total @ total)
     while True:

@@ -88,7 +88,7 @@ def batch_of(listed: Listed) -> Batch:
         found = [columns.value(row, name, MASS) for row in columns.rows]
         _check_weights(columns, name, found)
         masses[name] = np.array(found)
-    labels = [str(place) for place, _row in enumerate(columns.rows, 1)]
+    labels = [str(number) for number, _row in enumerate(columns.rows, 1)]
     if "label" in columns:
         labels = [columns.text(row, "label") for row in columns.rows]
         _note_twice(columns, labels)

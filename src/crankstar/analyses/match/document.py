@@ -114,7 +114,7 @@ def _places_table(batch: Batch, engines: Sequence[Matched]) -> Table:
         (_("piston pin"), "pin", "pin" in batch.masses),
         (_("rod"), "rod", batch.has_rods),
     ]
-    shown = [place for place, (_said, _key, there) in enumerate(kinds) if there]
+    shown = [index for index, (_said, _key, there) in enumerate(kinds) if there]
     columns = [Column(_("engine"), key="engine", label=True)] if several else []
     columns += [Column(_("cylinder"), key="cylinder", label=True)]
     columns += [Column(kinds[at][0], kind="text", key=kinds[at][1]) for at in shown]

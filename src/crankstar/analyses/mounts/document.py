@@ -196,9 +196,9 @@ def _order_table(found: MountAnalysis, own: MountResponse, *, every: bool) -> Ta
     size = np.abs(moved).max(axis=-1)
     least = 1e-3 * float(size.max(initial=0.0))
     rows: list[tuple[Value, ...]] = [
-        (float(order), *map(complex, moved[place]), complex(roll[place]), float(force[place]))
-        for place, order in enumerate(own.orders)
-        if every or size[place] > least
+        (float(order), *map(complex, moved[index]), complex(roll[index]), float(force[index]))
+        for index, order in enumerate(own.orders)
+        if every or size[index] > least
     ]
     title = _("By order at {rpm} rpm", rpm=number(float(own.speeds[0] * RPM)))
     return Table(title, columns, tuple(rows), key="orders")

@@ -142,7 +142,7 @@ def _forced(found: MountAnalysis) -> dict[str, Real]:
     over, at = found.over, found.point
     if over is None:
         return {}
-    each = [rms(over.mount_force[:, :, place]) for place in range(len(over.block.mounts))]
+    each = [rms(over.mount_force[:, :, index]) for index in range(len(over.block.mounts))]
     curves = {
         "mount force": rms(over.ground_force[..., :3]),
         "mount moment": rms(over.ground_force[..., 3:]),

@@ -189,12 +189,12 @@ def _shares(row: OrderScatter, *, foot: bool) -> Panel:
     body = [
         {
             "to": 100 * share,
-            "top": place + 0.55,
-            "foot": place + 0.88,
-            "words": place + 0.22,
+            "top": index + 0.55,
+            "foot": index + 0.88,
+            "words": index + 0.22,
             "text": f"{path} {_two_figures(100 * share)} %",
         }
-        for place, (path, share) in enumerate(drawn)
+        for index, (path, share) in enumerate(drawn)
     ]
     down = {"scale": span(BARS, 0), "title": None, "axis": None}
     y = field("top:Q", **down)

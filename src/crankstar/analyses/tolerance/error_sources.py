@@ -110,8 +110,8 @@ def _of_cylinders(tree: Tree, own: Tolerance, engine: Engine, machine: Mechanism
     match own.keys:
         case ("cylinder", *keys):
             places = [
-                place
-                for place, cylinder in enumerate(engine.cylinders)
+                index
+                for index, cylinder in enumerate(engine.cylinders)
                 if not _overridden(tree, cylinder.number, keys)
                 and not (keys == ["rod_length"] and cylinder.articulated and _slave_length(tree))
             ]
@@ -155,7 +155,7 @@ def _slave_length(tree: Tree) -> bool:
 
 def _of_strokes(places: Sequence[int], engine: Engine, machine: Mechanism) -> Moves:
     """Half of an error of the stroke is the crank radius of each throw."""
-    on = np.array([throw_of(engine, place) for place in range(len(engine.cylinders))])
+    on = np.array([throw_of(engine, index) for index in range(len(engine.cylinders))])
     throws = [throw for shaft in engine.shafts for throw in shaft.throws]
     out = []
     for index in dict.fromkeys(int(on[place]) for place in places):
@@ -299,9 +299,9 @@ def _of_layout(plain: Tree, own: Tolerance, engine: Engine, name: str) -> Moves:
         return _split_by_throw(moves, engine)
     if last in _BY_CYLINDER:
         return [
-            (_("cylinder {number}", number=cylinder.number), _masked(moves, place))
-            for place, cylinder in enumerate(engine.cylinders)
-            if any(values[place] for values in moves.values())
+            (_("cylinder {number}", number=cylinder.number), _masked(moves, index))
+            for index, cylinder in enumerate(engine.cylinders)
+            if any(values[index] for values in moves.values())
         ]
     return [("", moves)]
 
@@ -338,7 +338,7 @@ def _rates(
 
 def _split_by_throw(moves: Arrays, engine: Engine) -> Moves:
     """The turn of several pins as one of each pin, with its cylinders and its weights."""
-    on = np.array([throw_of(engine, place) for place in range(len(engine.cylinders))])
+    on = np.array([throw_of(engine, index) for index in range(len(engine.cylinders))])
     homes = homes_of(engine)
     out = []
     for index in dict.fromkeys(on.tolist()):

@@ -137,8 +137,8 @@ def bearing_lines(
     def sums(batch: Mechanism) -> dict[str, Vectors]:
         found = bearing_forces(engine, batch, orders=orders)
         return {
-            name: Vectors(*(scale.force * part[..., place, :] for part in found))
-            for place, name in enumerate(names)
+            name: Vectors(*(scale.force * part[..., index, :] for part in found))
+            for index, name in enumerate(names)
         }
 
     pushed = dict.fromkeys(names, force)
@@ -202,7 +202,7 @@ def moved(machine: Mechanism, errors: Sequence[ErrorSource], sizes: Real) -> Mec
     own = arrays_of(machine)
     out: Arrays = {}
     for name in dict.fromkeys(name for error in errors for name in error.moves):
-        places = [place for place, error in enumerate(errors) if name in error.moves]
+        places = [index for index, error in enumerate(errors) if name in error.moves]
         changes = np.stack([errors[place].moves[name] for place in places])
         out[name] = own[name] + sizes[:, places] @ changes
     return with_arrays(machine, own | out, len(sizes))
@@ -263,8 +263,8 @@ def _differences(found: Vectors, steps: Real, pushed: float) -> Vectors:
 
     def rate(values: Complex) -> Complex:
         sums = sum(
-            weight * values[place * count : (place + 1) * count]
-            for place, (_step, weight) in enumerate(STENCIL)
+            weight * values[index * count : (index + 1) * count]
+            for index, (_step, weight) in enumerate(STENCIL)
         )
         out = np.asarray(sums) / steps[:, None]
         noise = NOTHING * pushed / steps[:, None]
@@ -309,7 +309,7 @@ def worst(own: Linear, bounds: Real) -> Real:
     >>> worst(own, np.array([2.0, 0.0]))  # 2 and an error of 2 on the same line
     array([4.])
     """
-    return np.array([_worst(own, bounds, place) for place in range(own.nominal.forward.size)])
+    return np.array([_worst(own, bounds, index) for index in range(own.nominal.forward.size)])
 
 
 def _worst(own: Linear, bounds: Real, place: int) -> float:

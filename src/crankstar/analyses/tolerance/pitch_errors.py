@@ -45,8 +45,8 @@ def of_pitches(plain: Tree, engine: Engine) -> Moves:
     homes = homes_of(engine)
     of_cylinder = np.array([slots[cylinder.number] for cylinder in engine.cylinders])
     of_throw: dict[int, list[int]] = {}
-    for place in range(of_cylinder.size):
-        of_throw.setdefault(throw_of(engine, place), []).append(int(of_cylinder[place]))
+    for index in range(of_cylinder.size):
+        of_throw.setdefault(throw_of(engine, index), []).append(int(of_cylinder[index]))
     of_rotor = np.array(
         [np.mean(of_throw[home]) if home in of_throw else np.nan for home in homes.tolist()]
     )
@@ -71,10 +71,10 @@ def _slots(plain: Tree, engine: Engine) -> dict[int, int]:
         along = count // 2 if layout["type"] == "opposed" else count
         return {number: (number - 1) % along for number in range(1, count + 1)}
     if rows is not None:
-        return {number: place for place, row in enumerate(rows) for number in row["cylinders"]}
+        return {number: index for index, row in enumerate(rows) for number in row["cylinders"]}
     cranks = layout.get("cranks") or [layout]
     slots: dict[int, int] = {}
     for crank in cranks:
         for bank in crank.get("banks") or ():
-            slots |= {number: place for place, number in enumerate(bank["cylinders"])}
+            slots |= {number: index for index, number in enumerate(bank["cylinders"])}
     return slots

@@ -348,22 +348,22 @@ def _rows(
         nominal, most = amplitudes(own.nominal), worst(own, bounds)
         nominal = np.where(nominal > NEGLIGIBLE * most, nominal, 0.0)
         quantiles = np.quantile(made.amplitudes[signal], (0.5, 0.95, 0.99), axis=0)
-        for place, order in enumerate(orders):
-            if most[place] <= least[whole] and not every:
+        for index, order in enumerate(orders):
+            if most[index] <= least[whole] and not every:
                 continue
             rows.append(
                 OrderScatter(
                     signal=signal,
                     order=order,
                     unit=_unit(units, whole),
-                    nominal=float(nominal[place]),
-                    rms=float(np.sqrt(each[:, place].sum())),
-                    worst=float(most[place]),
-                    half_of=float(quantiles[0, place]),
-                    one_in_20=float(quantiles[1, place]),
-                    one_in_100=float(quantiles[2, place]),
-                    rms_found=float(np.sqrt(made.mean_square[signal][place])),
-                    shares=_shares(errors, each[:, place]),
+                    nominal=float(nominal[index]),
+                    rms=float(np.sqrt(each[:, index].sum())),
+                    worst=float(most[index]),
+                    half_of=float(quantiles[0, index]),
+                    one_in_20=float(quantiles[1, index]),
+                    one_in_100=float(quantiles[2, index]),
+                    rms_found=float(np.sqrt(made.mean_square[signal][index])),
+                    shares=_shares(errors, each[:, index]),
                 )
             )
     return tuple(rows)

@@ -89,8 +89,8 @@ def section_tables(chain: TorsionChain) -> tuple[Table, ...]:
     columns = (
         *columns[:2],
         *(
-            replace(column, machine=not any(row[place] for row in rows))
-            for place, column in enumerate(columns[2:], 2)
+            replace(column, machine=not any(row[number] for row in rows))
+            for number, column in enumerate(columns[2:], 2)
         ),
     )
     table = Table(_("Shafts between them"), columns, tuple(rows), key="sections")
@@ -137,8 +137,8 @@ def shape_table(chain: TorsionChain, modes: Sequence[Mode]) -> Table:
         ),
     )
     rows = [
-        (name, *(float(mode.shape[place]) for mode in modes))
-        for place, name in enumerate(chain.names)
+        (name, *(float(mode.shape[index]) for mode in modes))
+        for index, name in enumerate(chain.names)
     ]
     return Table(_("Mode shapes"), columns, tuple(rows), key="shapes")
 

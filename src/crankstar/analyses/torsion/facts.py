@@ -85,8 +85,8 @@ def compared(
     columns = (
         Column(_("engine"), kind="text", label=True, wraps=True),
         *(
-            Column(_("mode {number}", number=place + 1), "Hz", fixed=True, digits=4)
-            for place in range(MODES)
+            Column(_("mode {number}", number=index + 1), "Hz", fixed=True, digits=4)
+            for index in range(MODES)
         ),
         Column(_("strongest order")),
         Column(_("its mode")),
@@ -115,10 +115,10 @@ def sizes(
         for each, speed in zip(engines, speeds, strict=True)
     ]
     rows: list[tuple[str, float | None, list[float | None], str]] = []
-    for place in range(MODES):
-        name = "torsion_frequency" if not place else f"torsion_frequency_{place + 1}"
+    for index in range(MODES):
+        name = "torsion_frequency" if not index else f"torsion_frequency_{index + 1}"
         modes = [() if own is None else own.modes for own in found]
-        own = [each[place].frequency if place < len(each) else None for each in modes]
+        own = [each[index].frequency if index < len(each) else None for each in modes]
         rows += [(name, None, own, "Hz")] if any(own) else []
     tops = [own and own.strongest for own in found]
     return [

@@ -39,15 +39,15 @@ def response_table(found: TorsionAnalysis, own: Response) -> Table:
     turns, peak, sums, heat = own.peak_turn(found.free_end), own.peak, own.added, own.heat
     rows = [
         (
-            float(own.speeds[place] * RPM),
-            degrees(turns[place]),
-            _list(peak[place]),
-            _list(sums[place]),
-            _list(stress[place] * MPA),
-            _list(added[place] * MPA),
-            _list(heat[place]),
+            float(own.speeds[index] * RPM),
+            degrees(turns[index]),
+            _list(peak[index]),
+            _list(sums[index]),
+            _list(stress[index] * MPA),
+            _list(added[index] * MPA),
+            _list(heat[index]),
         )
-        for place in range(own.speeds.size)
+        for index in range(own.speeds.size)
     ]
     title = _("Response")
     return Table(title, columns, tuple(rows), key="response", audience="machines")
@@ -156,9 +156,9 @@ def order_table(
     torque = _without_rounding(own.torque[0])
     least = 1e-3 * float(np.abs(turns).max(initial=0.0))
     rows = [
-        (float(order), complex(turns[place]), *((complex(torque[place, worst]),) if name else ()))
-        for place, order in enumerate(own.orders)
-        if (abs(turns[place]) > least if asked is None else _is_among(order, asked))
+        (float(order), complex(turns[index]), *((complex(torque[index, worst]),) if name else ()))
+        for index, order in enumerate(own.orders)
+        if (abs(turns[index]) > least if asked is None else _is_among(order, asked))
     ]
     return Table(_("By order at this speed"), tuple(columns), tuple(rows), key="orders")
 

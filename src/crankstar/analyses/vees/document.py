@@ -28,7 +28,7 @@ def document(_source: None, result: Sequence[Vee], question: Question) -> Docume
         return Document("", (Remarks((_("No V engine of this kind fires evenly."),)),))
     vee = solutions[0]
     step = interval_deg(cylinders=vee.cylinders, cycle=vee.cycle)
-    rows = tuple(_row(place, vee) for place, vee in enumerate(solutions, 1))
+    rows = tuple(_row(index, vee) for index, vee in enumerate(solutions, 1))
     whole = Table("", _columns(), rows, key="solutions")
     first = replace(whole, rows=rows[:limit])
     title = _(

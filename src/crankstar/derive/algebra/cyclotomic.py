@@ -283,8 +283,8 @@ def reduction(order: int) -> np.ndarray:
     modulus = _modulus(order)
     rows = np.zeros((order, modulus.degree()), dtype=np.int64)
     for power in range(order):
-        for place, value in enumerate((fmpq_poly([0] * power + [1]) % modulus).coeffs()):
-            rows[power, place] = int(value.p)
+        for index, value in enumerate((fmpq_poly([0] * power + [1]) % modulus).coeffs()):
+            rows[power, index] = int(value.p)
     return rows
 
 

@@ -181,8 +181,8 @@ def harmonic(rods: tuple[Link, ...], order: int) -> Harmonic:
         out = []
         for coordinate in zip(*samples, strict=True):
             total = acb(0)
-            for place, value in enumerate(coordinate):
-                total += rotation(Fraction(-order * place % count, count)) * value
+            for index, value in enumerate(coordinate):
+                total += rotation(Fraction(-order * index % count, count)) * value
             error = arb(0, folded)
             out.append((total * 2 / count + acb(error, error)) * order**2)
         return Harmonic(*out)

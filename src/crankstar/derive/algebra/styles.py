@@ -23,8 +23,8 @@ _RAISED, _LOWERED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "₀₁₂₃₄₅₆₇�
 _LATEX_GREEK = {char: rf"\{name}" for name, char in GREEK.items()}
 _LATEX_KNOWN = {
     **{char: f"${name}$" for char, name in _LATEX_GREEK.items()},
-    **{char: f"$^{place}$" for place, char in enumerate(_RAISED[:10])},
-    **{char: f"$_{place}$" for place, char in enumerate(_LOWERED)},
+    **{char: f"$^{index}$" for index, char in enumerate(_RAISED[:10])},
+    **{char: f"$_{index}$" for index, char in enumerate(_LOWERED)},
     "φ": r"$\varphi$", "−": "$-$", "…": r"\ldots{}", "√": r"$\surd$", "∠": r"$\angle$", "′": "'",
     "≤": r"$\le$", "≥": r"$\ge$",
 }  # fmt: skip

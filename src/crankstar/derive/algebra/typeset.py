@@ -189,9 +189,9 @@ def _sum(formula: Sum, style: Style) -> Printed:
     if len(printed) == 1:
         return printed[0]
     out = ""
-    for place, term in enumerate(printed):
+    for index, term in enumerate(printed):
         sign = style.minus if term.negative else style.plus
-        if place == 0:
+        if index == 0:
             sign = style.sign if term.negative else ""
         out += sign + _held(term, Binding.VECTOR, style)
     return Printed(out, Binding.SUM)
@@ -242,8 +242,8 @@ def _flat(formula: Formula) -> list[Formula]:
 def _side_by_side(factors: Sequence[Formula], style: Style) -> list[Printed]:
     """Factors one after the other; a function that others than functions follow has brackets."""
     out: list[Printed] = []
-    for place, factor in enumerate(factors):
-        function, followers = _function(factor), factors[place + 1 : place + 2]
+    for index, factor in enumerate(factors):
+        function, followers = _function(factor), factors[index + 1 : index + 2]
         if function is None:
             out.append(_printed(factor, style))
         else:

@@ -114,8 +114,8 @@ def bending_chart(
     largest = max(course.greatest for course in courses)
     said = shown(courses[0].unit, largest)
     panels = [
-        _panel(engine, shaft, state, each, said.factor, several=len(cranks) > 1, first=not place)
-        for place, (shaft, state, each) in enumerate(blocks)
+        _panel(engine, shaft, state, each, said.factor, several=len(cranks) > 1, first=not index)
+        for index, (shaft, state, each) in enumerate(blocks)
     ]
     title = _("Bending moment of the crank, in {unit}", unit=together(unit_text(said.unit)))
     about = _("solid: greatest over the turn; dashed: at the crank angle of its peak")

@@ -38,17 +38,17 @@ def mount_mode_chart(engine: Engine) -> Chart:
     if found.block.freedoms > SIX:
         heads.append(_("foundation"))
     rows = []
-    for place, mode in enumerate(found.modes):
+    for index, mode in enumerate(found.modes):
         energy = [float(each) * 100 for each in mode.energy]
         shares = energy[:SIX] + ([sum(energy[SIX:])] if len(energy) > SIX else [])
         rows += [
             {
                 "x": column + 0.5,
-                "y": place + 0.5,
+                "y": index + 0.5,
                 "x1": column + 0.04,
                 "x2": column + 0.96,
-                "y1": place + 0.05,
-                "y2": place + 0.95,
+                "y1": index + 0.05,
+                "y2": index + 0.95,
                 "share": round(share, 3),
                 "text": f"{share:.0f}" if abs(share) >= LEAST else "",
             }
@@ -67,9 +67,9 @@ def mount_mode_chart(engine: Engine) -> Chart:
     texts = of_rows([row for row in rows if row["text"]]).mark(
         "text", fontSize=13, color=GREY, baseline="middle"
     )
-    names = [{"y": place + 0.5, "text": text} for place, text in enumerate(words)]
+    names = [{"y": index + 0.5, "text": text} for index, text in enumerate(words)]
     left = of_rows(names).mark("text", fontSize=13, color=GREY, align="right", baseline="middle")
-    tops = [{"x": place + 0.5, "text": text} for place, text in enumerate(heads)]
+    tops = [{"x": index + 0.5, "text": text} for index, text in enumerate(heads)]
     small = min(13, *(int(SMALL * cell / max(text_width(t, SMALL), 1.0)) for t in heads))
     head = of_rows(tops).mark("text", fontSize=max(small, 9), color=GREY, baseline="bottom")
     panel = layered(

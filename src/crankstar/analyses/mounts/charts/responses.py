@@ -194,7 +194,7 @@ def _by_order(
     each = np.sqrt((np.abs(amplitudes) ** 2).sum(axis=2) / 2)
     tops = each.max(axis=0)
     if asked is not None:
-        kept = [place for place, order in enumerate(over.orders.tolist()) if order in asked]
+        kept = [index for index, order in enumerate(over.orders.tolist()) if order in asked]
     else:
         strongest = np.argsort(-tops, kind="stable")[:MOST_ORDERS].tolist()
         least = VISIBLE * float(tops.max(initial=0.0))
@@ -213,7 +213,7 @@ def _amplitudes(over: MountResponse, at: Sequence[float], view: str) -> Complex:
 def _of_mounts(over: MountResponse) -> list[_Line]:
     """The force in each mount, those that the ground takes first."""
     count = len(over.block.mounts)
-    each = np.column_stack([rms(over.mount_force[:, :, place]) for place in range(count)])
+    each = np.column_stack([rms(over.mount_force[:, :, index]) for index in range(count)])
     names = [mount.name for mount in over.block.mounts]
     if over.block.freedoms > SIX:
         below = _("foundation")
@@ -230,13 +230,13 @@ def _apart(names: Sequence[str], values: Real, *, top: float = 0.0) -> tuple[lis
     """
     near = ALIKE * np.nanmax(np.abs(values), initial=top)
     first: dict[int, list[str]] = {}
-    for place, name in enumerate(names):
+    for index, name in enumerate(names):
         on = (
             other
             for other in first
-            if np.allclose(values[:, place], values[:, other], rtol=0, atol=near, equal_nan=True)
+            if np.allclose(values[:, index], values[:, other], rtol=0, atol=near, equal_nan=True)
         )
-        first.setdefault(next(on, place), []).append(name)
+        first.setdefault(next(on, index), []).append(name)
     return [", ".join(alike) for alike in first.values()], values[:, [*first]]
 
 
@@ -244,8 +244,8 @@ def _coloured(names: Sequence[str], values: Real) -> list[_Line]:
     """A line for each column; a second round of colours is dashed."""
     colours = islice(cycle(PALETTE), len(names))
     return [
-        _Line(name, values[:, place], colour, dash=(1, 0) if place < len(PALETTE) else (6, 3))
-        for place, (name, colour) in enumerate(zip(names, colours, strict=True))
+        _Line(name, values[:, index], colour, dash=(1, 0) if index < len(PALETTE) else (6, 3))
+        for index, (name, colour) in enumerate(zip(names, colours, strict=True))
     ]
 
 

@@ -57,10 +57,10 @@ def exhaust_order_chart(engine: Engine) -> Chart:
                 count,
                 lengths,
                 found.orders.tolist(),
-                place=place,
-                foot=place == len(shown) - 1,
+                place=index,
+                foot=index == len(shown) - 1,
             )
-            for place, (name, count, lengths) in enumerate(shown)
+            for index, (name, count, lengths) in enumerate(shown)
         ]
     return figure(
         [[panel] for panel in panels],

@@ -93,8 +93,8 @@ def _ring(
         ]
     )
     dots: list[Dot] = []
-    for place, points in enumerate(rings):
-        colour = _colour(place)
+    for index, points in enumerate(rings):
+        colour = _colour(index)
         dots += [Dot(point, colour=colour, size=110) for point in points]
         strokes += [
             Stroke((point, point / abs(point) * (1 + ASIDE)), colour=colour, width=0.7)
@@ -119,7 +119,7 @@ def _rings(bearings: Sequence[Sequence[float]]) -> list[list[complex]]:
     if len(ways) == 1 or len(ways) > len(PALETTE):
         aside = ASIDE * (len(ways) > 1)
         return [
-            [(1 + aside * (-1) ** place) * way for way in own] for place, own in enumerate(ways)
+            [(1 + aside * (-1) ** index) * way for way in own] for index, own in enumerate(ways)
         ]
     out: list[list[complex]] = [[(1 + ASIDE) * way for way in ways[0]]]
 
@@ -182,7 +182,7 @@ def _labels(
     Cylinders that fire together share a label.
     """
     colours = {
-        chamber: _colour(place) for place, group in enumerate(groups) for chamber in group.chambers
+        chamber: _colour(index) for index, group in enumerate(groups) for chamber in group.chambers
     }
     together: dict[float, list[int]] = {}
     for chamber in cycle.firing.order:
@@ -220,9 +220,9 @@ def _key(cycle: WorkingCycle, groups: Sequence[ExhaustGroup], frame: Frame) -> l
     texts = _key_texts(cycle, groups)
     left = sum(map(len, texts))
     out = []
-    for place, lines in enumerate(texts):
+    for index, lines in enumerate(texts):
         for line in lines:
             left -= 1
             height = frame.bottom + LINE * (left + 0.5) / frame.scale
-            out.append(Label(line, complex(height, 0.0), 0j, colour=_colour(place)))
+            out.append(Label(line, complex(height, 0.0), 0j, colour=_colour(index)))
     return out

@@ -185,7 +185,7 @@ def _kept(response: Response, courses: _Courses, asked: Sequence[float] | None) 
     """The places of the orders that are drawn by themselves."""
     orders = response.orders.tolist()
     if asked is not None:
-        return [place for place, order in enumerate(orders) if order in asked]
+        return [index for index, order in enumerate(orders) if order in asked]
     tops = courses.of_order.max(axis=0)
     least = VISIBLE * float(tops.max(initial=0.0))
     strongest = np.argsort(-tops, kind="stable")[:MOST_ORDERS].tolist()
