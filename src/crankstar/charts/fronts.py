@@ -136,12 +136,12 @@ def _front_panel(
     return layered(layers, width=panel_width(), height=HEIGHT), len(numbers) == len(points)
 
 
-def _row(own: FrontPoints, place: int, across: Axis, upward: Axis) -> dict[str, Any]:
+def _row(own: FrontPoints, index: int, across: Axis, upward: Axis) -> dict[str, Any]:
     """A point: its place, number, firing order and values."""
-    order = "-".join(map(str, own.orders[place]))
-    values = own.values[place]
+    order = "-".join(map(str, own.orders[index]))
+    values = own.values[index]
     named = {f"value{column}": value for column, value in enumerate(values)}
-    return {**_spot(values, across, upward), "row": place + 1, "order": order, **named}
+    return {**_spot(values, across, upward), "row": index + 1, "order": order, **named}
 
 
 def _objectives(answer: Answer) -> list[tuple[str, str]]:

@@ -47,8 +47,8 @@ def best_stars(answer: Answer, *, count: int = SHOWN, theta: float = 0.0) -> Cha
     return figure(rows, title=_("Crank stars, seen from the front"), subtitle=subtitle, theta=theta)
 
 
-def _panel(answer: Answer, place: int, theta: float) -> Panel:
-    row, stars = answer.rows[place], answer.question.stars
+def _panel(answer: Answer, index: int, theta: float) -> Panel:
+    row, stars = answer.rows[index], answer.question.stars
     heads = columns(answer)
     values = [
         f"{head.name} {number(value, digits=4)}"
@@ -57,7 +57,7 @@ def _panel(answer: Answer, place: int, theta: float) -> Panel:
     if not any(head.counted for head in heads):
         values.append(_("neighbours {count}", count=row.neighbours))
     order = order_lines(firing_order(stars, row.star), width=half_width() - 20)
-    words = [f"{place + 1}:  {order[0]}", *order[1:], *_pairs(values)]
+    words = [f"{index + 1}:  {order[0]}", *order[1:], *_pairs(values)]
     panel, _moved = crank_panel(
         engine(stars, row.star), theta=theta, width=half_width(), room=ROOM, title="\n".join(words)
     )

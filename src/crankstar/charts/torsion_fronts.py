@@ -74,16 +74,16 @@ def sequence_stars(front: SequenceFront, *, count: int = SHOWN) -> Chart:
     return figure(rows, title=title, subtitle=subtitle, theta=0.0)
 
 
-def _star(points: FrontPoints, place: int, shaft: Shaft, fired: Fired) -> Panel:
+def _star(points: FrontPoints, index: int, shaft: Shaft, fired: Fired) -> Panel:
     """The crank from the front, under its firing order and values."""
     values = [
         f"{head.name} {number(value, digits=4)}"
-        for head, value in zip(points.heads, points.values[place], strict=True)
+        for head, value in zip(points.heads, points.values[index], strict=True)
     ]
     if not any(head.counted for head in points.heads):
-        values.append(_("neighbours {count}", count=points.neighbours[place]))
-    order = order_lines(points.orders[place], width=half_width() - 24)
-    lines = [f"{place + 1}:  {order[0]}", *order[1:]]
+        values.append(_("neighbours {count}", count=points.neighbours[index]))
+    order = order_lines(points.orders[index], width=half_width() - 24)
+    lines = [f"{index + 1}:  {order[0]}", *order[1:]]
     lines += [", ".join(values[at : at + 2]) for at in range(0, len(values), 2)]
     panel, _moved = crank_panel(
         engine_of(shaft, fired), theta=0.0, width=half_width(), room=ROOM, title="\n".join(lines)

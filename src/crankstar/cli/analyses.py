@@ -233,12 +233,12 @@ def _write(record: Analysis, writes: Writes, line: CommandLine, result: Any, pat
             write_engine(each, line.tree, place, option=spelt(writes))
 
 
-def _write_instead(record: Analysis, writes: Writes, line: CommandLine, place: str | None) -> None:
+def _write_instead(record: Analysis, writes: Writes, line: CommandLine, path: str | None) -> None:
     """Write the engine that is given in place of the document, or print it."""
     with added().running(record.name), _shown(record, 1) as steps:
         result = _computed(record, line.about(record), line.question, steps.tell)
         made = writes.engine.value(result, line.question)
-    write_engine(made, line.tree, place)
+    write_engine(made, line.tree, path)
 
 
 def _save(record: Analysis, result: Any, options: dict[str, Any]) -> None:

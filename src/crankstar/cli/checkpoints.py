@@ -10,16 +10,16 @@ from crankstar.language.quoting import one_line
 from crankstar.stars.checkpoint import Asked, Checkpoint, opened
 
 
-def kept(place: str | None, question: Asked) -> Checkpoint | None:
+def kept(path: str | None, question: Asked) -> Checkpoint | None:
     """The checkpoint of a search, if it has a file. Raises SearchError as `opened`."""
-    if place is None:
+    if path is None:
         return None
-    found = opened(Path(place), question)
+    found = opened(Path(path), question)
     if found.damaged is None:
         complain(
             _(
                 "crankstar: {file} held no whole line; the search starts at the beginning",
-                file=one_line(place),
+                file=one_line(path),
             )
         )
     elif found.damaged:
@@ -30,7 +30,7 @@ def kept(place: str | None, question: Asked) -> Checkpoint | None:
                 "crankstar: {file}: {count} damaged lines were passed over; what is missing is "
                 "searched again",
                 found.damaged,
-                file=one_line(place),
+                file=one_line(path),
                 count=found.damaged,
             )
         )

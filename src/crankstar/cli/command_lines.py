@@ -136,12 +136,10 @@ def _saved_place(saves: Saves, options: dict[str, Any]) -> None:
     writable(place, option=saves.option)
 
 
-def _refuse_same(option: str, place: str, output: str | None) -> None:
+def _refuse_same(option: str, path: str, output: str | None) -> None:
     """Refuse one file for two things. Raises RequestError."""
-    if output is not None and realpath(place) == realpath(output):
-        raise refusal(
-            option, place, "it is read or written besides and would be lost; name another"
-        )
+    if output is not None and realpath(path) == realpath(output):
+        raise refusal(option, path, "it is read or written besides and would be lost; name another")
 
 
 def _engine_places(writes: Writes, options: dict[str, Any], question: Any) -> None:

@@ -186,24 +186,24 @@ def sheet_tree(
 
 
 def write_engine(
-    engine: Engine, tree: Mapping[str, Any] | None, place: str | None, *, option: str = "-o"
+    engine: Engine, tree: Mapping[str, Any] | None, path: str | None, *, option: str = "-o"
 ) -> None:
     """Write an engine file in the form of its `tree`, or print it; `option` names the file."""
-    write_tree(written_tree(engine, tree), place, option=option)
+    write_tree(written_tree(engine, tree), path, option=option)
 
 
-def engine_suffix(place: str | None, *, option: str = "-o") -> str:
+def engine_suffix(path: str | None, *, option: str = "-o") -> str:
     """How the name of an engine file ends, empty without one.
 
     Raises RequestError for others, OutputError where it cannot be written.
     """
     from crankstar.options.refusals import refusal
 
-    suffix = "" if place is None else Path(place).suffix.lower()
+    suffix = "" if path is None else Path(path).suffix.lower()
     if suffix not in ("", ".toml", ".json", ".xlsx"):
-        raise refusal(option, place, "the name must end in .toml, .json or .xlsx")
-    if place is not None:
-        writable(place, option=option)
+        raise refusal(option, path, "the name must end in .toml, .json or .xlsx")
+    if path is not None:
+        writable(path, option=option)
     return suffix
 
 
@@ -219,7 +219,7 @@ def numbered(place: str, count: int) -> list[str]:
     return [str(path.with_name(f"{path.stem}-{n}{path.suffix}")) for n in range(1, count + 1)]
 
 
-def write_tree(tree: Mapping[str, Any], place: str | None, *, option: str = "-o") -> None:
+def write_tree(tree: Mapping[str, Any], path: str | None, *, option: str = "-o") -> None:
     """Write an engine file as its name says: TOML, JSON or a spreadsheet; print it without a name.
 
     It is never written where it could not be read again. Raises RequestError for other names.
@@ -229,18 +229,18 @@ def write_tree(tree: Mapping[str, Any], place: str | None, *, option: str = "-o"
     from crankstar.files import tree_text
     from crankstar.options.forms import require
 
-    suffix = engine_suffix(place, option=option)
-    if suffix == ".xlsx" and place is not None:
+    suffix = engine_suffix(path, option=option)
+    if suffix == ".xlsx" and path is not None:
         require("xlsx")
         from crankstar.files.sheets import sheets_of
         from crankstar.files.workbook import workbook_bytes, workbook_tree
 
         content = workbook_bytes(sheets_of(dict(tree)))
-        engine_of(workbook_tree(content, place))
-        write_bytes(content, place, option=option)
+        engine_of(workbook_tree(content, path))
+        write_bytes(content, path, option=option)
         return
     from crankstar.tables.machine import json_text
 
     text = json_text(tree) if suffix == ".json" else tree_text(dict(tree))
     engine_of(tree_in(text))
-    write(text, place, option=option)
+    write(text, path, option=option)

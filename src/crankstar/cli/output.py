@@ -39,18 +39,18 @@ def terminal_width() -> int:
     return int(named) if named.isdecimal() and int(named) else PIPED
 
 
-def display(shown: Any, place: str | None = None) -> None:
+def display(shown: Any, path: str | None = None) -> None:
     """Print a Document, or what rich can print, in the width of the terminal; plain into a file."""
     from rich.console import Console
 
     from crankstar.analysis.document import Document
     from crankstar.tables.terminal import rendered
 
-    plain = {} if place is None else {"file": StringIO(), "force_terminal": False}
-    width = terminal_width() if place is None else PIPED
+    plain = {} if path is None else {"file": StringIO(), "force_terminal": False}
+    width = terminal_width() if path is None else PIPED
     console = Console(highlight=False, markup=False, width=width, **plain)
     drawn = rendered(shown, width=width) if isinstance(shown, Document) else shown
-    if place is None:
+    if path is None:
         _opened()
     if console.is_terminal:
         console.print(drawn, crop=False)
@@ -58,49 +58,49 @@ def display(shown: Any, place: str | None = None) -> None:
     with console.capture() as captured:
         console.print(drawn, crop=False)
     text = "".join(f"{line.rstrip()}\n" for line in captured.get().splitlines())
-    if place in STANDARD_OUTPUT:
+    if path in STANDARD_OUTPUT:
         _opened()
         sys.stdout.write(text)
     else:
-        write(text, place)
+        write(text, path)
 
 
-def write(text: str, place: str | None, *, option: str = "-o") -> None:
+def write(text: str, path: str | None, *, option: str = "-o") -> None:
     """Write text that programs read to standard output, or to a file, whole or not at all.
 
     It is UTF-8 also in a pipe whose encoding is another one; a terminal shows what it can. Raises
     OutputError.
     """
-    if place in STANDARD_OUTPUT:
+    if path in STANDARD_OUTPUT:
         _opened()
         if sys.stdout.isatty() or not hasattr(sys.stdout, "buffer"):
             sys.stdout.write(text)
             return
-    write_bytes(text.encode("utf-8", errors="replace"), place, option=option)
+    write_bytes(text.encode("utf-8", errors="replace"), path, option=option)
 
 
-def write_bytes(content: bytes, place: str | None, *, option: str = "-o") -> None:
+def write_bytes(content: bytes, path: str | None, *, option: str = "-o") -> None:
     """Write bytes to standard output, or to a file, whole or not at all; raises OutputError.
 
     A file is named on standard error once it is written, so that a pipe stays clean. `option` is
     the one that names it.
     """
-    if place in STANDARD_OUTPUT:
+    if path in STANDARD_OUTPUT:
         _opened()
         sys.stdout.flush()
         rest = memoryview(content)
         while rest:  # unbuffered, a full disk takes a part without an error, and then none
             rest = rest[sys.stdout.buffer.write(rest) :]
         return
-    with _refusing(place, option):
-        mode = _mode(place)
+    with _refusing(path, option):
+        mode = _mode(path)
         if mode is None or stat.S_ISREG(mode):
-            _refuse_read(place, mode, option)
-            _replace(Path(place).resolve(), content, option)
+            _refuse_read(path, mode, option)
+            _replace(Path(path).resolve(), content, option)
             said = N_("Wrote {file}") if mode is None else N_("Replaced {file}")
-            complain(_(said, file=one_line(place)))
+            complain(_(said, file=one_line(path)))
         else:
-            _pour(place, content)
+            _pour(path, content)
 
 
 def write_result(content: str | bytes, output: str | None, usual: str) -> None:
@@ -112,55 +112,55 @@ def write_result(content: str | bytes, output: str | None, usual: str) -> None:
         write_bytes(content, place)
 
 
-def writable(place: str, *, option: str = "-o") -> None:
+def writable(path: str, *, option: str = "-o") -> None:
     """Refuse, before long work, a place that cannot be written to; raises OutputError."""
-    if place in STANDARD_OUTPUT:
+    if path in STANDARD_OUTPUT:
         return
-    with _refusing(place, option):
-        mode = _mode(place)
-        _refuse_read(place, mode, option)
-        if mode is None and not Path(place).resolve().parent.is_dir():
-            _refuse(place, N_("there is no such directory"), option)
-        if not os.access(place if mode is not None else Path(place).resolve().parent, os.W_OK):
-            _refuse(place, WRITE_PROTECTED, option)
+    with _refusing(path, option):
+        mode = _mode(path)
+        _refuse_read(path, mode, option)
+        if mode is None and not Path(path).resolve().parent.is_dir():
+            _refuse(path, N_("there is no such directory"), option)
+        if not os.access(path if mode is not None else Path(path).resolve().parent, os.W_OK):
+            _refuse(path, WRITE_PROTECTED, option)
 
 
-def writable_form(place: str | None, forms: Sequence[str], **flags: bool) -> str:
+def writable_form(path: str | None, forms: Sequence[str], **flags: bool) -> str:
     """`form_of` of a file that can be written. Raises RequestError, OutputError."""
-    form = form_of(place, forms, **flags)
-    if place is not None:
-        writable(place)
+    form = form_of(path, forms, **flags)
+    if path is not None:
+        writable(path)
     return form
 
 
-def _refuse_read(place: str, mode: int | None, option: str) -> None:
+def _refuse_read(path: str, mode: int | None, option: str) -> None:
     """Refuse a file that this command has read, itself or through another. Raises OutputError."""
     from crankstar.files.read_files import was_read
 
-    if mode is not None and was_read(place):
-        raise OutputError(LOST, file=one_line(place), option=option)
+    if mode is not None and was_read(path):
+        raise OutputError(LOST, file=one_line(path), option=option)
 
 
 @contextmanager
-def _refusing(place: str, option: str) -> Iterator[None]:
+def _refusing(path: str, option: str) -> Iterator[None]:
     """Have what is wrong with a place told as an OutputError; first, that it is a directory."""
     try:
-        mode = _mode(place)
-        if place.endswith(os.sep) or (mode is not None and stat.S_ISDIR(mode)):
-            _refuse(place, N_("it is a directory"), option)
+        mode = _mode(path)
+        if path.endswith(os.sep) or (mode is not None and stat.S_ISDIR(mode)):
+            _refuse(path, N_("it is a directory"), option)
         yield
     except OSError as error:
-        _refuse(place, error.strerror or str(error), option)
+        _refuse(path, error.strerror or str(error), option)
     except (ValueError, RuntimeError) as error:
         if isinstance(error, OutputError):
             raise
-        _refuse(place, N_("a file cannot have this name"), option)
+        _refuse(path, N_("a file cannot have this name"), option)
 
 
-def is_file(place: str) -> bool:
+def is_file(path: str) -> bool:
     """Whether a file that would be overwritten is there."""
     with suppress(OSError, ValueError):
-        return stat.S_ISREG(_mode(place) or 0)
+        return stat.S_ISREG(_mode(path) or 0)
     return False
 
 
@@ -169,10 +169,10 @@ def _opened() -> None:
         raise OutputError("standard output is closed; name a file with -o")
 
 
-def _mode(place: str) -> int | None:
+def _mode(path: str) -> int | None:
     """What kind of file is there, None if none."""
     try:
-        return Path(place).stat().st_mode
+        return Path(path).stat().st_mode
     except FileNotFoundError:
         return None
 
@@ -195,19 +195,19 @@ def _replace(target: Path, content: bytes, option: str) -> None:
         raise
 
 
-def _pour(place: str, content: bytes) -> None:
+def _pour(path: str, content: bytes) -> None:
     """Write into a device or a pipe, in place, without waiting for a reader."""
-    handle = os.open(place, os.O_WRONLY | os.O_NONBLOCK)
+    handle = os.open(path, os.O_WRONLY | os.O_NONBLOCK)
     os.set_blocking(handle, True)
     with os.fdopen(handle, "wb") as file:
         file.write(content)
 
 
-def _refuse(place: str, reason: str, option: str) -> NoReturn:
+def _refuse(path: str, reason: str, option: str) -> NoReturn:
     raise OutputError(
         "{file}: cannot be written ({reason}); nothing was changed. Name another file with "
         "{option}",
-        file=one_line(place),
+        file=one_line(path),
         reason=_(reason),
         option=option,
     )

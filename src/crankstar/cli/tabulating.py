@@ -42,7 +42,7 @@ def resting_on(
 
 
 def give(
-    document: Document, place: str | None, *, form: str, tree: Mapping[str, Any] | None = None
+    document: Document, path: str | None, *, form: str, tree: Mapping[str, Any] | None = None
 ) -> None:
     """Write a document in a form of TABLES to a file or to standard output.
 
@@ -50,7 +50,7 @@ def give(
     spreadsheet also the engine file `tree`.
     """
     if form == "txt":
-        display(document, place)
+        display(document, path)
         return
     from crankstar.tables import machine
 
@@ -58,16 +58,16 @@ def give(
     filled = [table for table in keyed if table.rows]
     table = machine.stacked(filled) if len(filled) > 1 else next(iter([*filled, *keyed]), None)
     if form == "json":
-        write(machine.json_text(machine.tree(document)), place)
+        write(machine.json_text(machine.tree(document)), path)
     elif form == "xlsx":
         from crankstar.files.sheets import sheets_of
         from crankstar.tables.spreadsheet import spreadsheet_bytes
 
         engine = [] if tree is None else sheets_of(tree)
-        write_bytes(spreadsheet_bytes(document, engine), place)
+        write_bytes(spreadsheet_bytes(document, engine), path)
     elif table is not None and form == "parquet":
         from crankstar.tables.arrow import parquet_bytes
 
-        write_bytes(parquet_bytes(table), place)
+        write_bytes(parquet_bytes(table), path)
     else:
-        write("" if table is None else machine.csv_text(table), place)
+        write("" if table is None else machine.csv_text(table), path)

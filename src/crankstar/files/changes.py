@@ -216,8 +216,8 @@ def _can_hold(table: Any, key: str | int) -> bool:
     )
 
 
-def _unsettable(keys: list[str | int], place: int, table: Any) -> Fault:
-    values: dict[str, Any] = {"whole": one_line(where(tuple(keys[:place])), longest=60)}
+def _unsettable(keys: list[str | int], index: int, table: Any) -> Fault:
+    values: dict[str, Any] = {"whole": one_line(where(tuple(keys[:index])), longest=60)}
     if isinstance(table, list):
         return Fault(tuple(keys), "set.in-list", values | {"size": len(table)})
     code = "set.not-a-list" if isinstance(table, dict) else "set.not-a-table"

@@ -97,28 +97,28 @@ def key_of(head: str) -> str:
     return " ".join(re.findall(r"\w+", re.sub(r"_", " ", UNIT.sub("", head).lower())))
 
 
-def read_list(place: str) -> Listed:
+def read_list(path: str) -> Listed:
     """The list in a CSV file, or in the first full sheet of a spreadsheet. Raises ListError."""
-    name = one_line(Path(place).name or place, longest=80)
-    if not place.strip():
+    name = one_line(Path(path).name or path, longest=80)
+    if not path.strip():
         raise ListError("the name of a list is empty; name a CSV file or a spreadsheet")
     try:
-        if Path(place).exists() and not Path(place).is_file() and not Path(place).is_dir():
+        if Path(path).exists() and not Path(path).is_file() and not Path(path).is_dir():
             raise ListError(
-                "{file} is no regular file; name a CSV file or a spreadsheet", file=one_line(place)
+                "{file} is no regular file; name a CSV file or a spreadsheet", file=one_line(path)
             )
-        with Path(place).open("rb") as opened:
+        with Path(path).open("rb") as opened:
             note(opened)
             raw = opened.read(GREATEST_LIST + 1)
     except ListError:
         raise
     except IsADirectoryError:
         raise ListError(
-            "{file} is a directory; name a list in it, CSV or a spreadsheet", file=one_line(place)
+            "{file} is a directory; name a list in it, CSV or a spreadsheet", file=one_line(path)
         ) from None
     except (OSError, ValueError):
         raise ListError(
-            "{file}: there is no such file, or it cannot be read", file=one_line(place)
+            "{file}: there is no such file, or it cannot be read", file=one_line(path)
         ) from None
     if len(raw) > GREATEST_LIST:
         raise ListError(

@@ -30,10 +30,10 @@ def charts() -> ModuleType:
     return charts
 
 
-def suffix(place: str | None, possible: tuple[str, ...] = PICTURES) -> str:
+def suffix(path: str | None, possible: tuple[str, ...] = PICTURES) -> str:
     """The format of a figure by the name of its file, SVG without one. Raises RequestError."""
-    refuse_terminal(place, possible)
-    return form_of(place, possible)
+    refuse_terminal(path, possible)
+    return form_of(path, possible)
 
 
 def options(

@@ -42,7 +42,7 @@ def named(engine: str) -> str:
 
 
 def form_of(
-    place: str | None, forms: Sequence[str], *, json: bool = False, csv: bool = False
+    path: str | None, forms: Sequence[str], *, json: bool = False, csv: bool = False
 ) -> str:
     """One of these forms: the one that is asked for, else by the suffix of the file's name.
 
@@ -52,41 +52,41 @@ def form_of(
     if json and csv:
         raise RequestError("--json and --csv exclude each other")
     flag = "json" if json else "csv" if csv else ""
-    piped, suffix = place in STANDARD_OUTPUT, suffix_of(place)
+    piped, suffix = path in STANDARD_OUTPUT, suffix_of(path)
     if flag and suffix in forms and suffix not in ("txt", flag):
         raise refusal(
-            "-o", place, "the name ends in .{suffix}; leave --{flag} out", suffix=suffix, flag=flag
+            "-o", path, "the name ends in .{suffix}; leave --{flag} out", suffix=suffix, flag=flag
         )
     if flag and suffix in (*PICTURES, "toml"):
-        raise refusal("-o", place, "the name must end in {names}", names=f".{flag}")
+        raise refusal("-o", path, "the name must end in {names}", names=f".{flag}")
     form = flag or suffix or (forms[0] if piped or forms[0] in ("txt", "toml", "json") else "")
     if form not in forms:
         names = ", ".join(f".{name}" for name in forms)
-        raise refusal("-o", place, "the name must end in {names}", names=names)
+        raise refusal("-o", path, "the name must end in {names}", names=names)
     require(form)
     return form
 
 
-def suffix_of(place: str | None) -> str:
+def suffix_of(path: str | None) -> str:
     """How the name of a file ends, without the dot; empty for standard output.
 
     >>> suffix_of("four.TEX"), suffix_of("four"), suffix_of("-")
     ('tex', '', '')
     """
-    named_file = "" if place is None or place in STANDARD_OUTPUT else place
+    named_file = "" if path is None or path in STANDARD_OUTPUT else path
     return PurePath(named_file).suffix.lower().removeprefix(".")
 
 
-def format_of(place: str | None, formats: Mapping[str, str], *, asked: str | None) -> str:
+def format_of(path: str | None, formats: Mapping[str, str], *, asked: str | None) -> str:
     """One of these formats by suffix: the one that is asked for, else by the name of the file.
 
     A name that ends otherwise than what is written is refused. Raises RequestError.
     """
     if asked is None:
-        return formats[form_of(place, tuple(formats))]
+        return formats[form_of(path, tuple(formats))]
     own = next(suffix for suffix, name in formats.items() if name == asked)
-    if suffix_of(place) not in ("", own):
-        raise refusal("-o", place, "the name must end in {names}", names=f".{own}")
+    if suffix_of(path) not in ("", own):
+        raise refusal("-o", path, "the name must end in {names}", names=f".{own}")
     return asked
 
 
@@ -100,9 +100,9 @@ def usual_place(engine: str, *what: str, kind: str) -> str:
     return f"{'-'.join(('engine' if stem == '-' else stem, *what))}.{kind}"
 
 
-def refuse_terminal(place: str | None, kinds: Sequence[str]) -> None:
+def refuse_terminal(path: str | None, kinds: Sequence[str]) -> None:
     """Refuse to fill a terminal with a picture or a page. Raises RequestError."""
-    if place in STANDARD_OUTPUT[1:3] and sys.stdout is not None and sys.stdout.isatty():
+    if path in STANDARD_OUTPUT[1:3] and sys.stdout is not None and sys.stdout.isatty():
         raise RequestError(
             "a terminal cannot show this; name a file with -o that ends in {endings}",
             endings=", ".join(f".{kind}" for kind in kinds),

@@ -83,7 +83,7 @@ def _given(control: Control) -> dict[str, Any]:
     return {control.key: f"{control.value!r}{unit}" if unit else control.value}
 
 
-def _curves(made: Sweep, place: int) -> list[SliderCurve]:
+def _curves(made: Sweep, index: int) -> list[SliderCurve]:
     """What varies over the range and is not negligible, at most MOST_CURVES, the greatest first."""
     found = [(label, watched(made, what, order=order)) for label, what, order in WATCHED]
     kinds = {curve.what: 0.0 for _label, curve in found}
@@ -95,10 +95,10 @@ def _curves(made: Sweep, place: int) -> list[SliderCurve]:
         if curve.values.max() > 100 * NEGLIGIBLE * kinds[curve.what] > 0
     ]
     varied = [each for each in kept if np.ptp(each[1].values) > VARIES * each[1].values.max()]
-    return [_curve(_(label), curve, place) for label, curve in (varied or kept)[:MOST_CURVES]]
+    return [_curve(_(label), curve, index) for label, curve in (varied or kept)[:MOST_CURVES]]
 
 
-def _curve(label: str, curve: Curve, place: int) -> SliderCurve:
+def _curve(label: str, curve: Curve, index: int) -> SliderCurve:
     unit = shown(curve.unit, float(curve.values.max()))
     results = curve.values * unit.factor
     return SliderCurve(
@@ -107,5 +107,5 @@ def _curve(label: str, curve: Curve, place: int) -> SliderCurve:
         order=curve.order,
         unit=unit_text(unit.unit),
         results=tuple(results.tolist()),
-        present=float(results[place]),
+        present=float(results[index]),
     )

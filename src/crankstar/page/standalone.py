@@ -38,10 +38,10 @@ def figures_script() -> str:
     return _script(BUNDLE.with_name(FIGURES))
 
 
-def _script(place: Path) -> str:
+def _script(path: Path) -> str:
     """A script of the bundle. Raises PageError."""
     try:
-        return place.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise PageError(
             "this copy of crankstar lacks the script of the page; build it with "

@@ -171,10 +171,10 @@ def _moving(engine: Engine) -> Totals | None:
     return None if result.speed is None else total(result)
 
 
-def _row(found: Sequence[Cycles], place: int) -> tuple[int, bytes]:
+def _row(found: Sequence[Cycles], index: int) -> tuple[int, bytes]:
     """What tells a chamber from others: its motion, and its pressure at every load."""
-    pressures = b"".join(each.pressure[place].tobytes() for both in found for each in both)
-    return found[0].burning.volumes.kind[place], pressures
+    pressures = b"".join(each.pressure[index].tobytes() for both in found for each in both)
+    return found[0].burning.volumes.kind[index], pressures
 
 
 def _rows(found: Sequence[Cycles]) -> list[tuple[int, bytes]]:

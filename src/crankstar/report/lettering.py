@@ -40,13 +40,13 @@ def rules_of(families: str) -> str:
     )
 
 
-def _part(place: Path, script: Script, letters: str) -> bytes:
+def _part(path: Path, script: Script, letters: str) -> bytes:
     """The part of a font with these letters as WOFF, the same bytes every time."""
     from fontTools import subset
     from fontTools.ttLib import TTFont
 
     options = subset.Options(flavor="woff", layout_features=["kern"], recalc_timestamp=False)
-    font = TTFont(str(place), recalcTimestamp=False)
+    font = TTFont(str(path), recalcTimestamp=False)
     if script is JAPANESE:  # set in squares, without kerning; these tables take longest to read
         for tag in {"BASE", "GPOS", "GSUB"} & set(font.keys()):
             del font[tag]

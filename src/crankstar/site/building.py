@@ -43,51 +43,49 @@ class SiteError(MessageError):
     """A place where no site can be written, as a sentence that says what would be right."""
 
 
-def check_place(place: Path) -> None:
+def check_place(path: Path) -> None:
     """Refuse a place that holds something other than a site. Raises SiteError."""
-    if not place.parent.is_dir():
+    if not path.parent.is_dir():
         raise SiteError(
-            "{folder}: there is no directory to write it in", folder=one_line(str(place))
+            "{folder}: there is no directory to write it in", folder=one_line(str(path))
         )
-    if not os.access(place.parent, os.W_OK):
+    if not os.access(path.parent, os.W_OK):
         raise SiteError(
             "{folder} cannot be written, since the directory in which it is to stand is "
             "write-protected; name another place with -o",
-            folder=one_line(str(place)),
+            folder=one_line(str(path)),
         )
-    if not place.exists() and not place.is_symlink():
+    if not path.exists() and not path.is_symlink():
         return
-    if not place.is_dir():
-        raise SiteError(
-            "{folder} is not a directory; name a directory", folder=one_line(str(place))
-        )
-    index = place / INDEX
+    if not path.is_dir():
+        raise SiteError("{folder} is not a directory; name a directory", folder=one_line(str(path)))
+    index = path / INDEX
     ours = index.is_file() and MARK in index.read_text(encoding="utf-8", errors="replace")[:2000]
-    if any(place.iterdir()) and not ours:
+    if any(path.iterdir()) and not ours:
         raise SiteError(
             "{folder} holds other files; name a directory that is empty or that is a site of "
             "crankstar",
-            folder=one_line(str(place)),
+            folder=one_line(str(path)),
         )
 
 
-def build(subjects: Sequence[Subject], place: Path, *, tell: Tell) -> None:
+def build(subjects: Sequence[Subject], path: Path, *, tell: Tell) -> None:
     """Write a site, whole or not at all. Raises SiteError, EngineFileError, PageError."""
-    place = place.resolve()
-    check_place(place)
+    path = path.resolve()
+    check_place(path)
     try:
-        _build(subjects, place, tell)
+        _build(subjects, path, tell)
     except OSError as error:  # a full disk; the draft that it names is of no concern
         raise SiteError(
             "{folder} cannot be written ({reason}); free some space, or name another place with -o",
-            folder=one_line(str(place)),
+            folder=one_line(str(path)),
             reason=error.strerror or error,
         ) from None
 
 
-def _build(subjects: Sequence[Subject], place: Path, tell: Tell) -> None:
+def _build(subjects: Sequence[Subject], path: Path, tell: Tell) -> None:
     """Write a site, whole or not at all. Raises OSError and what `build` does."""
-    with _draft(place) as draft:
+    with _draft(path) as draft:
         scripts = _shared(draft)
         cards = [card_of(subject) for subject in subjects]
         _engines(subjects, draft, scripts=scripts, tell=tell)
@@ -101,13 +99,13 @@ def _build(subjects: Sequence[Subject], place: Path, tell: Tell) -> None:
         )
         write(draft, INDEX, html(gallery).encode())
         draft.chmod(0o755)
-        _moved(draft, place)
+        _moved(draft, path)
 
 
 @contextmanager
-def _draft(place: Path) -> Iterator[Path]:
+def _draft(path: Path) -> Iterator[Path]:
     """A directory beside a place, gone at the end unless it has been moved there."""
-    draft = Path(tempfile.mkdtemp(dir=place.parent, prefix=f".{place.name[:50]}."))
+    draft = Path(tempfile.mkdtemp(dir=path.parent, prefix=f".{path.name[:50]}."))
     try:
         yield draft
     finally:
@@ -172,15 +170,15 @@ def _engine(subject: Subject, draft: Path, scripts: Scripts) -> None:
         write(draft, place, contents)
 
 
-def _listed(place: Path) -> list[str]:
+def _listed(path: Path) -> list[str]:
     """The files of the site that is there by its own list; none where the list cannot be read."""
     try:
-        files = json.loads((place / LIST).read_bytes())["files"]
+        files = json.loads((path / LIST).read_bytes())["files"]
     except (OSError, ValueError, KeyError, TypeError):
         return []
     if not isinstance(files, list):
         return []
-    return [file for file in files if isinstance(file, str) and _is_inside(file, place)]
+    return [file for file in files if isinstance(file, str) and _is_inside(file, path)]
 
 
 def _is_inside(file: str, place: Path) -> bool:

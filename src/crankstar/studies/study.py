@@ -70,11 +70,11 @@ class Study:
         """The place of the speed among what is varied."""
         return next((n for n, each in enumerate(self.over) if each.path == SPEED_PATH), None)
 
-    def closes(self, place: int, values: Sequence[Real]) -> bool:
+    def closes(self, index: int, values: Sequence[Real]) -> bool:
         """Whether the range of a number is some full turns, and the engine the same at its ends."""
-        own, varied = values[place], self.over[place]
+        own, varied = values[index], self.over[index]
         slow = [n for n in range(len(self.over)) if n != self._fast]
-        quantity = self.subject.quantities[slow.index(place)] if place in slow else None
+        quantity = self.subject.quantities[slow.index(index)] if index in slow else None
         steps = np.diff(own)
         if quantity is None or quantity.dimension != ANGLE.dimension or own.size < 3:
             return False
@@ -86,7 +86,7 @@ class Study:
         others = {n: float(values[n][values[n].size // 2]) for n in slow}
         try:
             ends = [
-                mechanism(self.subject.make(*({**others, place: float(end)}[n] for n in slow)))
+                mechanism(self.subject.make(*({**others, index: float(end)}[n] for n in slow)))
                 for end in (own[0], own[-1])
             ]
         except EngineFileError:

@@ -63,9 +63,9 @@ def _mounts(engine: Engine) -> Table:
     return Table(_("Mounts"), columns, tuple(rows), key="mounts", doubtful=frozenset(doubtful))
 
 
-def _statuses(engine: Engine, path: str, place: int) -> list[str]:
+def _statuses(engine: Engine, path: str, index: int) -> list[str]:
     """How far the values of a mount are to be trusted, as the file says."""
-    starts = (f"{path}[{place}]", f"{path}.")
+    starts = (f"{path}[{index}]", f"{path}.")
     found = [
         origin.status
         for key, origin in engine.provenance.items()

@@ -161,7 +161,7 @@ def _columns(question: SequenceQuestion) -> list[Column]:
     return out
 
 
-def _row(question: SequenceQuestion, place: int, point: Point) -> tuple[Value, ...]:
+def _row(question: SequenceQuestion, index: int, point: Point) -> tuple[Value, ...]:
     shaft, fired = question.shaft, point.fired
     order = shaft.firing_order(fired)
     throws = tuple(-float(own * shaft.step_deg) + 0.0 for own in fired.star)
@@ -170,7 +170,7 @@ def _row(question: SequenceQuestion, place: int, point: Point) -> tuple[Value, .
     left = couple(shaft, 1).length(shaft, fired) * against / ((along + against) or 1.0)
     steps = followed(shaft, order)
     return (
-        place,
+        index,
         order,
         tuple(fired.star),
         throws,

@@ -113,11 +113,11 @@ def _columns(question: Question) -> list[Column]:
     return out
 
 
-def _row(answer: Answer, place: int, row: AnswerRow) -> tuple[Value, ...]:
+def _row(answer: Answer, index: int, row: AnswerRow) -> tuple[Value, ...]:
     question, stars = answer.question, answer.question.stars
     angles = tuple(-360 * direction / stars.directions + 0.0 for direction in row.star)
     order = tuple(firing_order(stars, row.star))
-    cells: list[Value] = [place, order, tuple(row.star), angles]
+    cells: list[Value] = [index, order, tuple(row.star), angles]
     for column, objective in enumerate(question.objectives):
         value = float(row.values[column])
         form = closed_form(objective, row)

@@ -100,7 +100,7 @@ def _valued(goals: tuple[Goal, ...], values: tuple[float, ...]) -> str:
 
 def _beating(
     point: Point,
-    place: int,
+    index: int,
     which: tuple[int, ...],
     values: tuple[float, ...],
     goals: tuple[Goal, ...],
@@ -109,7 +109,7 @@ def _beating(
     what = ", ".join(
         f"{goals[q].name} {number(point.values[q])} < {number(values[q])}" for q in which
     )
-    return _("row {row} ({what})", row=place + 1, what=what)
+    return _("row {row} ({what})", row=index + 1, what=what)
 
 
 def judgement(front: SequenceFront, label: str, fired: Fired) -> dict[str, Any]:

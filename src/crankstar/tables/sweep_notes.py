@@ -169,8 +169,8 @@ def _gaps(sweep: Sweep, curves: Sequence[Curve]) -> str:
 def _doubt(sweep: Sweep, one: Doubted) -> str:
     """One doubt: at all values, at those of a range, or at some."""
 
-    def value(axis: Axis, place: int) -> str:
-        return f"{number(float(axis.values[place]))} {axis.unit}".strip()
+    def value(axis: Axis, index: int) -> str:
+        return f"{number(float(axis.values[index]))} {axis.unit}".strip()
 
     if one.everywhere:
         return one.fault.sentence

@@ -15,13 +15,13 @@ def tops(table: Table, others: Sequence[Table]) -> list[Callable[[tuple[Value, .
     units = [index for index, column in enumerate(table.columns) if column.kind == "unit"]
     every = [row for each in (table, *others) for row in each.rows]
 
-    def top_of(place: int, column: Column) -> Callable[[tuple[Value, ...]], float]:
+    def top_of(index: int, column: Column) -> Callable[[tuple[Value, ...]], float]:
         of_row = units[0] if units and column.unit == ROW_UNIT else None
         most: dict[Value, float] = {}
         for row in every:
-            if place < len(row) and isinstance(row[place], int | float | complex):
+            if index < len(row) and isinstance(row[index], int | float | complex):
                 unit = "" if of_row is None else row[of_row]
-                most[unit] = max(most.get(unit, 0.0), abs(row[place]))  # pyright: ignore[reportArgumentType]
+                most[unit] = max(most.get(unit, 0.0), abs(row[index]))  # pyright: ignore[reportArgumentType]
         if of_row is None:
             return lambda _row: most.get("", 0.0)
         return lambda row: most.get(row[of_row], 0.0) if row[of_row] else 0.0

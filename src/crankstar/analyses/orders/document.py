@@ -102,18 +102,18 @@ def _sums(listing: Listing) -> list[Column]:
     return [Column(title, unit, key=f"{listing.weight}/{key}") for key, title in titles.items()]
 
 
-def _row(listing: Listing, place: int, own: int | None) -> tuple[Value, ...]:
-    order = listing.orders[place]
+def _row(listing: Listing, index: int, own: int | None) -> tuple[Value, ...]:
+    order = listing.orders[index]
     angles = tuple(round(float(angle), 9) for angle in order.firing.angles_deg)
-    cells: list[Value] = [place + 1, "*" if place == own else "", tuple(order.firing.order), angles]
+    cells: list[Value] = [index + 1, "*" if index == own else "", tuple(order.firing.order), angles]
     for intervals in (order.firing.intervals_deg, *order.banks.values()):
         cells += [_spaced(intervals), tuple(intervals)]
     pairs = (_pairs(steps) for steps in (order.neighbours, order.partners))
     if listing.judged:
-        return (*cells, *pairs, listing.judged[place])
+        return (*cells, *pairs, listing.judged[index])
     if listing.weighed is None:
         return (*cells, *pairs)
-    sums, whole = listing.weighed.sums[place], listing.weighed.whole[place]
+    sums, whole = listing.weighed.sums[index], listing.weighed.whole[index]
     return (*cells, *pairs, *sums, *((whole,) if len(sums) > 1 else ()))
 
 

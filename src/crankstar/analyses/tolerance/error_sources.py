@@ -167,9 +167,9 @@ def _of_strokes(places: Sequence[int], engine: Engine, machine: Mechanism) -> Mo
     return out
 
 
-def _one(size: int, place: int, value: float = 1.0) -> Real:
+def _one(size: int, index: int, value: float = 1.0) -> Real:
     out = np.zeros(size)
-    out[place] = value
+    out[index] = value
     return out
 
 
@@ -184,17 +184,17 @@ _PLAIN = {
 _KNUCKLE = {"radius": "links.knuckle_radius", "angle": "links.knuckle_angle"}
 
 
-def _moved(keys: tuple[str, ...], place: int, engine: Engine, machine: Mechanism) -> Arrays:
+def _moved(keys: tuple[str, ...], index: int, engine: Engine, machine: Mechanism) -> Arrays:
     """What a unit of a value of one cylinder moves; nothing where no force depends on it."""
-    cylinder, count = engine.cylinders[place], len(engine.cylinders)
-    own = _one(count, place)
+    cylinder, count = engine.cylinders[index], len(engine.cylinders)
+    own = _one(count, index)
     match keys:
         case (name,) if name in _PLAIN:
             return {_PLAIN[name]: own} | _implied(cylinder, name, own)
         case ("bearing",):
-            return _turned_bearing(place, machine)
+            return _turned_bearing(index, machine)
         case ("rotating_mass",) | ("throw_mass",):
-            return _turning(keys[0], place, engine, machine)
+            return _turning(keys[0], index, engine, machine)
         case ("rod", name) if cylinder.rod is not None:
             return {_OF_ROD[name]: own} | _implied(cylinder, name, own)
         case ("articulated", name) if name in _KNUCKLE:
@@ -209,7 +209,7 @@ def _moved(keys: tuple[str, ...], place: int, engine: Engine, machine: Mechanism
         case ("parts", name) if name in RECIPROCATING:
             return {"reciprocating_mass": own}
         case ("parts", name) if name in ROTATING:
-            return _turning("rotating_mass", place, engine, machine)
+            return _turning("rotating_mass", index, engine, machine)
     return {}
 
 
@@ -226,22 +226,22 @@ def _implied(cylinder: Cylinder, name: str, own: Real) -> Arrays:
     return {"rod_inertia": own * rates[name]} if name in rates else {}
 
 
-def _turning(key: str, place: int, engine: Engine, machine: Mechanism) -> Arrays:
+def _turning(key: str, index: int, engine: Engine, machine: Mechanism) -> Arrays:
     """A mass at the crank pin; of one rod, where its big end is."""
-    cylinder = engine.cylinders[place]
+    cylinder = engine.cylinders[index]
     if key == "rotating_mass":
-        return {"big_end_mass": _one(len(engine.cylinders), place)}
+        return {"big_end_mass": _one(len(engine.cylinders), index)}
     radius = engine.throw(cylinder).radius
-    return {"unbalance": _one(machine.unbalance.size, throw_of(engine, place), radius)}
+    return {"unbalance": _one(machine.unbalance.size, throw_of(engine, index), radius)}
 
 
-def _turned_bearing(place: int, machine: Mechanism) -> Arrays:
+def _turned_bearing(index: int, machine: Mechanism) -> Arrays:
     """The axis of a cylinder; that of a master rod's cylinder carries the motion of its slaves."""
     root = np.array(roots(machine.links.master))
-    own = _one(root.size, place)
-    if root[place] != place:
+    own = _one(root.size, index)
+    if root[index] != index:
         return {"links.bearing": own}
-    return {"bearing": (root == place) * 1.0, "links.bearing": own - (root == place)}
+    return {"bearing": (root == index) * 1.0, "links.bearing": own - (root == index)}
 
 
 _Z = ("z", "unbalance_z")
@@ -351,8 +351,8 @@ def _split_by_throw(moves: Arrays, engine: Engine) -> Moves:
     return out
 
 
-def _masked(moves: Arrays, place: int) -> Arrays:
+def _masked(moves: Arrays, index: int) -> Arrays:
     return {
-        name: np.where(np.arange(values.size) == place, values, 0.0)
+        name: np.where(np.arange(values.size) == index, values, 0.0)
         for name, values in moves.items()
     }

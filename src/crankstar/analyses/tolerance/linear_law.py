@@ -312,9 +312,9 @@ def worst(own: Linear, bounds: Real) -> Real:
     return np.array([_worst(own, bounds, index) for index in range(own.nominal.forward.size)])
 
 
-def _worst(own: Linear, bounds: Real, place: int) -> float:
-    first = complex(own.nominal.forward[place]), complex(own.nominal.backward[place])
-    rates = np.stack([own.rates.forward[:, place], own.rates.backward[:, place]]) * bounds
+def _worst(own: Linear, bounds: Real, index: int) -> float:
+    first = complex(own.nominal.forward[index]), complex(own.nominal.backward[index])
+    rates = np.stack([own.rates.forward[:, index], own.rates.backward[:, index]]) * bounds
     turns = np.exp(1j * np.pi * np.arange(DIRECTIONS) / DIRECTIONS)
     if np.array_equal(rates[1], np.conj(rates[0])) and first[1] == first[0].conjugate():
         p, q = turns, np.conj(turns)  # a real signal

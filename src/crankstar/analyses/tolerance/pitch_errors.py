@@ -14,9 +14,9 @@ Moves = list[tuple[str, Arrays]]
 """Parts by name, and what a unit of the error of each moves."""
 
 
-def throw_of(engine: Engine, place: int) -> int:
+def throw_of(engine: Engine, index: int) -> int:
     """The index of the throw of a cylinder among the rotors of all shafts."""
-    cylinder = engine.cylinders[place]
+    cylinder = engine.cylinders[index]
     before = 0
     for shaft in engine.shafts:
         if shaft.name == cylinder.shaft:

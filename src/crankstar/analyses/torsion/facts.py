@@ -58,8 +58,8 @@ def sentences(engine: Engine, *, speed: float | None = None) -> list[str]:
     return [*lines, sentence, *last]
 
 
-def _hertz(found: TorsionAnalysis, place: int) -> str:
-    return number(float(f"{found.modes[place].frequency:.4g}"))
+def _hertz(found: TorsionAnalysis, index: int) -> str:
+    return number(float(f"{found.modes[index].frequency:.4g}"))
 
 
 def _strongest(found: TorsionAnalysis) -> Critical | None:

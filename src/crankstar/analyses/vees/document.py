@@ -70,10 +70,10 @@ def _columns() -> tuple[Column, ...]:
     return tuple(out)
 
 
-def _row(place: int, vee: Vee) -> tuple[Value, ...]:
+def _row(index: int, vee: Vee) -> tuple[Value, ...]:
     stars = tuple(tuple(float(angle) for angle in star) for star in vee.stars)
     angles = (vee.bank_angle_deg, vee.pin_split_deg)
-    cells: list[Value] = [place, *angles, stars[0], stars, len(stars), vee.count]
+    cells: list[Value] = [index, *angles, stars[0], stars, len(stars), vee.count]
     for name, vectors in (("force", vee.force), ("couple", vee.couple)):
         for order, vector in zip(ORDERS, vectors, strict=True):
             ways = (float(vector.forward), float(vector.backward))

@@ -155,8 +155,8 @@ def _groups(engine: Engine) -> tuple[ExhaustGroup, ...]:
     return groups
 
 
-def _colour(place: int) -> str:
-    return PALETTE[place % len(PALETTE)]
+def _colour(index: int) -> str:
+    return PALETTE[index % len(PALETTE)]
 
 
 def _evenness(cycle: WorkingCycle) -> str:
