@@ -113,6 +113,37 @@ def test_nothing_of_a_drawing_is_cut_off(name: str, view: str) -> None:
         assert written == numbers
 
 
+def test_the_views_of_a_sheet_are_in_third_angle_projection_and_aligned() -> None:
+    """The side at the right of the front, the plan above the side: pistons stand in line."""
+    svg = drawing(crankstar.load("v8-cross-plane"), Picture(view="sheet", arrows=()))
+    groups = {g.get("data-view"): g for g in read(svg).iter(f"{SPACE}g") if g.get("data-view")}
+    at = {
+        name: {
+            part.get("data-part"): corners(next(iter(part.iter(f"{SPACE}path"))).get("d") or "")
+            for part in group.iter(f"{SPACE}g")
+            if part.get("data-part")
+        }
+        for name, group in groups.items()
+    }
+    for part in at["front"]:
+        front, side, plan = (at[name][part] for name in ("front", "side", "plan"))
+        assert side[:, 0].min() > front[:, 0].max()
+        assert plan[:, 1].max() < side[:, 1].min()
+        assert np.ptp(plan[:, 0]) == pytest.approx(np.ptp(side[:, 0]), abs=0.2)
+        assert plan[:, 0].mean() == pytest.approx(side[:, 0].mean(), abs=0.2)
+
+
+@pytest.mark.parametrize("view", ["front", "side", "plan", "isometric"])
+def test_no_view_is_a_mirror_image(view: str) -> None:
+    look = look_of(view, pi / 4)  # pyright: ignore[reportArgumentType]
+    assert np.linalg.det(np.array(look)) == pytest.approx(1)
+
+
+def test_a_picture_without_a_heading_has_neither_name_nor_angle() -> None:
+    svg = drawing(crankstar.load("single"), Picture(heading=False, arrows=()))
+    assert [text.text for text in read(svg).iter(f"{SPACE}text")] == ["1"]
+
+
 @pytest.mark.parametrize("name", ["v8-cross-plane", "i4", "triumph-675", "kr250-racer"])
 def test_arrows_are_the_sums_of_the_analysis_in_shares_of_their_greatest(name: str) -> None:
     engine = crankstar.load(name)

@@ -15,6 +15,7 @@ import crankstar
 from crankstar.charts import fonts
 from crankstar.language.messages import spoken
 from crankstar.report import printed, report
+from crankstar.report.numbering import numbered
 
 __all__ = ["chromium"]
 
@@ -124,8 +125,24 @@ def test_figures_and_tables_are_numbered_through_and_referred_to() -> None:
         assert len(shown) > 5
         linked = set(re.findall(rf'href="#{kind}-(\d+)"', page))
         assert linked <= {number for number, _ in shown}
+        assert len(linked) > 5
     assert page.count("<figcaption") == page.count("<figure")
-    assert 'class="refs"' in page
+    refs = re.findall(r'<p class="refs">(.*?)</p>', page)
+    assert refs
+    assert not [words for words in refs if "?" in words]
+
+
+def test_a_section_names_its_figures_with_links() -> None:
+    figure = "<figure><figcaption>A star.</figcaption></figure>"
+    sections = numbered(
+        f'<section id="one"><h2>One</h2>{3 * figure}</section>'
+        f'<section id="two"><h2>Two</h2>{figure}</section>'
+    )
+    words = [re.search(r'<p class="refs">(.*?)</p>', each.body) for each in sections]
+    assert [found and found[1] for found in words] == [
+        'Figures <a href="#figure-1">1</a>–<a href="#figure-3">3</a>.',
+        'Figure <a href="#figure-4">4</a>.',
+    ]
 
 
 @pytest.mark.release

@@ -46,8 +46,9 @@ LABELS: dict[Kind, str] = {"force": N_("Force"), "couple": N_("Couple")}
 class Picture:
     """How an engine is drawn: its view, size (px), colours, arrows, their orders, and letters.
 
-    Without `letters` there are neither name, angle nor numbers, as in a small picture; without
-    `ground` what is behind the picture shows through.
+    Without `letters` there are neither name, angle nor numbers, as in a small picture; without a
+    `heading` numbers alone, as where both stand beside it; without `ground` what is behind the
+    picture shows through.
     """
 
     view: Sight = "isometric"
@@ -57,6 +58,7 @@ class Picture:
     arrows: tuple[Kind, ...] = KINDS
     orders: tuple[float, ...] | None = None
     letters: bool = True
+    heading: bool = True
     ground: bool = True
 
 
@@ -81,7 +83,8 @@ def drawings(
     load = load_of(engine, drawn, theta, kinds=how.arrows, orders=how.orders)
     long = ARROW * max(high - low for low, high in zip(drawn.low[:2], drawn.high[:2], strict=True))
     edge = EDGE if how.letters else 3.0
-    head, foot = (HEAD, FOOT if load.values else edge) if how.letters else (edge, edge)
+    head = HEAD if how.letters and how.heading else edge
+    foot = FOOT if how.letters and load.values else edge
     box = Box(edge, head, how.width - 2 * edge, how.height - head - foot)
     discs = _with_arrows(discs_of(drawn, numbered=how.letters), load, long)
     panes = panes_of(how.view, discs, box, azimuth=clearest_azimuth(drawn))
@@ -112,7 +115,7 @@ def drawings(
                     for svg in _arrow(pane, arrow, at, long, palette, letters=how.letters)
                 ),
                 still,
-                _angle(angle, how, palette) if how.letters else "",
+                _angle(angle, how, palette) if how.letters and how.heading else "",
                 "</svg>\n",
             )
         )
@@ -175,7 +178,7 @@ def _still(
     while text_width(name, size) > room and len(name) > 8:
         name = name.removesuffix("…")[:-2].rstrip() + "…"
     heading = f'x="{EDGE}" y="22" font-size="{size}" font-weight="600" fill="{palette.text}"'
-    out = [f"<text {heading}>{escape(name)}</text>"]
+    out = [f"<text {heading}>{escape(name)}</text>"] if how.heading else []
     for pane in panes:
         out += _numbers(drawn, pane, palette)
         if len(panes) > 1:

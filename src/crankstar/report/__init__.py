@@ -4,8 +4,7 @@
 |---|---|
 | `markup` | sections, figures and tables as HTML |
 | `subject` | the engine, its speed and orders |
-| `projections` | directions of sight, solids drawn along them |
-| `views` | the engine from the front, the side and above, in third-angle projection |
+| `views` | the engine itself, as `crankstar draw` has it |
 | `gallery` | the figures |
 | `title` | the data sheet, and what the verdict says besides the front page |
 | `front` | the front page for a reader in a hurry, and the contents |

@@ -10,7 +10,7 @@ from crankstar.remedy.fitting import recommended, recommended_like
 from crankstar.report.markup import figure
 from crankstar.report.subject import Subject
 from crankstar.report.title import MOST_TRUSTED, data
-from crankstar.report.views import small_views
+from crankstar.report.views import FRONT_PAGE, view
 from crankstar.tables.html import paragraph, text
 from crankstar.tables.ranges import estimated_paths
 from crankstar.tables.roll_cures import roll_left
@@ -36,7 +36,7 @@ def front(subject: Subject) -> str:
     if subject.beside is not None:
         beside = paragraph(_("compared with {engine}", engine=subject.beside.name))
     kind = _("Inertia forces of a piston engine")
-    drawing = figure(small_views(engine, subject.scene), _("The engine at θ = 0, to one scale."))
+    drawing = figure(view(engine, FRONT_PAGE), _("The engine at θ = 0."))
     parts = [_what(subject, facts)]
     for topics in (HOW, CURES):
         lines = [fact.sentence for fact in facts if fact.about in topics]

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.written import capitalised
+from crankstar.language.written import HOLE, capitalised
 from crankstar.tables.html import text
 
 SECTION = re.compile(r'<section id="([\w-]+)"><h2>(.*?)</h2>(.*?)(?=<section id=|\Z)', re.DOTALL)
@@ -73,7 +73,7 @@ def _references(before: dict[str, int], after: dict[str, int]) -> Iterator[str]:
         yield _("{text}.", text=capitalised(joined))
 
 
-LINKS = "\ue000"
+LINKS = HOLE
 """Stands for numbers with links in a sentence."""
 
 

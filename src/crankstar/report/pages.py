@@ -18,7 +18,7 @@ from crankstar.mechanics.operating_points import speed_beside
 from crankstar.report.gallery import ACROSS, Gallery
 from crankstar.report.markup import figure, figures, parts_html, section
 from crankstar.report.subject import Quantity, Subject
-from crankstar.report.views import orthographic
+from crankstar.report.views import SHEET, view
 from crankstar.tables import analysis, comparison, engines
 from crankstar.tables.conditions import conditions, unit_sentence
 from crankstar.tables.headings import timing_lines
@@ -74,11 +74,11 @@ Page = Callable[[Subject, Gallery], str]
 def drawings(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one signature for all
     """The engine from the front, the right side and above, and the assumed proportions."""
     caption = _(
-        "Third-angle projection: from the front, at its right from the right side, above it from "
-        "above. All at θ = 0 and to one scale; the crankshaft is red."
+        "Third-angle projection at θ = 0, to one scale: from the front, at its right from the "
+        "right side, above that from above. The crankshaft is red."
     )
     assumed = "".join(paragraph(line, "note") for line in subject.scene.assumed)
-    drawn = figures([figure(orthographic(subject.engine, subject.scene), caption)], "views")
+    drawn = figures([figure(view(subject.engine, SHEET), caption)], "views")
     return section(_("Views"), drawn + assumed, name="views")
 
 
