@@ -9,6 +9,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.derive import Derivation, Line
+from crankstar.derive.algebra import rational
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import Reference, balance
 
@@ -38,13 +39,11 @@ class Judged:
         # a motion that is sampled, known to rounding, has k^2 times that of acceleration
         sampled = any(cylinder.articulated for cylinder in engine.cylinders)
         sharper = max(1.0, float(told.order) ** 2 / 4) if sampled else 1.0
-        return cls(
-            engine,
-            told,
-            forward,
-            backward,
-            1e-12 * largest + 1e-14 * len(result.parts) * max(most, 1.0) * sharper,
-        )
+        each = 1e-14 * max(most, 1.0) * sharper
+        # an angle that is no part of a turn is a ball, of which the middle is as good as its radius
+        if sampled and any(rational.turn(angle) is None for angle in angles(engine)):
+            each += 2 * np.pi * rational.TURN_ROUNDING * float(told.order) ** 2
+        return cls(engine, told, forward, backward, 1e-12 * largest + each * len(result.parts))
 
     def vector(self, kind: str, rows: tuple[int, ...]) -> complex:
         return complex((self.forward if kind == "forward" else self.backward)[list(rows)].sum())
@@ -53,6 +52,13 @@ class Judged:
         turn = np.exp(1j * self.engine.sense * float(self.told.order) * theta)
         pushed = self.vector("forward", rows) * turn + self.vector("backward", rows) / turn
         return float((pushed * np.exp(-1j * np.radians(bearing_deg))).real)
+
+
+def angles(engine: Engine) -> Iterator[float]:
+    """Of throws, cylinders and knuckle pins."""
+    yield from (throw.angle for shaft in engine.shafts for throw in shaft.throws)
+    yield from (cylinder.bearing for cylinder in engine.cylinders)
+    yield from (c.articulated.angle for c in engine.cylinders if c.articulated is not None)
 
 
 def places(engine: Engine) -> list[float]:
