@@ -121,6 +121,10 @@ def test_its_layout_is_one_of_engine_files(installed: dict[str, str], tmp_path: 
     refused = run(installed, "-m", "crankstar", "check", str(place))
     assert refused.returncode == 2
     assert 'did you mean "step"' in refused.stderr + refused.stdout
+    place.write_text(HELIX.replace("cylinders = 5", "cylinders = 40"), encoding="utf-8")
+    refused = run(installed, "-m", "crankstar", "check", str(place))
+    assert "layout.cylinders is 40" in refused.stderr + refused.stdout
+    assert "24" in refused.stderr + refused.stdout
 
 
 @pytest.mark.release

@@ -89,6 +89,15 @@ def test_a_range_that_is_no_number_is_a_fault_at_its_place(end: object, tmp_path
     ]
 
 
+def test_a_range_is_of_estimated_values_alone(tmp_path: Path) -> None:
+    """It would be ignored: what else is varied for its effect is varied by a per cent."""
+    path = tmp_path / "x.toml"
+    text = (CASES / "range-overflow.toml").read_text()
+    head = text[: text.index("range =")].replace('"estimated"', '"unverified"')
+    path.write_text(f"{head}range = [0.8, 1.2] }}\n")
+    assert codes_of(path) == ["provenance.range-known"]
+
+
 def test_the_range_of_the_case_is_told_and_a_range_of_whole_numbers_is_read() -> None:
     assert codes_of(CASES / "range-overflow.toml") == ["provenance.multiples"]
     assert Provenance.model_validate({"status": "estimated", "range": [1, 2]}).range == (1.0, 2.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import warnings
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +13,14 @@ import pytest
 
 import crankstar
 from crankstar.analysis import registry
+from crankstar.analysis.reader import asked
+from crankstar.analysis.record import Later
 from crankstar.cli import application, exporting
 from crankstar.engine import layouts
 from crankstar.engine.packages import Added, PackageError, PackageWarning
 from crankstar.exports.added import ADDED
+from crankstar.language.messages import MessageError
+from crankstar.python.functions import meaning_of
 
 Run = Callable[..., Any]
 MODULE = """
@@ -111,7 +116,10 @@ def test_a_broken_analysis_is_skipped_with_one_line(run: Run) -> None:
     assert lines_of(done.err, "analysis") == dict.fromkeys(ANALYSES, 1)
     why = "package bad: its analysis a cannot be loaded (No module named 'nowhere')"
     assert why in done.err.splitlines()
-    assert "analysis zero cannot be loaded (ZeroDivisionError: division by zero)" in done.err
+    assert (
+        "analysis zero cannot be loaded (ZeroDivisionError: division by zero, bad_zero.py:1)"
+        in done.err
+    )
     again = run("--help")
     assert (again.code, again.err) == (0, "")  # told in this process already
     assert "nowhere" not in again.out
@@ -159,7 +167,7 @@ type = "KIND"
         ("mess", "its layout mess cannot be loaded (a layout is a function (basis,"),
         ("odd", "its layout odd cannot be loaded ("),
         ("typed", "its layout typed cannot be loaded ("),
-        ("raises", "its layout raises ends with an error (RuntimeError: boom ?[31m)"),
+        ("raises", "its layout raises ends with an error (RuntimeError: boom ?[31m, bad_adds.py:"),
         ("wrong", 'its layout wrong gives "nope", where a layout gives an Engine'),
         ("lay", "its layout lay gives None, where a layout gives an Engine"),
     ],
@@ -194,7 +202,7 @@ def test_the_schema_skips_broken_layouts_and_names_ours_once(run: Run) -> None:
         ("gone", "cannot be loaded (No module named 'nowhere')"),
         ("three", "cannot be loaded (an export is a function (engine) of an Engine"),
         ("two", "cannot be loaded (an export is a function (engine) of an Engine"),
-        ("crash", "ends with an error (RuntimeError: boom ?[31m)"),
+        ("crash", "ends with an error (RuntimeError: boom ?[31m, bad_adds.py:"),
         ("none", "gives None, where an export gives text or bytes"),
         ("lone", "ends with an error (UnicodeEncodeError: "),
     ],
@@ -233,3 +241,33 @@ def test_of_two_packages_with_one_name_the_first_is_taken(monkeypatch: pytest.Mo
     failing = Added("g", "layout", [], lambda found, _words: {}[found])
     with pytest.warns(PackageWarning), pytest.raises(PackageError, match="KeyError"):
         failing["x"]
+
+
+ASKED = """
+from dataclasses import dataclass
+from typing import Annotated
+from crankstar.options import readers
+
+@dataclass(frozen=True)
+class Question:
+    whole: Annotated[bool, readers.flag("--whole-thing"OWN)] = False
+"""
+
+
+@pytest.mark.parametrize("own", ["", ', own="All of it."'])
+def test_an_option_that_no_command_has_needs_what_it_means(
+    own: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without, the analysis cannot be loaded, and is left out with a line."""
+    (tmp_path / "bad_asked.py").write_text(ASKED.replace("OWN", own), encoding="utf-8")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    monkeypatch.delitem(sys.modules, "bad_asked", raising=False)
+    record = replace(
+        registry.analysis("torque"), name="asked", question=Later("bad_asked:Question")
+    )
+    if own:
+        assert registry._checked(record, {"name": "asked"}) is record
+        assert meaning_of(asked(record.question.value)[0]) == "All of it."
+        return
+    with pytest.raises(MessageError, match="--whole-thing is none of crankstar"):
+        registry._checked(record, {"name": "asked"})

@@ -4,9 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, dataclass, fields, replace
-from typing import Any, NamedTuple, get_type_hints
+from typing import Any, Literal, NamedTuple, get_type_hints
 
 from crankstar.language.messages import MessageError
+
+Takes = Literal["nothing", "text", "several texts", "whole number", "number"]
+"""What follows an option. `several texts`: it may be repeated."""
+
+
+class Option(NamedTuple):
+    """What an option takes, what it means, and other names under which people look for it."""
+
+    takes: Takes
+    meaning: str
+    also: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -19,7 +30,8 @@ class Reader:
     of messages. `number` checks what a Python function is given that is no text, in SI units, and
     takes what `read` takes; without it such a value is written as text. Without hyphens the option
     is the name of a word that follows the engine (`follows`), has no default, and `more` is what it
-    means.
+    means. `own` is what the option takes and means where the vocabulary has none of that name, as
+    the option of another package.
 
     >>> percent = Reader("--factor", lambda text: float(text.rstrip("%")) / 100)
     >>> percent.read("52%"), percent.saying("Default: that of the file.").more
@@ -32,6 +44,7 @@ class Reader:
     of_source: bool = False
     beside: tuple[str, ...] = ()
     number: Callable[..., Any] | None = None
+    own: Option | None = None
 
     @property
     def follows(self) -> bool:

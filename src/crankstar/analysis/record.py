@@ -202,7 +202,7 @@ class Onward:
 class Picture:
     """The chart of a result, which -o writes where its name ends as that of a picture.
 
-    draw       (result, question) -> Chart
+    draw       (result, question) -> Chart of `charts.grammar`
     title      of {engine}, a sentence of the catalog of messages
     more       what -o says of it
     unshown    fields of the question that it does not show
@@ -243,7 +243,8 @@ class Analysis:
     refuse     (source, question): refuses what does not go together, with a RequestError
     compute    (source, question) -> result
     document   (source, result, question) -> Document, for readers and machines
-    answer     (engine, question) -> Answer: the figures that its assumptions move; of an engine
+    answer     (engine, question) -> Answer: the figures that its assumptions move; whatever is of
+               an engine has one
     lacks      (source, speed) -> whether its file lacks what the analysis is of, at the speed that
                is asked for (rad/s) if any; without it the analysis is told of only where it is
                asked for
@@ -322,6 +323,11 @@ class Analysis:
     steps: bool = False
     by_audience: bool = False
     by_result: bool = False
+
+    @property
+    def identifier(self) -> str:
+        """The name of its function in Python."""
+        return self.name.replace("-", "_")
 
     @property
     def ranged(self) -> bool:

@@ -86,5 +86,12 @@ def _checked(found: object, words: Words) -> Analysis:
         raise MessageError(_("its record has another name, {name}", name=other))
     values = [getattr(found, field.name) for field in fields(found)]
     if all(value.value is not None for value in values if isinstance(value, Later)):
-        asked(found.question.value)
+        known: Later[dict[str, object]] = Later("crankstar.options.vocabulary:OPTIONS")
+        for each in (one.reader for one in asked(found.question.value)):
+            if not each.follows and each.own is None and each.option not in known.value:
+                raise MessageError(
+                    "its option {option} is none of crankstar; say what it takes and means, as in "
+                    'Reader("{option}", ..., own=Option("text", "..."))',
+                    option=one_line(each.option),
+                )
     return found

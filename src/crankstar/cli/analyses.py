@@ -41,7 +41,7 @@ from crankstar.language.quoting import one_line
 from crankstar.options.forms import PICTURES
 from crankstar.options.refusals import RequestError
 from crankstar.options.sources import Loaded
-from crankstar.options.vocabulary import OPTIONS
+from crankstar.options.vocabulary import option_of
 
 if TYPE_CHECKING:
     from crankstar.analysis.assumptions import Assumption
@@ -66,9 +66,10 @@ DEFAULTS: dict[str, Any] = {"settings": None, "looks": LOOKS, "output": None}
 def __getattr__(name: str) -> Callable[..., None]:
     """The verb of an analysis."""
     try:
-        return verb(analysis(name))
+        record = analysis(name)
     except KeyError:
         raise AttributeError(name) from None
+    return verb(record)
 
 
 def verb(record: Analysis) -> Callable[..., None]:
@@ -119,8 +120,9 @@ def _word(name: str, about: str, *, needed: bool) -> Argument:
 def _argument(one: Asked) -> Argument:
     if one.reader.follows:
         return _word(one.name, one.reader.more, needed=one.default is MISSING)
-    kind = TYPES[OPTIONS[one.reader.option].takes]
-    how = option(one.reader.option, one.reader.more)
+    own = option_of(one.reader)
+    kind = TYPES[own.takes]
+    how = option(one.reader.option, one.reader.more, own=own)
     return Argument(
         one.name,
         Argument.KEYWORD_ONLY,

@@ -14,6 +14,7 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter, Token
 
+from crankstar.analysis.reader import Option
 from crankstar.cli.output import complain, writable
 from crankstar.engine.engine import Engine
 from crankstar.engine.gas import LOADS
@@ -28,19 +29,20 @@ from crankstar.options.refusals import once as once  # with the options that the
 from crankstar.options.refusals import or_none as or_none
 from crankstar.options.refusals import together as together
 from crankstar.options.sources import Loaded, loaded
-from crankstar.options.vocabulary import OPTIONS, meaning
+from crankstar.options.vocabulary import OPTIONS
 
 
-def option(name: str, more: str = "") -> Parameter:
-    """An option of the vocabulary; `more` says how this verb uses it.
+def option(name: str, more: str = "", *, own: Option | None = None) -> Parameter:
+    """An option of the vocabulary, or its `own` entry; `more` says how this verb uses it.
 
     A flag has no `--no-` form, text may begin with a minus sign, and a whole number is read here,
     since the parser itself would round 1.5.
     """
-    takes = OPTIONS[name].takes
+    entry = own or OPTIONS[name]
+    takes = entry.takes
     return Parameter(
         name=[name, "-o"] if name == "--output" else name,
-        help=meaning(name, more),
+        help=f"{entry.meaning} {more}".rstrip(),
         negative=(),
         allow_leading_hyphen=takes == "text" and name != "--output",
         converter=whole if takes == "whole number" else None,

@@ -141,7 +141,7 @@ class Added(Generic[T]):
 
 
 def told_of(error: BaseException) -> str:
-    """What an error of another package says, on one printable line.
+    """What an error of another package says, and where it was raised, on one printable line.
 
     >>> told_of(ZeroDivisionError("division by zero"))
     'ZeroDivisionError: division by zero'
@@ -149,4 +149,11 @@ def told_of(error: BaseException) -> str:
     said = str(error)
     if isinstance(error, MessageError | ImportError) and said:
         return one_line(said)
-    return one_line(f"{type(error).__name__}: {said}" if said else type(error).__name__)
+    words = f"{type(error).__name__}: {said}" if said else type(error).__name__
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    if trace is not None:
+        file = trace.tb_frame.f_code.co_filename.replace("\\", "/").rpartition("/")[2]
+        words = f"{words}, {file}:{trace.tb_lineno}"
+    return one_line(words)

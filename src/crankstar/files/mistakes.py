@@ -119,7 +119,8 @@ def _path(mistake: Any) -> Path:
 def _fault(mistake: Any, path: Path, model: type[Record], tree: Tree) -> Fault:
     """What a validation error of pydantic means to the one who wrote the file."""
     kind, context = mistake["type"], mistake.get("ctx", {})
-    if path in _COUNTS and isinstance(_at(tree, path), int | float):
+    counted = kind not in _BOUNDS and isinstance(_at(tree, path), int | float)
+    if path in _COUNTS and counted:
         return _counted(path, tree)
     if kind == "extra_forbidden":
         return _unknown_key(path, model)
@@ -259,7 +260,9 @@ def range_faults(tree: Tree) -> Iterator[Fault]:
     leading = [name for name, source in with_range.items() if not source.get("moves_with")]
     for name, source in with_range.items():
         last = name.rpartition(".")[2] if isinstance(name, str) else ""
-        if last not in RANGED:
+        if source.get("status") != "estimated":
+            yield Fault(("provenance", name, "range"), "provenance.range-known", {})
+        elif last not in RANGED:
             yield Fault(("provenance", name), "provenance.range", {"keys": ", ".join(RANGED)})
         other = source.get("moves_with")
         if isinstance(other, str) and other not in leading:

@@ -54,6 +54,9 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "key.no-text": N_("{where} has the key {value}; keys are text of whole characters"),
     "provenance.misspelt": N_("{where} names no value of this file; did you mean {meant}?"),
+    "provenance.range-known": N_(
+        '{where} is of estimated values alone; write status = "estimated", or leave it out'
+    ),
     "provenance.range": N_(
         "{where} has a range, which only these may have: {keys}; leave range out"
     ),

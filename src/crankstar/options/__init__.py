@@ -2,7 +2,6 @@
 
 | module, bottom to top | one line |
 |---|---|
-| `entries` | an option: what it takes, what it means, its other names |
 | `media` | the part of the vocabulary about films and sounds |
 | `goals` | the part of the vocabulary about searches |
 | `loads` | the part of the vocabulary about operating points |

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from crankstar.options.entries import Option
+from crankstar.analysis.reader import Option
 
 GOALS = {
     "--all-with": Option(

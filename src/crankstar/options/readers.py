@@ -6,7 +6,7 @@ import re
 from functools import partial
 from typing import Any, Literal
 
-from crankstar.analysis.reader import Reader
+from crankstar.analysis.reader import Option, Reader
 from crankstar.engine.quantities import PRESSURE, Quantity
 from crankstar.options import numbers, points, values
 from crankstar.options.gas import (
@@ -33,9 +33,9 @@ def count(option: str, most: int, more: str = "") -> Reader:
     return Reader(option, partial(values.within, option, most=most), more)
 
 
-def flag(option: str, more: str = "") -> Reader:
-    """Whether an option without a value is given."""
-    return Reader(option, bool, more)
+def flag(option: str, more: str = "", *, own: str = "") -> Reader:
+    """Whether an option without a value is given; `own` is what it means, where no other has it."""
+    return Reader(option, bool, more, own=Option("nothing", own) if own else None)
 
 
 def pressure(option: str) -> Reader:

@@ -5,7 +5,7 @@ A command adds at most how it uses the option. `OPTIONS` is in alphabetical orde
 
 from __future__ import annotations
 
-from crankstar.options.entries import Option
+from crankstar.analysis.reader import Option, Reader
 from crankstar.options.goals import GOALS
 from crankstar.options.loads import LOADS
 from crankstar.options.media import FILMS_AND_SOUNDS
@@ -374,6 +374,11 @@ _MOST = {
 }
 OPTIONS = dict(sorted((_MOST | FILMS_AND_SOUNDS | GOALS | LOADS | SCATTER | SHOP).items()))
 """Every option by its name."""
+
+
+def option_of(reader: Reader) -> Option:
+    """What the option of a reader takes and means."""
+    return reader.own or OPTIONS[reader.option]
 
 
 def meaning(name: str, more: str = "") -> str:

@@ -11,7 +11,7 @@ from numbers import Integral, Real
 from pathlib import Path
 from typing import Any, cast, get_type_hints
 
-from crankstar.analysis.reader import Asked, asked
+from crankstar.analysis.reader import Asked, Takes, asked
 from crankstar.analysis.record import Analysis
 from crankstar.analysis.registry import analysis
 from crankstar.engine.arguments import unboxed
@@ -21,7 +21,7 @@ from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import given as quoted
 from crankstar.options.refusals import refuse_unused
 from crankstar.options.sources import EngineLike, Loaded, loaded
-from crankstar.options.vocabulary import OPTIONS, meaning
+from crankstar.options.vocabulary import option_of
 from crankstar.python.results import Result, in_python
 
 EXAMPLE = '{"cylinder.stroke": "90 mm"}'
@@ -48,13 +48,13 @@ def function(name: str) -> Callable[..., Result]:
             raise TypeError(
                 _(
                     "{function} takes {names} by position; give the others by name",
-                    function=record.name,
+                    function=record.identifier,
                     names=", ".join(first),
                 )
             )
         given = dict(zip(first, words, strict=False))
         if record.engine == "needed" and not words:
-            raise TypeError(_("{function} needs {name}", function=record.name, name="engine"))
+            raise TypeError(_("{function} needs {name}", function=record.identifier, name="engine"))
         return answered(record, given.pop("engine", None), {**given, **arguments})
 
     hints = get_type_hints(record.question.value)
@@ -108,6 +108,7 @@ def _docstring(record: Analysis, fields: Iterable[Asked]) -> str:
     skip = "  # doctest: +SKIP" if ".toml" in record.example else ""
     lines = [f"    {one.name}: {meaning_of(one)}" for one in fields]
     of_files = _of_files(record)
+    asked_of = f"crankstar.{record.identifier}({_example(record, fields)})"
     changes = f"    changes: values of the engine file by key path, such as {EXAMPLE}."
     return "\n".join(
         [
@@ -124,26 +125,29 @@ def _docstring(record: Analysis, fields: Iterable[Asked]) -> str:
             ),
             "",
             ">>> import crankstar",
-            f">>> table = crankstar.{record.name}({_example(record, fields)}).to_frame(){skip}",
+            f">>> table = {asked_of}.to_frame(){skip}",
         ]
     )
 
 
 def meaning_of(one: Asked) -> str:
     """What an argument means, as the help of the command says it."""
-    return one.reader.more if one.reader.follows else meaning(one.reader.option, one.reader.more)
+    if one.reader.follows:
+        return one.reader.more
+    return f"{option_of(one.reader).meaning} {one.reader.more}".rstrip()
 
 
 def _example(record: Analysis, fields: Iterable[Asked]) -> str:
     """The arguments of an example: those of its command line."""
     names = {one.reader.option: one.name for one in fields}
+    takes = {one.reader.option: _takes_what(one) for one in fields}
     words = shlex.split(record.example)
     out: list[str] = []
     while words:
         word = words.pop(0)
         if word not in names:
             out.append(word if word.isdecimal() else f'"{word}"')
-        elif OPTIONS[word].takes == "nothing":
+        elif takes[word] == "nothing":
             out.append(f"{names[word]}=True")
         else:
             out.append(f'{names[word]}="{words.pop(0)}"')
@@ -159,7 +163,7 @@ def answered(record: Analysis, engine: EngineLike | None, arguments: Mapping[str
             raise TypeError(_takes(record, name))
     for one in fields:
         if one.default is MISSING and arguments.get(one.name) is None:
-            raise TypeError(_("{function} needs {name}", function=record.name, name=one.name))
+            raise TypeError(_("{function} needs {name}", function=record.identifier, name=one.name))
     loaded_engine = _source(record, engine, arguments)
     source = None if loaded_engine is None else loaded_engine.source
     reading = {one.name: _reading(one, arguments, source) for one in fields}
@@ -183,7 +187,7 @@ def _takes(record: Analysis, name: str) -> str:
     first = [] if record.engine == "none" else ["engine"]
     return _(
         "{function} takes no argument {name}; it takes {names}",
-        function=record.name,
+        function=record.identifier,
         name=name,
         names=", ".join([*first, *fields, *_of_files(record)]),
     )
@@ -224,7 +228,7 @@ def _source(
         raise TypeError(
             _(
                 "{function} takes an engine, not a drive line without cylinders",
-                function=record.name,
+                function=record.identifier,
             )
         )
     return source
@@ -241,9 +245,7 @@ def _reading(
         if value is None:
             return one.default
         several = (
-            reader.number is not None
-            if reader.follows
-            else OPTIONS[reader.option].takes == "several texts"
+            reader.number is not None if reader.follows else _takes_what(one) == "several texts"
         )
         if isinstance(value, Mapping) and not several:
             raise TypeError(_("{argument} takes no dict", argument=one.name))
@@ -257,9 +259,14 @@ def _reading(
     return read
 
 
+def _takes_what(one: Asked) -> Takes:
+    """What an argument takes, as its option does."""
+    return "text" if one.reader.follows else option_of(one.reader).takes
+
+
 def _typed(one: Asked, value: Any) -> Any:
     """A value as the command line has it: lists with commas, pairs with =. Raises TypeError."""
-    takes = "text" if one.reader.follows else OPTIONS[one.reader.option].takes
+    takes = _takes_what(one)
     if takes == "nothing":
         if isinstance(value, bool):
             return value

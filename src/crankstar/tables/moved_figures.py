@@ -89,11 +89,17 @@ def figure_name(own: Moved) -> str:
 
     >>> figure_name(Moved("force", 2.0, "N", 1.0, 1.0, 3.0, 0.5))
     'force of order 2'
+    >>> figure_name(Moved("rod angle", None, "deg", 1.0, 1.0, 3.0, 0.5))  # of another package
+    'rod angle'
     """
     order = "" if own.order is None else order_text(own.order)
     begun = next((each for each in OF_PARTS if own.quantity.startswith(each)), "")
+    known = FIGURES.get(begun or own.quantity)
+    if known is None:  # of another package
+        named = {"figure": own.quantity, "order": order}
+        return _("{figure} of order {order}", **named) if order else own.quantity
     return _(
-        FIGURES[begun or own.quantity],
+        known,
         order=order,
         number=own.quantity.rpartition(" ")[2],
         name=own.quantity.removeprefix(begun),
