@@ -90,8 +90,10 @@ def _checked(found: object, words: Words) -> Analysis:
         for each in (one.reader for one in asked(found.question.value)):
             if not each.follows and each.own is None and each.option not in known.value:
                 raise MessageError(
-                    "its option {option} is none of crankstar; say what it takes and means, as in "
-                    'Reader("{option}", ..., own=Option("text", "..."))',
-                    option=one_line(each.option),
+                    _(
+                        "its option {option} is none of crankstar; say what it takes and means, as "
+                        'in Reader("{option}", ..., own=Option("text", "..."))',
+                        option=one_line(each.option),
+                    )
                 )
     return found
