@@ -18,22 +18,22 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `pictures/` | the engine itself, drawn at a crank angle or as a film |
 | `page/` | the page on which the engine turns: its data, one file, the notebook widget |
 | `python/` | a function for each analysis, and results that are frames and figures |
-| `analyses/` | the analyses, a folder each: what is asked, what computes it, how it is told |
+| `analyses/` | a folder each: what is asked, what computes it, its tables, figures, sentences |
 | `options/` | what is typed in a command line or a dialog, read as checked values |
-| `charts/` | figures, one function each |
-| `tables/` | every analysis as a table: terminal, HTML, CSV, JSON, spreadsheet |
+| `charts/` | figures of any engine, one function each; those of one analysis are in its folder |
+| `tables/` | how tables are printed: terminal, HTML, CSV, JSON; those of forces, sweeps, searches |
 | `studies/` | the same analysis over many values or engines: sweeps, batches, tolerances |
 | `stars/` | crank stars, and nothing else, searched to the end with proof; executors |
 | `derive/` | exact closed forms step by step; their `algebra/`; `errata/` of published formulas |
 | `analysis/` | the record of an analysis, its document, what it rests on, all of them by name |
 | `remedy/` | what is sized so that it shakes less: weights, shafts, mounts; gives an Engine |
-| `files/` | outside data to Engine and back: TOML, JSON, units; schema, starters, the catalog |
+| `files/` | outside data to Engine and back: TOML, JSON, text with units; starters, the catalog |
 | `dynamics/` | what the excitation does: block, mounts, uneven running, bearings and oil, twist |
-| `mechanics/` | excitation by cause: inertia, gas; what counts as zero, which orders are shown |
+| `mechanics/` | excitation by cause: inertia, gas; what counts as zero; values that are doubtful |
 | `firing/` | firing orders and intervals, given or found; strokes, exhaust; V engines |
 | `engine/` | records, what makes them valid, quantities, layouts, motion, changed copies |
 | `spectra/` | sums over crank order: add, shift, scale, evaluate, ellipse, peak |
-| `language/` | wording: numbers as text, messages, translations, the sentence for each fault |
+| `language/` | wording: numbers as text, units and their factors, messages, sentences of faults |
 
 >>> import crankstar
 >>> engine = crankstar.load("v8-flat-plane")

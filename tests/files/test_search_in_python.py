@@ -35,7 +35,7 @@ def test_the_moments_of_a_row_are_those_of_its_crank() -> None:
         places = np.arange(6) - 2.5
         by_hand = [abs((places * np.exp(1j * order * angles)).sum()) for order in (1, 2)]
         assert [*row.values] == pytest.approx(by_hand, abs=1e-9)
-        couple = crankstar.total(crankstar.balance(found.crank(place), units="relative")).couple
+        couple = crankstar.total(crankstar.balance(found.to_engine(place), units="relative")).couple
         first = crankstar.spectra.selected(couple, 1)
         size = abs(first.forward).max() + abs(first.backward).max()
         assert size == pytest.approx(by_hand[0], rel=1e-6, abs=1e-9)
@@ -50,7 +50,7 @@ def test_an_engine_is_searched_in_its_own_units() -> None:
         b.values[0] / a.values[0] for a, b in zip(found.answer.rows, fast.answer.rows, strict=True)
     ]
     assert ratios == pytest.approx([4.0] * 3)
-    assert found.crank().name.startswith(found.engine.name)
+    assert found.to_engine().name.startswith(found.engine.name)
 
 
 @pytest.mark.parametrize(
@@ -75,7 +75,7 @@ def test_a_row_that_is_not_there_is_refused() -> None:
     found = crankstar.search(5, cycle="two-stroke")
     for wrong in (0, len(found) + 1):
         with pytest.raises(ValueError, match=str(wrong)):
-            found.crank(wrong)
+            found.to_engine(wrong)
     with pytest.raises(ValueError, match="front, stars"):
         found.plot("rose")  # pyright: ignore[reportArgumentType]
 

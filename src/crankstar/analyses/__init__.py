@@ -2,6 +2,16 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `bobweight/` | the card of a crankshaft for its balancer: parts, bobweights, overbalance |
+| `correct/` | what to add or to drill in two planes of a rotor |
+| `drill/` | which holes to drill, and which slugs to fit |
+| `errata/` | the errors of published sources, each formula beside the correct one |
+| `grade/` | the unbalance that may remain by ISO 21940-11 |
+| `match/` | weighed pistons, pins and rods matched to the cylinders |
+| `orders/` | the firing orders that a crank can fire |
+| `tolerance/` | how engines built to their tolerances scatter |
+| `vees/` | the V angles and splits of pins at which a V engine fires evenly |
+| `verdict/` | what an engine does and what would cure it, in sentences |
 | `bearings/` | loads on main bearings, crankpins and walls; bending of the crankshaft |
 | `diagnose/` | which fault explains measured vibration |
 | `fault/` | what a fault changes in what shakes the block |

@@ -10,6 +10,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from crankstar.charts.fonts import registered
@@ -101,6 +102,17 @@ class Chart:
         import altair
 
         return altair.Chart.from_dict(self.to_dict())
+
+    def save(self, path: str | Path, *, title: str = "") -> None:
+        """Write it as a file: SVG, PNG, PDF, HTML or JSON by the end of its name.
+
+        `title` is the text for readers who cannot see it. Raises ChartError for another name.
+        """
+        from importlib import import_module
+
+        saving = import_module("crankstar.charts.saving")  # which is made of this module
+        place = Path(path)
+        place.write_bytes(saving.saved(self, place.suffix, title=title))
 
     def _repr_mimebundle_(self, *_: Any, **__: Any) -> Any:
         """The figure in a notebook, without a network: as Vega-Lite where that is known, else SVG.

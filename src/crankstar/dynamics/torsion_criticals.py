@@ -21,7 +21,7 @@ from crankstar.dynamics.torsion_modes import Mode, torsion_modes
 from crankstar.dynamics.torsion_response import Response
 from crankstar.dynamics.torsion_system import TorsionChain
 from crankstar.firing.weighing import vector_sums
-from crankstar.spectra import Real
+from crankstar.spectra import ROUNDING, Real
 
 SAME_ORDER = 1e-9
 OF_NOTE = 0.05
@@ -109,9 +109,14 @@ def _driven(
     torque = excitation.torque(np.array([met[number][2] for number in known.tolist()]))
     first = [chain.freedom.index(freedom) for freedom in range(chain.freedoms)]
     inertias = chain.inertias(orders)
-    for row, number in enumerate(known.tolist()):
-        mode = met[number][0]
-        size = float(abs(mode.shape @ torque[row, :, column[number]]))
+    pushes = [
+        met[number][0].shape * torque[row, :, column[number]]
+        for row, number in enumerate(known.tolist())
+    ]
+    noise = ROUNDING * max((float(np.abs(each).sum()) for each in pushes), default=0.0)
+    for number, pushed in zip(known.tolist(), pushes, strict=True):
+        mode, size = met[number][0], float(abs(pushed.sum()))
+        size = size if size > noise else 0.0
         turns = mode.shape[first] / chain.ratio[first]
         modal = float(inertias[number] @ turns**2)
         out[number] = size, size / (mode.speed**2 * abs(modal))

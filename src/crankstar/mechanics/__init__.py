@@ -26,7 +26,7 @@
 | `gas` | the pressure in every chamber over a cycle |
 | `gear_wheels` | gear wheels between crankshafts: which meshes with which, and how large |
 | `central_rods` | rods of one crankpin in one plane, and where there are more than can be |
-| `mass_doubts` | the same of masses and bodies, without gas or speed |
+| `mass_doubts` | masses and sizes that hardly any engine has, whatever its gas and speed |
 | `magnitudes` | values out of all proportion to the engine they are of |
 | `stiffness_doubts` | stiffnesses of crankshafts with which hardly any engine turns |
 | `usual_values` | values of combustion, oil and materials that hardly any engine has |

@@ -16,8 +16,8 @@ from crankstar.files.chains import chain_of, is_chain
 from crankstar.files.changes import turning, with_traces
 from crankstar.files.source import tree_of_keys
 from crankstar.language.faults import Fault
-from crankstar.language.messages import _
-from crankstar.language.quoting import given
+from crankstar.language.messages import MessageError, _
+from crankstar.language.quoting import given, one_line
 
 EngineLike = Engine | Chain | str | Path | Mapping[str, Any]
 """An engine: itself, its name in the catalog, the path of its file, or the keys of one."""
@@ -79,6 +79,16 @@ def loaded(
         return Loaded(engine.name, {}, engine)
     if isinstance(engine, Engine) and not changes and not estimate:
         return Loaded(engine.name, explicit(engine), engine)
+    short = [path for path in changes or () if path.partition(".")[0] in ("cylinder", "layout")]
+    if isinstance(engine, Engine) and short:
+        raise MessageError(
+            _(
+                "{path} is a key of a short engine file, which an Engine no longer knows; change "
+                "its parts by number, as in {example}, or give the file or its name",
+                path=one_line(short[0]),
+                example="cylinders[1].bore",
+            )
+        )
     shown, tree = _tree(engine, asking)
     values = with_traces(changes or {}, "changes")
     if chains and is_chain(tree):

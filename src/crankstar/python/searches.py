@@ -42,7 +42,7 @@ class Found:
 
     >>> import crankstar
     >>> found = crankstar.search(5, cycle="two-stroke", best=1, minimise="M1")
-    >>> len(found), found.crank().firing_order
+    >>> len(found), found.to_engine().firing_order
     (1, (1, 5, 2, 3, 4))
     """
 
@@ -91,7 +91,7 @@ class Found:
             )
         return figures[figure](self.answer)
 
-    def crank(self, row: int = 1) -> Engine:
+    def to_engine(self, row: int = 1) -> Engine:
         """The engine of a row, counted from 1: with its throws and firing order.
 
         Raises ValueError where there is no such row.

@@ -104,7 +104,11 @@ def _told(
     parts = _together(found, "not modelled")
     large = [each for each in found if each not in doubtful]
     least = TOLD - UNMOVED  # a trial of a per cent mostly moves a per cent
-    large = [each for each in large if each.effect >= least or _lifts(each) or _is_doubt(each)]
+    large = [
+        each
+        for each in large
+        if (each.effect >= least and _is_seen(each)) or _lifts(each) or _is_doubt(each)
+    ]
     most = [each for each in large if not each.named and not _is_doubt(each)][:count]
     told = [each for each in large if each.named or _is_doubt(each) or each in most]
     lines = [*parts, *((_line(each), [each]) for each in doubtful)]
@@ -121,6 +125,12 @@ def _told(
     lines += [(_line(each), [each]) for each in last]
     lines += [line for status in LAST for line in _together(rest, status)]
     return lines
+
+
+def _is_seen(each: Assumption) -> bool:
+    """Whether the figure that it moves most is another one in the digits that are printed."""
+    own = each.moved
+    return own is None or own.trial or span_text(own) != size_text(own.now, own.unit)
 
 
 FIRES = {"spark": N_("spark ignition"), "compression": N_("compression ignition")}
@@ -223,6 +233,12 @@ def _moving(each: Assumption) -> str:
     own = each.moved
     assert own is not None  # noqa: S101  # asked before
     words = _words(each, own)
+    if not _is_seen(each):
+        unseen = _("No figure moves in its first three digits.")
+        if each.status != "assumed" or each.value is None:
+            return passage([_("{path}: {reason}.", **words), unseen])
+        value = value_text(each, each.value)
+        return passage([_("{path}: {value} assumed, {reason}.", **words, value=value), unseen])
     if own.trial and not own.now:
         size = size_text(own.high, own.unit)
         return _(
