@@ -199,7 +199,7 @@ def test_physics_arguments_are_keyword_only() -> None:
     """Two numbers of one type side by side can be swapped; they must be named."""
     # `ellipse` and `greatest` (forward, backward) are the law |f| + |b|, the same either way but
     # for the sense; `number(value, largest)` is text.
-    symmetric = {"spectra.ellipse", "bounds.greatest"}
+    symmetric = {"spectrum.ellipse", "bounds.greatest"}
     assert {*survey().swappable} <= {*symmetric, "numbers.number", "numbers.wave"}
 
 
