@@ -63,6 +63,7 @@ def test_an_engine_is_not_changed_by_keys_of_its_short_file() -> None:
     assert crankstar.torque(engine, changes={"cylinders[1].bore": "80 mm"}).to_frame().size
 
 
+@pytest.mark.release
 def test_a_chart_writes_itself_as_its_name_says(tmp_path: Path) -> None:
     chart = crankstar.torsion("cadillac-ld8").plot("campbell")
     chart.save(tmp_path / "campbell.svg", title="Campbell")
@@ -78,6 +79,7 @@ def test_orders_that_cancel_drive_no_mode() -> None:
     assert (torques[torques > 0] > 1e-9 * torques.max()).all()
 
 
+@pytest.mark.release
 def test_no_sentence_says_of_a_figure_what_it_is_already() -> None:
     """Diesel friction moved the force in a mount from 14 N to 14 N, in the digits printed."""
     places = [("left", "-0.4 m", "0.1 m"), ("right", "0.4 m", "0.1 m"), ("rear", "0 m", "-0.3 m")]
