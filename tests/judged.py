@@ -40,8 +40,8 @@ class Judged:
         sampled = any(cylinder.articulated for cylinder in engine.cylinders)
         sharper = max(1.0, float(told.order) ** 2 / 4) if sampled else 1.0
         each = 1e-14 * max(most, 1.0) * sharper
-        # an angle that is no part of a turn is a ball of 1.3e-12 rad, which rods near to locking
-        # make a hundred times as large (found: 5e-10 at order 3); its middle is no better
+        # an angle that is no rational part of a revolution is a ball of 1.3e-12 rad; rods near to
+        # locking make it a hundred times as large (5e-10 at order 3); its middle is no better
         if sampled and any(rational.turn(angle) is None for angle in angles(engine)):
             each += 1e-9 * float(told.order) ** 2
         return cls(engine, told, forward, backward, 1e-12 * largest + each * len(result.parts))

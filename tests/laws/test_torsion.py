@@ -156,9 +156,10 @@ def test_a_gear_is_the_plain_chain_with_inertia_and_stiffness_by_its_square(tree
     one = response(chain, push, speeds=SPEEDS)
     other = response(plain, referred, speeds=SPEEDS)
     assert one.turns == pytest.approx(other.turns * total, rel=1e-9, abs=1e-15)
-    # power goes with the square of turns; what little is left of torques and speeds a quarter of a
-    # period apart has their rounding
-    assert one.power == pytest.approx(other.power, rel=3e-9, abs=1e-9 * np.abs(one.power).max())
+    # the sum of w |torque| |turn| / 2, of turns that agree so far; most of it may cancel
+    pushed = one.vibration[..., None] * np.abs(one.driving)
+    missed = (pushed * (1e-9 * np.abs(one.turns) + 1e-15)).sum(axis=(1, 2))
+    assert (np.abs(one.power - other.power) <= missed).all()
 
 
 def dynamic_stiffness(chain: TorsionChain, found: Response) -> Complex:

@@ -105,10 +105,12 @@ def test_nothing_of_a_drawing_is_cut_off(name: str, view: str) -> None:
         assert spots[:, 1].max() <= how.height + 1
         numbers = {c.number for c in scene(engine).cylinders}
         written = {
-            int(word)
+            number
             for text in read(svg).iter(f"{SPACE}text")
-            if re.fullmatch(r"[\d·]+", text.text or "")
+            if re.fullmatch(r"[\d·–]+", text.text or "")
             for word in (text.text or "").split("·")
+            for first, _run, last in (word.partition("–"),)
+            for number in range(int(first), int(last or first) + 1)
         }
         assert written == numbers
 

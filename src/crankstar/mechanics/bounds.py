@@ -30,7 +30,7 @@ class Size(float):
 
     These [row, part] are complex amplitudes, each linear in every estimated value while the others
     are held: of a greatest value its two turning vectors together, its vertical part alone; of a
-    peak over a turn the vector at any one crank angle.
+    peak over a revolution the vector at any one crank angle.
     """
 
     bounds: Complex

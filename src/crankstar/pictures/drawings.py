@@ -13,7 +13,7 @@ import numpy as np
 from crankstar.charts.letters import text_width
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, numbers_text
 from crankstar.page.records import Scene
 from crankstar.page.scene import scene
 from crankstar.pictures.arrows import KINDS, Arrow, Kind, Load, load_of, round_value
@@ -221,7 +221,8 @@ def _numbers(drawn: Scene, pane: Pane, palette: Palette) -> Iterator[str]:
         else:
             labels.append((x1, y1, [c.number]))
     for x, y, names in labels:
-        text = "·".join(map(str, sorted(names)))
+        runs = numbers_text(names)
+        text = "·".join(map(str, sorted(names))) if "…" in runs else runs.replace(", ", "·")
         yield (
             f'<text x="{x:.1f}" y="{y + 4:.1f}" text-anchor="middle" fill="{palette.text}" '
             f'stroke="{palette.ground}" stroke-width="3" stroke-linejoin="round" '

@@ -158,10 +158,10 @@ def _tables(table: Table, others: Sequence[Table]) -> Table:
         for name, row in lookup.items()
         if name not in own and _has_numbers(row)
     }
-    nought = {name: tuple(map(_zero, table.columns, row)) for name, row in missing.items()}
+    zeros = {name: tuple(map(_zero, table.columns, row)) for name, row in missing.items()}
     measures = tops(table, others)
     rows: list[tuple[Value, ...]] = []
-    for name, row in {**own, **nought}.items():
+    for name, row in {**own, **zeros}.items():
         like = [lookup.get(name, _absent(table.columns, row)) for lookup in lookups]
         rows.append(
             tuple(

@@ -15,7 +15,7 @@ from crankstar.options.sources import Loaded
 
 
 def as_built(file: Loaded, *, speed: float | None = None) -> Scatter | None:
-    """The scatter of the engine of a file; None without tolerances of note.
+    """The scatter of the engine of a file; None without significant tolerances.
 
     At `speed` (rad/s), else at that of the file.
 
